@@ -80,7 +80,7 @@ def test_a_setup_file(tmp_path: Path):
     robot = f"<robot name='arm'>{mesh_link('package://arm/arm.stl')}</robot>"
     path = add_file(tmp_path / "arm.urdf", robot.encode())
     with soon():
-        assert "PKG003" in [found.code for found in check(path, select=["PKG"]).diagnostics]
+        assert "PKG005" in [found.code for found in check(path, select=["PKG"]).diagnostics]
 
 
 @pytest.mark.parametrize(

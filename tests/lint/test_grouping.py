@@ -173,7 +173,7 @@ def test_an_argument_that_is_passed_to_many_files_is_one_finding(tmp_path: Path)
         (tmp_path / f"{name}.launch").write_text("<launch/>")
     includes = "\n".join(map(include.format, ("arm", "base", "view")))
     (tmp_path / "all.launch").write_text(f"<launch>\n{includes}\n</launch>")
-    found = check(tmp_path / "all.launch", select=["LAU007"]).diagnostics
+    found = check(tmp_path / "all.launch", select=["LAU005"]).diagnostics
     assert len(found) == 3
     (seen,) = grouped(found)
     assert seen.message == "'arm.launch' has no argument 'sim' (and 2 more like this)"

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit.text.source import Source
-from urdfkit.workspace.package_references import mentions, of_package, silent
+from urdfkit.workspace.package_references import mentions, of_package
 from urdfkit.workspace.resolve import Resolver
 
 
@@ -56,22 +56,3 @@ def test_only_the_texts_of_the_own_package_count(tmp_path: Path) -> None:
     packages = Resolver(environment={}).packages
     assert [one.package for one in of_package(sources, packages)] == ["hand"]
     assert [one.package for one in of_package(sources[1:], packages)] == ["motors"]
-
-
-def test_which_rules_have_nothing_to_say(tmp_path: Path) -> None:
-    arm = package(tmp_path / "arm", "arm")
-
-    def codes(text: bytes, folder: Path = arm) -> set[str]:
-        sources = (Source(str(folder / "a.urdf"), text),)
-        return silent(sources, Resolver(environment={}).packages)
-
-    own, other = b"package://arm/a.stl", b"package://hand/a.stl"
-    nothing = {"PKG002", "PKG003", "PKG006"}
-    assert codes(own) == {"PKG001", *nothing}, "nothing says what is installed"
-    assert codes(other) == nothing
-    (arm / "setup.py").write_text("")
-    assert codes(own) == {"PKG001"}
-    (arm / "CMakeLists.txt").write_text("")
-    assert codes(own) == {"PKG001", "PKG006"}
-    assert codes(own + b" " + other) == {"PKG006"}
-    assert codes(own, tmp_path / "loose") == {"PKG001", "PKG002", "PKG003"}

@@ -107,7 +107,14 @@ def reported(subject: Subject, code: str) -> Iterator[Finding]:
     """The findings of a rule that only tells what reading met."""
     for problem in subject.problems(code):
         at = Location(problem.span, problem.frame)
-        yield Finding(at, problem.message, problem.help, problem.fix, problem.related)
+        yield Finding(
+            at,
+            problem.message,
+            problem.help,
+            problem.fix,
+            problem.related,
+            severity=problem.severity,
+        )
 
 
 Check = Callable[["Subject"], Iterator[Finding]]

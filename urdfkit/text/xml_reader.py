@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from xml.parsers import expat
 
 from urdfkit.core.record import Record
-from urdfkit.text.diagnostic import Edit, Fix, Related
+from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span
 
@@ -43,7 +43,8 @@ class Problem(Record):
         help: what to do; the rule's own help if empty.
         frame: the macro calls and includes that led there.
         related: other places that explain it.
-        fix: a remedy as text edits.
+        fix: as text edits.
+        severity: if it is not that of the rule.
     """
 
     code: str
@@ -53,6 +54,7 @@ class Problem(Record):
     frame: CallFrame | None = None
     related: tuple[Related, ...] = ()
     fix: Fix | None = None
+    severity: Severity | None = None
 
 
 class DocumentTooLarge(Exception):

@@ -65,20 +65,3 @@ def of_package(sources: tuple[Source, ...], packages: Packages) -> Iterator[Pack
 def _plain(path: str) -> str:
     plain, expression, _ = path.lstrip("/").partition("$")
     return os.path.dirname(plain) if expression else plain
-
-
-def silent(sources: tuple[Source, ...], packages: Packages) -> set[str]:
-    """The codes of the rules about packages that need not be imported for a description."""
-    home = packages.enclosing(sources[0].path)
-    if home is None:
-        return {"PKG001", "PKG002", "PKG003"}  # not PKG005: it may be that its name is missing
-    names = {mention.package for mention in of_package(sources, packages)}
-    codes = {"PKG001"} if names <= {home[0]} else set()
-    files = packages.folders.entries(home[1]) or {}
-    if home[0] not in names or not ("CMakeLists.txt" in files or "setup.py" in files):
-        codes.add("PKG002")
-    if not ("CMakeLists.txt" in files or "setup.py" in files):
-        codes.add("PKG003")
-    if "CMakeLists.txt" in files or "setup.py" not in files:
-        codes.add("PKG006")
-    return codes

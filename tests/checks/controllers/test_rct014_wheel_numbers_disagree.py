@@ -54,9 +54,7 @@ def drive(separation: float, radius: float) -> str:
 
 def test_separation(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.3, 0.1), robot())
-    assert found.message == (
-        "controller 'd': wheel_separation is 0.3 m, and in the model it is 0.4 m"
-    )
+    assert found.message == ("controller 'd': wheel_separation is 0.3 m, but 0.4 m in the model")
     assert found.help == "write 0.4"
     assert found.span.source.path == str(tmp_path / "c.yaml")
     assert (found.span.line, found.span.text) == (6, "0.3")
@@ -64,7 +62,7 @@ def test_separation(tmp_path: Path) -> None:
 
 def test_radius(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.4, 0.2), robot())
-    assert found.message == "controller 'd': wheel_radius is 0.2 m, and in the model it is 0.1 m"
+    assert found.message == "controller 'd': wheel_radius is 0.2 m, but 0.1 m in the model"
 
 
 @pytest.mark.parametrize(("separation", "radius"), [(0.4, 0.1), (0.419, 0.1049), (0.381, 0.0951)])
@@ -77,7 +75,7 @@ def test_tyres_beside_their_joints(tmp_path: Path) -> None:
     assert reported(tmp_path, drive(0.5, 0.1), model) == [], "between the tyres"
     assert reported(tmp_path, drive(0.4, 0.1), model) == [], "between the joints"
     (found,) = reported(tmp_path, drive(0.6, 0.1), model)
-    assert found.message.endswith("in the model it is 0.5 m")
+    assert found.message.endswith("but 0.5 m in the model")
 
 
 def test_what_the_model_does_not_tell(tmp_path: Path) -> None:
@@ -104,8 +102,8 @@ def test_a_steered_car(tmp_path: Path) -> None:
     assert reported(tmp_path, car(0.6, 0.4), robot()) == []
     found = reported(tmp_path, car(0.8, 0.5), robot())
     assert [one.message for one in found] == [
-        "controller 'car': wheelbase is 0.8 m, and in the model it is 0.6 m",
-        "controller 'car': rear_wheel_track is 0.5 m, and in the model it is 0.4 m",
+        "controller 'car': wheelbase is 0.8 m, but 0.6 m in the model",
+        "controller 'car': rear_wheel_track is 0.5 m, but 0.4 m in the model",
     ]
 
 
@@ -113,6 +111,6 @@ def test_mecanum_wheels(tmp_path: Path) -> None:
     text = controller("m", MECANUM, front_left_wheel_command_joint_name="fl", kinematics="")
     (found,) = reported(tmp_path, text + "      wheels_radius: 0.3\n", robot())
     assert found.message == (
-        "controller 'm': kinematics.wheels_radius is 0.3 m, and in the model it is 0.1 m"
+        "controller 'm': kinematics.wheels_radius is 0.3 m, but 0.1 m in the model"
     )
     assert reported(tmp_path, text + "      wheels_radius: 0.1\n", robot()) == []

@@ -29,7 +29,7 @@ def test_keys_under_which_nobody_looks(
 )
 def test_no_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
     (found,) = reported(tmp_path, "RCT026", DRIVE.replace(old, new))
-    assert found.message.startswith("the file is not YAML: ")
+    assert found.message.startswith("invalid YAML: ")
     assert found.span.line == line
 
 

@@ -1,9 +1,12 @@
 """LAU005: see the rule."""
 
+from __future__ import annotations
+
 from pathlib import Path
 
 import pytest
 
+from tests.launched import launch, reported
 from urdfkit import Diagnostic, check
 
 ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -19,7 +22,7 @@ XML = """<launch>
 </launch>"""
 
 
-def reported(folder: Path, name: str, launch: str) -> list[Diagnostic]:
+def xacro_reported(folder: Path, name: str, launch: str) -> list[Diagnostic]:
     (folder / "r.xacro").write_text(ROBOT)
     (folder / "more.xacro").write_text(MORE)
     (folder / name).write_text(launch)
@@ -30,7 +33,7 @@ def reported(folder: Path, name: str, launch: str) -> list[Diagnostic]:
 
 @pytest.mark.parametrize(("name", "text", "line"), [("a.launch", XML, 2)])
 def test_an_argument_that_the_xacro_lacks(tmp_path: Path, name: str, text: str, line: int) -> None:
-    (found,) = reported(tmp_path, name, text.format("camra"))
+    (found,) = xacro_reported(tmp_path, name, text.format("camra"))
     assert found.message.endswith("has no argument 'camra'; did you mean 'camera'?")
     assert found.help == "pass one of: arm, camera"
     assert found.span.line == line
@@ -38,4 +41,52 @@ def test_an_argument_that_the_xacro_lacks(tmp_path: Path, name: str, text: str, 
 
 @pytest.mark.parametrize("argument", ["camera", "arm"])
 def test_its_own_and_those_of_included_files_are_calm(tmp_path: Path, argument: str) -> None:
-    assert reported(tmp_path, "a.launch", XML.format(argument)) == []
+    assert xacro_reported(tmp_path, "a.launch", XML.format(argument)) == []
+
+
+ROS_1 = '<include file="$(find arm)/launch/b.launch">\n<arg name="{}" value="1"/></include>'
+ROS_2 = ROS_1.replace("$(find ", "$(find-pkg-share ")
+TAKES = launch('<arg name="world" default="empty"/>')
+PYTHON = """IncludeLaunchDescription(
+    PythonLaunchDescriptionSource("b.launch.py"),
+    launch_arguments={{"{}": "1"}}.items(),
+)
+"""
+TAKES_PYTHON = 'DeclareLaunchArgument("world", default_value="empty")\n'
+
+
+@pytest.mark.parametrize("text", [ROS_1, ROS_2])
+def test_an_argument_that_the_file_lacks(tmp_path: Path, text: str) -> None:
+    files = {"launch/b.launch": TAKES}
+    (found,) = reported(tmp_path, "LAU005", "a.launch", text.format("wrld"), files)
+    assert found.message == "'b.launch' has no argument 'wrld'; did you mean 'world'?"
+    assert (found.span.line, found.span.text) == (3, "wrld")
+    assert reported(tmp_path, "LAU005", "a.launch", text.format("world"), files) == []
+
+
+def test_in_python(tmp_path: Path) -> None:
+    files = {"launch/b.launch.py": TAKES_PYTHON}
+    (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files)
+    assert (found.message, found.span.line) == ("'b.launch.py' has no argument 'gui'", 3)
+    assert reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("world"), files) == []
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "LaunchConfiguration('gui')",
+        "from arm_bringup import declare",
+        "IncludeLaunchDescription(somewhere())",
+        "DeclareLaunchArgument(name)",
+        "def (",
+    ],
+)
+def test_what_the_file_may_use_is_calm(tmp_path: Path, more: str) -> None:
+    files = {"launch/b.launch.py": TAKES_PYTHON + more}
+    assert reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files) == []
+
+
+def test_all_arguments_may_be_passed_on(tmp_path: Path) -> None:
+    files = {"launch/b.launch": TAKES}
+    text = ROS_1.format("gui").replace("b.launch", 'b.launch" pass_all_args="true', 1)
+    assert reported(tmp_path, "LAU005", "a.launch", text, files) == []

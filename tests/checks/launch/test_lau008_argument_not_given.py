@@ -15,7 +15,7 @@ def test_an_argument_without_a_default(tmp_path: Path) -> None:
     (found,) = reported(
         tmp_path, "LAU008", "a.launch", XML.format("", ""), {"launch/b.launch": NEEDS}
     )
-    assert found.message == "'b.launch' needs the argument 'world'"
+    assert found.message == "'b.launch' requires argument 'world'"
     assert found.span.line == 2
 
 
@@ -39,7 +39,7 @@ def test_given_or_not_needed_is_calm(
 def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
     (found,) = reported(tmp_path, "LAU008", "a.launch.py", PYTHON.format(""), files)
-    assert found.message == "'b.launch.py' needs the argument 'world'"
+    assert found.message == "'b.launch.py' requires argument 'world'"
 
 
 @pytest.mark.parametrize(

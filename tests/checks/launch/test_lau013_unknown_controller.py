@@ -35,7 +35,7 @@ def test_ros_1(tmp_path: Path, executable: str, args: str) -> None:
     text = LOAD_1 + SPAWN_1.format(executable, args)
     (found,) = reported(tmp_path, "LAU013", "a.launch", text, ROS_1)
     name = args.rpartition(" ")[2].rpartition("/")[2]
-    assert found.message.startswith(f"no file of parameters defines the controller '{name}'")
+    assert found.message.startswith(f"controller '{name}' is not defined in any parameter file")
     assert found.span.line == 3
 
 

@@ -28,7 +28,7 @@ def test_the_launch_file_itself(tmp_path: Path) -> None:
     (found,) = reported(
         tmp_path, "LAU014", "a.launch", LOAD, files(CMakeLists__txt=CMAKE.format("config"))
     )
-    assert found.message.startswith("'launch/a.launch' is in the source tree, and ")
+    assert found.message.startswith("'launch/a.launch' is not installed by ")
     assert found.help == "write install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
     assert found.span.line == 1
 
@@ -37,7 +37,7 @@ def test_what_it_names(tmp_path: Path) -> None:
     (found,) = reported(
         tmp_path, "LAU014", "a.launch", LOAD, files(CMakeLists__txt=CMAKE.format("launch"))
     )
-    assert found.message.startswith("'config/c.yaml' is in the source tree, and ")
+    assert found.message.startswith("'config/c.yaml' is not installed by ")
     assert found.span.line == 2
 
 
@@ -45,7 +45,7 @@ def test_what_it_names(tmp_path: Path) -> None:
 def test_a_pattern_that_does_not_match(tmp_path: Path, pattern: str) -> None:
     setup = SETUP.format(pattern)
     (found,) = reported(tmp_path, "LAU014", "a.launch", LOAD, files(setup__py=setup))
-    assert found.message.startswith("'launch/a.launch' is in the source tree, and ")
+    assert found.message.startswith("'launch/a.launch' is not installed by ")
     assert found.help == "add the files of launch to data_files in setup.py"
 
 

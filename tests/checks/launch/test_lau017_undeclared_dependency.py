@@ -27,7 +27,7 @@ def reported(folder: Path, text: str, depends: str = "") -> list[Diagnostic]:
 @pytest.mark.parametrize("text", [NODE.format("hand"), '<include file="$(find hand)/b.launch"/>'])
 def test_a_package_that_is_there_by_chance(tmp_path: Path, text: str) -> None:
     (found,) = reported(tmp_path, text)
-    assert found.message.startswith("package 'hand' is used, and ")
+    assert found.message.startswith("package 'hand' is used but not declared in ")
     assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
     assert found.span.line == 2
 

@@ -27,7 +27,7 @@ HAND = '<xacro:include filename="$(find hand)/hand.xacro"/>'
 def test_a_package_that_is_not_declared(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, HAND)
     manifest = tmp_path / "arm" / "package.xml"
-    assert found.message == f"package 'hand' is used, and {manifest} does not declare it"
+    assert found.message == f"package 'hand' is used but not declared in {manifest}"
     assert found.help == "add <run_depend>hand</run_depend> to package.xml"
     assert (found.span.line, found.span.text) == (3, "$(find hand)/hand.xacro")
 

@@ -36,7 +36,7 @@ def reported(
 def test_nothing_tells_gazebo(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, OWN, OWN)
     assert found.message == (
-        f"Gazebo will not find '{OWN}', nor 1 more of this package: nothing in the workspace "
+        f"Gazebo cannot find '{OWN}', nor 1 more of this package: nothing in the workspace "
         "sets GZ_SIM_RESOURCE_PATH or exports gazebo_model_path"
     )
     assert (found.span.line, found.span.text) == (2, OWN)

@@ -1,3 +1,5 @@
+"""RCT007: see the rule."""
+
 from __future__ import annotations
 
 from tests.controls import NEXT, ROBOT, control, driven
@@ -12,7 +14,7 @@ def test_two_blocks_for_one_joint() -> None:
     assert places("RCT007", text) == [(NEXT + 6, '<command_interface name="position"/>')]
     (found,) = reported("RCT007", text)
     assert [(one.span.line, one.message) for one in found.related] == [
-        (NEXT + 2, "first here, in <ros2_control> 'c'")
+        (NEXT + 2, "first declared here, in <ros2_control> 'c'")
     ]
 
 
@@ -36,3 +38,20 @@ def test_a_sensor_and_a_gpio_of_one_name_are_two_things() -> None:
     sensor = f'<sensor name="s">{state}</sensor>'
     assert reported("RCT007", ROBOT + control(sensor, f'<gpio name="s">{state}</gpio>')) == []
     assert len(reported("RCT007", ROBOT + control(sensor, sensor))) == 1
+
+
+def test_two_blocks_of_one_name() -> None:
+    text = ROBOT + control(driven("swing")) + control(driven("slide"))
+    assert messages("RCT007", text) == ["duplicate <ros2_control> name 'c'"]
+    assert places("RCT007", text) == [(NEXT + 4, "c")]
+    (found,) = reported("RCT007", text)
+    assert [(one.span.line, one.message) for one in found.related] == [(NEXT, "first defined here")]
+
+
+def test_names_of_their_own() -> None:
+    text = ROBOT + control(driven("swing")) + control(driven("slide"), name="d")
+    assert reported("RCT007", text) == []
+    assert reported("RCT007", text.replace('"c"', '""').replace('"d"', '""')) == [], "RCT017"
+    assert reported("RCT007", text.replace('"c"', '"${n}"').replace('"d"', '"${n}"')) == [], (
+        "XAC003"
+    )

@@ -39,7 +39,7 @@ def test_hardware_of_no_simulator() -> None:
 def test_two_plugins_in_one_namespace() -> None:
     block = ROBOT + control(driven("swing"), plugin=CLASSIC)
     text = block + plugin(LOADS) * 2
-    assert messages("RCT010", text) == [f"plugin {LOADS} is there twice in one namespace"]
+    assert messages("RCT010", text) == [f"plugin {LOADS} is used twice in one namespace"]
     assert [line for line, _ in places("RCT010", text)] == [NEXT + 5]
     left, right = (plugin(LOADS, NAMESPACE.format(side)) for side in ("left", "right"))
     assert reported("RCT010", block + left + right) == []
@@ -48,7 +48,7 @@ def test_two_plugins_in_one_namespace() -> None:
 
 def test_the_plugin_of_ros1_wants_transmissions() -> None:
     assert messages("RCT010", ROBOT + plugin("libgazebo_ros_control.so")) == [
-        "plugin libgazebo_ros_control.so: no transmission gives it a joint"
+        "plugin libgazebo_ros_control.so: no transmission, so that it drives no joint"
     ]
     assert (
         reported("RCT010", ROBOT + plugin("libgazebo_ros_control.so") + transmission("swing")) == []

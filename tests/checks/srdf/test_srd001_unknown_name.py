@@ -1,41 +1,50 @@
 """SRD001: see the rule."""
 
+from __future__ import annotations
+
 from pathlib import Path
 
 import pytest
 
+from tests.conftest import CORPUS, needs_corpus
 from tests.srdfs import findings
+from urdfkit import Diagnostic, check
 
 BAD = [
     (
         '<group name="g"><link name="amr"/></group>',
-        "there is no link 'amr'; did you mean 'arm'?",
+        "unknown link 'amr'; did you mean 'arm'?",
         "amr",
     ),
     (
         '<group name="g"><joint name="elbow"/></group>',
-        "there is no joint 'elbow'",
+        "unknown joint 'elbow'",
         "elbow",
     ),
     (
         '<group_state name="s" group="g"/>',
-        "there is no group 'g'",
+        "unknown group 'g'",
         "g",
     ),
     (
         '<end_effector name="e" group="h" parent_link="hand"/>',
-        "there is no group 'h'",
+        "unknown group 'h'",
         "h",
     ),
     (
         '<group_state name="s" group=""><joint name="root_joint" value="0"/></group_state>',
-        "there is no joint 'root_joint'",
+        "unknown joint 'root_joint'",
         "root_joint",
     ),
     (
         '<passive_joint name="x"/>',
-        "there is no joint 'x'",
+        "unknown joint 'x'",
         "x",
+    ),
+    (
+        '<disable_collisions link1="base" link2="hnad" reason="Never"/>',
+        "unknown link 'hnad'; did you mean 'hand'?",
+        "hnad",
     ),
 ]
 GOOD = [
@@ -52,11 +61,14 @@ GOOD = [
         '<group name="g"><link name="arm"/></group><group_state name="s" group="g">'
         '<joint name="root_joint" value="0 0 1 0 0 0 1"/></group_state>'
     ),
+    '<disable_collisions link1="base" link2="hand" reason="Never"/>',
 ]
 
 
 @pytest.mark.parametrize(("text", "message", "word"), BAD)
-def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: str | None) -> None:
+def test_it_is_reported_in_the_srdf(
+    tmp_path: Path, text: str, message: str, word: str | None
+) -> None:
     (finding,) = findings(tmp_path, text, "SRD001")
     assert finding.message == message
     assert finding.span.source.path == str(tmp_path / "r.srdf")
@@ -65,5 +77,145 @@ def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: s
 
 
 @pytest.mark.parametrize("text", GOOD)
-def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
+def test_valid(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, text, "SRD001") == []
+
+
+def reported(folder: Path, *joints: str, place: str = "joint_limits.yaml") -> list[Diagnostic]:
+    lines = "".join(f"  {name}:\n    max_velocity: 1.0\n" for name in joints)
+    (folder / place).parent.mkdir(exist_ok=True)
+    (folder / place).write_text(f"joint_limits:\n{lines}")
+    return findings(folder, "", "SRD001")
+
+
+def test_a_misspelt_joint(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, "shoulder", "shuolder")
+    assert found.message == "limits of unknown joint 'shuolder'; did you mean 'shoulder'?"
+    assert found.span.source.path == str(tmp_path / "joint_limits.yaml")
+    assert (found.span.line, found.span.text) == (4, "shuolder")
+
+
+def test_limits_of_another_robot_are_told_once(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, "a", "b", "c")
+    assert "'a'" in found.message
+
+
+def test_known_joints_and_files_that_say_nothing(tmp_path: Path) -> None:
+    assert reported(tmp_path, "shoulder", "wrist") == []
+    for text in ("", "joint_limits: 3", "joint_limits:\n  elbow: 3", "- a", "joint_limits: ["):
+        (tmp_path / "joint_limits.yaml").write_text(text)
+        assert findings(tmp_path, "", "SRD001") == []
+
+
+@needs_corpus
+def test_real_files() -> None:
+    panda = CORPUS / "moveit_resources" / "panda_description" / "urdf" / "panda.urdf"
+    assert check(panda, select=["SRD001", "SRD015"]).diagnostics == ()
+
+
+STATE = '<group_state name="s" group="g">\n<joint name="shoulder" value="0"/></group_state>'
+
+
+def test_a_joint_of_another_group(tmp_path: Path) -> None:
+    body = f'<group name="g"><link name="hand"/></group>\n{STATE}'
+    (finding,) = findings(tmp_path, body, "SRD001")
+    assert finding.message == "state 's': joint 'shoulder' is not in group 'g'"
+    assert finding.span.line == 4
+
+
+@pytest.mark.parametrize(
+    "group",
+    [
+        '<joint name="shoulder"/>',
+        '<link name="arm"/>',
+        '<chain base_link="base" tip_link="hand"/>',
+    ],
+)
+def test_a_joint_of_the_group(tmp_path: Path, group: str) -> None:
+    assert findings(tmp_path, f'<group name="g">{group}</group>{STATE}', "SRD001") == []
+
+
+GROUPS = (
+    '<group name="arm"><link name="arm"/></group><group name="hand"><link name="hand"/></group>'
+)
+SOLVER = "{}:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n"
+
+
+@pytest.mark.parametrize("place", [".", "config"])
+def test_a_solver_for_no_group(tmp_path: Path, place: str) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "srdf").mkdir()
+    folder = tmp_path / place
+    folder.mkdir(exist_ok=True)
+    (folder / "kinematics.yaml").write_text(SOLVER.format("arm") + SOLVER.format("hnad"))
+    robot = tmp_path if place == "." else tmp_path / "srdf"
+    (found,) = findings(robot, GROUPS, "SRD001")
+    assert found.message == "settings of unknown group 'hnad'; did you mean 'hand'?"
+    assert (found.span.line, found.span.text) == (3, "hnad")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "planner_configs:\n  RRT: {type: geometric::RRT}\nmanipulator:\n  planner_configs: [RRT]",
+        "manipulator:\n  default_planner_config: RRT",
+    ],
+)
+def test_planners_for_no_group(tmp_path: Path, text: str) -> None:
+    (tmp_path / "ompl_planning.yaml").write_text(text)
+    (found,) = findings(tmp_path, GROUPS, "SRD001")
+    assert found.span.text == "manipulator"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        SOLVER.format("arm"),
+        SOLVER.format("$(arg arm)"),
+        SOLVER.format("left") + SOLVER.format("right"),  # of another robot
+        "other: 3",
+        "arm: [",
+    ],
+)
+def test_what_is_known_or_of_others_is_calm(tmp_path: Path, text: str) -> None:
+    (tmp_path / "kinematics.yaml").write_text(text)
+    assert findings(tmp_path, GROUPS, "SRD001") == []
+
+
+TWO = """\
+moveit_simple_controller_manager:
+  controller_names: [arm_controller]
+  arm_controller:
+    type: FollowJointTrajectory
+    joints: [shoulder, wrist, knuckle]
+"""
+ONE = "controller_list:\n  - name: arm_controller\n    joints: [shoulder, wrist, knuckle]\n"
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "old", "new", "line"),
+    [
+        ("moveit_controllers.yaml", TWO, "wrist", "wrsit", 5),
+        ("simple_moveit_controllers.yaml", ONE, "wrist", "wrsit", 3),
+        ("moveit_controllers.yaml", TWO, "[arm_controller]", "[arm_controler]", 2),
+        ("initial_positions.yaml", "initial_positions:\n  shoulder: 0\n", "should", "shuold", 2),
+    ],
+)
+def test_names_that_nobody_has(
+    tmp_path: Path, file: str, text: str, old: str, new: str, line: int
+) -> None:
+    (tmp_path / file).write_text(text)
+    assert findings(tmp_path, "", "SRD001") == []
+    (tmp_path / file).write_text(text.replace(old, new))
+    (found,) = findings(tmp_path, "", "SRD001")
+    assert (Path(found.span.source.path).name, found.span.line) == (file, line)
+    assert "did you mean" in found.message
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("shoulder, wrist", "a, b"), ("wrist", "$(arg wrist)"), ("joints: [", "joints: 3 # ")],
+)
+def test_what_is_of_others_or_open_is_calm(tmp_path: Path, old: str, new: str) -> None:
+    (tmp_path / "moveit_controllers.yaml").write_text(TWO.replace(old, new))
+    assert findings(tmp_path, "", "SRD001") == []

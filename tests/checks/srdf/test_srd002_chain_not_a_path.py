@@ -9,7 +9,7 @@ from tests.srdfs import findings
 BAD = [
     (
         '<group name="g"><chain base_link="hand" tip_link="base"/></group>',
-        "group 'g': link 'base' does not hang below 'hand'",
+        "group 'g': link 'base' is not a descendant of 'hand'",
         None,
     ),
 ]

@@ -22,7 +22,7 @@ BAD = [
             '<group name="h"><link name="hand"/></group>'
             '<end_effector name="e" group="h" parent_link="hand"/>'
         ),
-        "end effector 'e' hangs on 'hand', its own link",
+        "end effector 'e' is attached to 'hand', its own link",
         None,
     ),
 ]

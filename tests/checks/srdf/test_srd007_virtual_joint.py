@@ -10,12 +10,12 @@ from urdfkit import check
 BAD = [
     (
         '<virtual_joint name="v" type="hinge" parent_frame="w" child_link="base"/>',
-        "virtual joint 'v' is of type 'hinge', not one of fixed, planar, floating",
+        "virtual joint 'v' has type 'hinge', which is not one of fixed, planar, floating",
         None,
     ),
     (
         '<virtual_joint name="v" type="fixed" parent_frame="w" child_link="arm"/>',
-        "virtual joint 'v' holds 'arm', which is not the robot's root",
+        "virtual joint 'v' is attached to 'arm', which is not the root link",
         None,
     ),
 ]

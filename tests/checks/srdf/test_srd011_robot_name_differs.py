@@ -8,7 +8,7 @@ from urdfkit.text.diagnostic import Severity
 
 def test_both_names_are_told(tmp_path: Path) -> None:
     (finding,) = findings(tmp_path, "", "SRD011", name="other")
-    assert finding.message == "the SRDF is of robot 'other', the description of 'r'"
+    assert finding.message == "robot name 'other' in the SRDF differs from 'r' in the URDF"
     assert (finding.span.line, finding.span.text) == (1, "other")
     assert finding.severity is Severity.WARNING  # MoveIt logs it and goes on
 

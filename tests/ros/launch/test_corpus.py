@@ -20,7 +20,7 @@ FILES = sorted(
 FOUND: dict[str, dict[str, int]] = {
     "anymal_c_simple_description/launch/standalone.launch": {"LAU003": 1},
     "gazebo_ros_demos/rrbot_description/launch/rrbot_rviz.launch": {"LAU003": 1},
-    "husky/husky_gazebo/launch/multi_husky_playpen.launch": {"LAU007": 3},
+    "husky/husky_gazebo/launch/multi_husky_playpen.launch": {"LAU005": 3},
     "nao_robot/nao_description/launch/display.launch": {"LAU003": 1},
     "urdf_tutorial/launch/display.launch": {"LAU003": 1},
 }

@@ -68,7 +68,7 @@ def test_actions_in_a_group(package, group):
     ("old", "new", "code", "line", "place"),
     [
         ("exec:", "type:", "LAU010", 7, "robot_state_publisher"),
-        ("    exec: robot_state_publisher\n", "", "LAU009", 5, "node"),
+        ("    exec: robot_state_publisher\n", "", "LAU010", 5, "node"),
         ("$(var side)", "$(var siide)", "LAU006", 10, ""),
         ("- node:", "- nodes:", "LAU010", 5, "nodes"),
         ("    name: side", "\tname: side", "LAU001", 3, ""),

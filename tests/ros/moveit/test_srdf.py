@@ -39,7 +39,7 @@ def test_it_is_found_in_the_package_and_in_the_moveit_package_made_for_the_robot
 
 
 @pytest.mark.parametrize(
-    ("text", "codes"), [("", ["SRD018"]), ("<robot", ["SRD018"]), ("<srdf/>", [])]
+    ("text", "codes"), [("", ["SRD017"]), ("<robot", ["SRD017"]), ("<srdf/>", [])]
 )
 def test_what_cannot_be_read_is_no_srdf(tmp_path, text, codes):
     (tmp_path / "r.urdf").write_text(ROBOT)

@@ -7,6 +7,17 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+#: Former codes and names of rules.
+REDIRECTS = {
+    "RCT027": "RCT034",
+    "RCT035": "RCT034",
+    "RCT036": "RCT034",
+    "parameter-refused": "RCT034",
+    "controller-parameter-misspelt": "RCT034",
+    "required-parameter-missing": "RCT034",
+    "controller-class-unknown": "RCT034",
+}
+
 
 def applies(subject: Subject) -> bool:
     """True if a launch file or a plugin names a parameter file."""

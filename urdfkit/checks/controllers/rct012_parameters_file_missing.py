@@ -1,7 +1,8 @@
-"""The control plugin of Gazebo names a file of parameters that does not exist.
+"""The parameter file of the Gazebo control plugin does not exist.
 
 The plugin hands the file to the controller manager, which stops at it; no controller can be loaded,
-and Gazebo may stop as well. The file has another name or folder, or a package does not install it.
+and Gazebo may stop as well. The file has another name or directory, or is
+not installed.
 
 Sources:
     gz_ros2_control_plugin.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_ros2_control_plugin.cpp
@@ -40,8 +41,8 @@ FILES = {
 }
 
 
-#: Folders for what programs write.
-_FOR_MADE_FILES = ("generated", "temp", "tmp")
+#: Directories of generated files.
+_GENERATED = ("generated", "temp", "tmp")
 
 
 @rule(
@@ -52,9 +53,9 @@ _FOR_MADE_FILES = ("generated", "temp", "tmp")
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for file in parameter_files(subject):
-        if file.found is None and file.element:  # LAU003 tells those of launch files
-            if os.path.basename(os.path.dirname(file.path)) in _FOR_MADE_FILES:
+        if file.found is None and file.element:  # LAU003 reports those of launch files
+            if os.path.basename(os.path.dirname(file.path)) in _GENERATED:
                 continue  # the launch file writes it first
             suggested = nearest_file(file.path)
             hint = f"; did you mean '{suggested}'?" if suggested else ""
-            yield Finding(file.element, f"file of parameters '{file.path}' does not exist{hint}")
+            yield Finding(file.element, f"parameter file not found: {file.path}{hint}")

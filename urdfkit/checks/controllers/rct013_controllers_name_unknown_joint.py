@@ -1,4 +1,4 @@
-"""A file of controllers names a joint that the model does not have.
+"""A parameter file of controllers names a joint that the model does not have.
 
 The controller finds no interface of that name, cannot be activated, and the robot does not move:
 "not in the list of available interfaces". Correct the name in the file. A controller none of whose
@@ -49,7 +49,7 @@ FILES = {
     "RCT013",
     "controllers-name-unknown-joint",
     Severity.ERROR,
-    help="correct the name in the file of controllers",
+    help="fix the name in the parameter file",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     if subject.is_part:

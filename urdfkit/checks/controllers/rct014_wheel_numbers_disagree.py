@@ -1,9 +1,9 @@
-"""A wheel controller takes the wheels for larger, smaller or farther apart than they are.
+"""The wheel radius or separation of a wheel controller differs from the model.
 
 The controller computes wheel speeds and odometry from its own numbers. With a wrong radius the
 robot drives too fast or too slow, and measures too little or too much; with a wrong distance it
 turns by the wrong angle. The model says where the wheels are and, if their collision is a cylinder
-or a sphere, how large. Write its numbers into the file of controllers, corrections into
+or a sphere, how large. Write its values into the parameter file, corrections into
 multipliers.
 
 Sources:
@@ -52,8 +52,8 @@ def check(subject: Subject) -> Iterator[Finding]:
                     continue
                 yield Finding(
                     Location(said[0].span),
-                    f"controller '{controller.name}': {measure.parameter} is {value:g} m, "
-                    f"and in the model it is {real[0]:.4g} m",
+                    f"controller '{controller.name}': {measure.parameter} is {value:g} m, but "
+                    f"{real[0]:.4g} m in the model",
                     f"write {real[0]:.4g}",
                     related=(file.note,),
                     weight=abs(value - real[0]),

@@ -1,4 +1,4 @@
-"""A wheel controller has left and right interchanged, or wheels that turn against each other.
+"""Left and right of a wheel controller are swapped, or the wheel axes point in opposite directions.
 
 The controller rolls both sides forwards by turning their joints in the positive sense, and takes
 the first list for the left. With the lists interchanged the robot turns to the wrong side and its

@@ -1,4 +1,4 @@
-"""Nobody reads a part of the file of controllers.
+"""A part of a parameter file of controllers is not read.
 
 The file is not YAML, `ros__parameters` is misspelt (two underscores), or parameters stand under a
 name that no controller has. The controller then starts without its joints, and stops: "parameter
@@ -38,10 +38,10 @@ FILES = {
 }
 
 
-@rule("RCT026", "parameters-not-read", Severity.ERROR, help="mend the file of controllers")
+@rule("RCT026", "parameters-not-read", Severity.ERROR, help="fix the parameter file")
 def check(subject: Subject) -> Iterator[Finding]:
     for file, span, reason in unparsed(subject):
-        yield Finding(Location(span), f"the file is not YAML: {reason}", related=(file.note,))
+        yield Finding(Location(span), f"invalid YAML: {reason}", related=(file.note,))
     for file, found in lost(subject):
         for span, message, help in found:
             yield Finding(Location(span), message, help, related=(file.note,))

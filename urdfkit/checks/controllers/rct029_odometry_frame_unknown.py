@@ -1,8 +1,8 @@
-"""A wheel controller publishes the pose of a frame that is not in the robot, or not its root.
+"""The base_frame_id of a wheel controller is not the root link of the robot.
 
 `base_frame_id` is the child of the transform that the odometry sends. A name that is not a link
-leaves the robot without a way to `odom` ("no transform from [base_link] to [odom]"); a link that
-hangs on another one gets two parents, and the robot jumps between them.
+leaves the robot without a way to `odom` ("no transform from [base_link] to [odom]"); a link with
+a parent link gets two parents, and the robot jumps between them.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -50,10 +50,10 @@ def check(subject: Subject) -> Iterator[Finding]:
             else:
                 above = subject.tree.parents[name][0].parent
                 parent = above.value if above else root
-                message = f"'{name}' hangs on '{parent}' already, and a frame has one parent"
+                message = f"'{name}' is a child of '{parent}'; a frame has one parent"
             yield Finding(
                 Location(value.span),
-                f"controller '{controller.name}' sends the transform to '{name}': {message}",
+                f"controller '{controller.name}' publishes the transform to '{name}': {message}",
                 f"name the root link '{root}'",
                 related=(file.note,),
             )

@@ -9,6 +9,22 @@ from urdfkit.text.xml_reader import is_launch
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+#: Former codes and names of rules.
+REDIRECTS = {
+    "LAU007": "LAU005",
+    "argument-not-taken": "LAU005",
+    "LAU012": "LAU006",
+    "configuration-undeclared": "LAU006",
+    "LAU009": "LAU010",
+    "LAU011": "LAU010",
+    "unknown-tag-or-attribute": "LAU010",
+    "attribute-missing": "LAU010",
+    "words-run-together": "LAU010",
+    "LAU018": "LAU016",
+    "spawn-refused": "LAU016",
+    "spawn-option-ignored": "LAU016",
+}
+
 
 def applies(subject: Subject) -> bool:
     """True for a launch file."""

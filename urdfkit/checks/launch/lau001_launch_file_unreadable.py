@@ -28,7 +28,7 @@ GOOD = "<launch/>"
     "launch-file-unreadable",
     Severity.ERROR,
     needs=(Need.LAUNCH,),
-    help="mend the file; the place is where reading stopped",
+    help="fix the file; the parser stopped here",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     yield from reported(subject, "LAU001")

@@ -38,8 +38,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     for file in subject.launch.files:
         if not file.exists and not _may_come_from_elsewhere(subject, file.path):
             suggested = nearest_file(file.path)
-            hint = f"there is '{suggested}' beside it" if suggested else ""
-            yield Finding(Location(file.span), f"{file.purpose} '{file.path}' does not exist", hint)
+            hint = f"did you mean '{suggested}'?" if suggested else ""
+            yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
 
 
 def _may_come_from_elsewhere(subject: Subject, path: str) -> bool:

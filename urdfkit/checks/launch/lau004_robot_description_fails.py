@@ -33,7 +33,7 @@ GOOD = BAD.replace("bad.xacro", "good.xacro")
     "robot-description-fails",
     Severity.ERROR,
     needs=(Need.LAUNCH,),
-    help="mend the errors in the xacro, or pass the arguments that it needs",
+    help="fix the errors in the xacro, or pass the arguments that it needs",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for description in subject.launch.descriptions:

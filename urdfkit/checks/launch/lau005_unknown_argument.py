@@ -1,10 +1,13 @@
-"""A launch file passes an argument that the xacro does not have.
+"""A launch file passes an argument that the xacro or the included launch file does not have.
 
-xacro takes it without a word and uses its default instead: the robot comes up without the camera,
-or with the hardware of the simulator. The name differs, or the xacro has lost the argument.
+xacro ignores the argument and uses its default: the robot has no camera, or the hardware of the
+simulator. `roslaunch` stops with "unused args"; in ROS 2 the included file goes on with its
+default. The name differs, or the argument was removed.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
+    roslaunch, loader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/loader.py
+    launch, include_launch_description.py: https://github.com/ros2/launch/blob/rolling/launch/launch/actions/include_launch_description.py
 """
 
 from __future__ import annotations
@@ -13,7 +16,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.rules import Finding, Location, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -42,8 +45,17 @@ FILES = {
 }
 
 
-@rule("LAU005", "unknown-argument", Severity.WARNING, needs=(Need.LAUNCH,))
+@rule(
+    "LAU005",
+    "unknown-argument",
+    Severity.WARNING,
+    needs=(Need.LAUNCH,),
+    help="pass an argument that the file has",
+)
 def check(subject: Subject) -> Iterator[Finding]:
+    for finding in reported(subject, "LAU005"):
+        _, _, argument = finding.message.partition(" has no ")
+        yield finding._replace(alike=argument)
     for description in subject.launch.descriptions:
         if not description.arguments:
             continue

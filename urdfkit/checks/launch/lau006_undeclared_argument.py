@@ -1,8 +1,10 @@
-"""A launch file uses an argument that nothing declares.
+"""A launch file uses an argument that it does not declare.
 
 `roslaunch` stops with "requires the 'x' arg to be set", `ros2 launch` with "launch configuration
-'x' does not exist". Its name differs from the declared one, or the declaration is missing or comes
-too late. Only slips of declared names, and what an including file does not pass, are reported here.
+'x' does not exist". The name is misspelt, or the declaration is missing or comes too late. A
+name that is not like a declared one is a warning: the file works if whoever starts it sets the
+argument, although a list of the file's arguments does not show it. Declare it, without a default if
+it must be set. A file that others include may get its arguments there, and is not reported.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML/arg
@@ -35,7 +37,7 @@ GOOD = BAD.replace("use_giu", "use_gui")
     "undeclared-argument",
     Severity.ERROR,
     needs=(Need.LAUNCH,),
-    help="declare it, or fix the name",
+    help="declare the argument, or fix its name",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     yield from reported(subject, "LAU006")

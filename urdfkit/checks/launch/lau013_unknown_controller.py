@@ -1,9 +1,9 @@
-"""A launch file starts a controller that no file of parameters defines.
+"""A launch file starts a controller that no parameter file defines.
 
 The spawner waits, or stops: "The 'type' param was not defined for 'arm_controler'". The name
 differs from the one in the YAML file, or the controller is missing there. The YAML files of the
 package and of the packages that the launch file names are searched; where one of these is not
-found, only slips of known names are reported, and nothing is where the launch file itself names
+found, only typos of known names are reported, and nothing is where the launch file itself names
 parameters, as by the `ns` of a `<rosparam>`.
 
 Sources:
@@ -46,9 +46,9 @@ arm_controller:
 """,
 }
 
-#: How like another a name must be to be a slip of it: most end in ``_controller``.
+#: Similarity from which a name is a typo: most end in ``_controller``.
 _TYPO = 0.9
-#: Files of a package that are looked at, and folders in which they are looked for.
+#: Files of a package that are read, and directories in which they are searched.
 _MAX_FILES, _MAX_FOLDERS = 200, 2000
 
 
@@ -74,7 +74,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         if name not in known and (is_whole or is_typo):
             yield Finding(
                 Location(word.span, frame),
-                f"no file of parameters defines the controller '{name}'{did_you_mean(name, known)}",
+                f"controller '{name}' is not defined in any parameter file"
+                + did_you_mean(name, known),
             )
 
 

@@ -1,8 +1,8 @@
 """A launch file, or a file that it names, is not installed by the build of its package.
 
-From the source tree all is there. After `colcon build` or `catkin_make install` it is not:
+In the source tree the file exists. After `colcon build` or `catkin_make install` it is not:
 "file 'robot.launch.py' was not found in the share directory", or RViz and the controllers miss
-their configuration. Install the folder.
+their configuration. Install the directory.
 
 Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
@@ -55,5 +55,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         if not shipping.installs(relative):
             reported.add(top)
-            message = f"'{relative}' is in the source tree, and {shipping.file} does not install it"
+            message = f"'{relative}' is not installed by {shipping.file}"
             yield Finding(Location(span), message, shipping.remedy(top))

@@ -49,7 +49,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if not depends_on(package.name, manifest.package, near, subject.resolver):
             yield Finding(
                 Location(package.span),
-                f"package '{package.name}' is used, and {manifest.path} does not declare it",
+                f"package '{package.name}' is used but not declared in {manifest.path}",
                 f"add <{tag}>{package.name}</{tag}> to package.xml",
                 alike="undeclared",
             )

@@ -10,7 +10,16 @@ from urdfkit.workspace.package_references import are_in
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+#: Former codes and names of rules.
+REDIRECTS = {
+    "PKG003": "PKG005",
+    "PKG006": "PKG005",
+    "manifest-refused": "PKG005",
+    "name-differs": "PKG005",
+    "not-registered": "PKG005",
+}
+
 
 def applies(subject: Subject) -> bool:
-    """True for a launch file, and for a description that mentions packages."""
+    """True for a launch file, and for a description that refers to packages."""
     return is_launch(subject.source.path) or are_in(subject.document.sources)

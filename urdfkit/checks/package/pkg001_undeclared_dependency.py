@@ -50,7 +50,7 @@ FIXED_FILES = {
     b"<run_depend>bot_meshes</run_depend></package>",
 }
 
-#: colcon and catkin refuse a workspace whose packages depend on one another in a circle.
+#: colcon and catkin reject cyclic dependencies of packages.
 _CYCLE = "'{}' depends on '{}', and the reverse would be a cycle: move the file to one of the two"
 
 
@@ -69,7 +69,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         near = mention.span.source.path
         if not _is_found(subject.resolver, name, near):
             continue
-        message = f"package '{name}' is used, and {manifest.path} does not declare it"
+        message = f"package '{name}' is used but not declared in {manifest.path}"
         if depends_on(name, manifest.package, near, subject.resolver):
             yield Finding(Location(mention.span), message, _CYCLE.format(name, manifest.package))
             continue
@@ -93,7 +93,7 @@ def _fix(source: Source, name: str, tag: str) -> Fix | None:
 
 
 def _is_found(resolver: Resolver, name: str, near: str) -> bool:
-    """False for a package that is not there; MSH005 and XAC011 tell that, and it may be a slip."""
+    """False for a package that is not there; MSH005 and XAC011 report that."""
     try:
         resolver.package(name, near)
     except PackageNotFound:

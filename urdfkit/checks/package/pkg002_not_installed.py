@@ -1,8 +1,8 @@
-"""A description refers to a folder of its own package that the build does not install.
+"""A description refers to a directory of its own package that is not installed.
 
 From the source tree everything works. After `colcon build` or `catkin_make install` the folder is
 not under `share/`, and `$(find ...)` and `package://` lead to files that are not there: RViz
-shows the robot without meshes, xacro stops. Install the folder.
+shows the robot without meshes, xacro stops. Install the directory.
 
 Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
@@ -62,7 +62,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             reported.add(top)
             yield Finding(
                 Location(mention.span),
-                f"'{mention.relative}' is in the source tree, and "
-                f"{shipping.file} does not install it",
+                f"'{mention.relative}' is not installed by {shipping.file}",
                 shipping.remedy(top),
             )

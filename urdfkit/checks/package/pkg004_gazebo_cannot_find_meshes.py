@@ -1,10 +1,10 @@
-"""Gazebo is started for the robot, and nothing tells it where the meshes of its package lie.
+"""Gazebo cannot find the meshes of the package: no resource path is set.
 
 RViz finds `package://arm_description/meshes/...` through ROS. Gazebo takes it for
 `model://arm_description/meshes/...` and searches its own resource path: "Unable to find file with
 URI", and the robot is invisible. ROS 1's Gazebo resolves packages by itself; that of ROS 2 and
-gz-sim need the folder *around* the package in `GZ_SIM_RESOURCE_PATH` (or `GAZEBO_MODEL_PATH`), most
-simply by an export in package.xml, which gazebo_ros and ros_gz_sim read.
+gz-sim need the parent directory of the package in `GZ_SIM_RESOURCE_PATH` or `GAZEBO_MODEL_PATH`,
+most simply by an export in package.xml, which gazebo_ros and ros_gz_sim read.
 
 Sources:
     Gazebo, finding resources: https://github.com/gazebosim/gz-sim/blob/main/tutorials/resources.md
@@ -80,7 +80,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         more = f", nor {len(meshes) - 1} more of this package" if len(meshes) > 1 else ""
         yield Finding(
             meshes[0].at,
-            f"Gazebo will not find '{meshes[0].at.value}'{more}: nothing in the "
+            f"Gazebo cannot find '{meshes[0].at.value}'{more}: nothing in the "
             f"workspace sets {variable} or exports gazebo_model_path",
             f'write <gazebo_ros gazebo_model_path="${{prefix}}/.."/> into the <export> of the '
             f"package.xml of {package}, or set {variable} in the launch file",

@@ -52,7 +52,7 @@ FIXED = GOOD
     "RCT001",
     "unknown-joint",
     Severity.ERROR,
-    help="correct the name, or add the joint",
+    help="fix the name, or add the joint",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:

@@ -1,8 +1,12 @@
-"""Two blocks of ros2_control, or one of them twice, declare the same interface of a joint.
+"""An interface of a joint, or the name of a `<ros2_control>` block, is declared twice.
 
-From ROS 2 Jazzy on the controller manager stops: "Tried to insert CommandInterface with already
-existing key". In Humble one of the two wins. The usual cause is that the block for the real
-hardware and the one for the simulation are both active: choose one by a xacro argument.
+From ROS 2 Jazzy on the controller manager stops at the second interface: "Tried to insert
+CommandInterface with already existing key". In Humble one of the two wins. Usually the block for
+the real hardware and the one for the simulation are both active: choose one by a xacro argument.
+
+Of two blocks with one name (warning) the controller manager reports "Hardware name is duplicated"
+and starts without the second; only the control plugins of Gazebo do not check this. A macro that is
+called for two arms must use its prefix in the name of the block, too.
 
 Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
@@ -14,8 +18,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.ros.ros_control import components
+from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
@@ -52,10 +57,32 @@ GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 
 @rule("RCT007", "duplicate-interface", Severity.ERROR, help="keep one of them")
 def check(subject: Subject) -> Iterator[Finding]:
+    blocks = components(subject.model)
+    yield from _duplicate_names(blocks)
+    yield from _duplicate_interfaces(blocks)
+
+
+def _duplicate_names(blocks: list[Component]) -> Iterator[Finding]:
+    first: dict[str, Component] = {}
+    for component in blocks:
+        name = component.name
+        if not name or is_expression(name):
+            continue
+        if first.setdefault(name, component) is not component:
+            yield Finding(
+                component.at.attributes["name"],
+                f"duplicate <ros2_control> name '{name}'",
+                "give each <ros2_control> a unique name",
+                related=(Related(first[name].at.span, "first defined here"),),
+                severity=Severity.WARNING,
+            )
+
+
+def _duplicate_interfaces(blocks: list[Component]) -> Iterator[Finding]:
     """One finding for each joint: with two blocks, all of its interfaces are there twice."""
     first: dict[tuple[str, ...], Related] = {}
     reported: set[tuple[int, str]] = set()
-    for number, component in enumerate(components(subject.model)):
+    for number, component in enumerate(blocks):
         for part in component.parts:
             for interface in part.interfaces:
                 # Of one name, <sensor> and <gpio> are two things to the drivers that have both.
@@ -63,7 +90,8 @@ def check(subject: Subject) -> Iterator[Finding]:
                 if not part.name or not interface.name:
                     continue
                 if key not in first:
-                    first[key] = Related(interface.at.span, f"first here, in {component.called}")
+                    note = f"first declared here, in {component.called}"
+                    first[key] = Related(interface.at.span, note)
                 elif (number, part.name) not in reported:
                     reported.add((number, part.name))
                     yield Finding(

@@ -1,8 +1,8 @@
-"""A model is made for control in Gazebo and lacks the plugin that runs the controllers, or has two.
+"""The Gazebo plugin that runs the controllers is missing, or is there twice.
 
-Without the plugin nothing loads the hardware: the robot stands limp and the controller manager does
-not answer. Two of them in one namespace start two controller managers of one name, and both drive
-the joints.
+Without the plugin nothing loads the hardware: the joints are not actuated and the controller
+manager does not answer. Two of them in one namespace start two controller managers of one name,
+and both drive the joints.
 
 Sources:
     gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
@@ -91,8 +91,8 @@ def _twice(plugins: list[ControlPlugin]) -> Iterator[Finding]:
         if key in seen:
             yield Finding(
                 plugin.at,
-                f"plugin {plugin.filename} is there twice in one namespace",
-                related=(Related(seen[key].at.span, "first here"),),
+                f"plugin {plugin.filename} is used twice in one namespace",
+                related=(Related(seen[key].at.span, "first used here"),),
             )
         seen.setdefault(key, plugin)
 
@@ -127,4 +127,6 @@ def _without_transmission(subject: Subject, plugin: ControlPlugin) -> Iterator[F
     if any(not is_of_pr2(transmission) for transmission in subject.model.transmissions):
         return
     if plugin.at.child("robotSimType") is None:
-        yield Finding(plugin.at, f"plugin {plugin.filename}: no transmission gives it a joint")
+        yield Finding(
+            plugin.at, f"plugin {plugin.filename}: no transmission, so that it drives no joint"
+        )

@@ -1,26 +1,46 @@
-"""The SRDF names a link, joint or group that does not exist.
+"""The SRDF, or a MoveIt configuration file with it, names what the robot or the SRDF does not have.
 
-MoveIt drops the group or the state that refers to it, and planning then fails with "group not
-found" or with joints that never move. The SRDF lags behind the robot, or the name is misspelt.
+- An unknown link, joint or group in a group, state, end effector, virtual or passive joint: MoveIt
+  drops the group or state, and planning fails with "group not found" or with joints that never
+  move.
+- An unknown link in the collision matrix (warning): "Link is not known to URDF. Cannot disable
+  collisions"; the entry has no effect.
+- A state that sets a joint which is not in its group (warning): MoveIt ignores the value.
+- `joint_limits.yaml` for an unknown joint (warning): MoveIt ignores the entry, and plans with the
+  limits of the URDF and no bound on acceleration.
+- `kinematics.yaml` or `ompl_planning.yaml` for an unknown group (warning): MoveIt plans with the
+  default planner, and without inverse kinematics.
+- `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml` with an unknown
+  joint, or with a controller that has no settings: "Unable to identify any set of controllers that
+  can actuate the specified joints".
+
+The SRDF is out of date, or the name is misspelt.
 
 Sources:
     SRDF: https://wiki.ros.org/srdf
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+    MoveIt, robot_model_loader.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/robot_model_loader/src/robot_model_loader.cpp
+    MoveIt, kinematics: https://moveit.picknik.ai/main/doc/examples/kinematics_configuration/kinematics_configuration_tutorial.html
+    MoveIt, OMPL: https://moveit.picknik.ai/main/doc/examples/ompl_interface/ompl_interface_tutorial.html
+    MoveIt, controllers: https://moveit.picknik.ai/main/doc/examples/controller_configuration/controller_configuration_tutorial.html
+    moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.text.document import Attribute
 
 BAD = """\
@@ -41,8 +61,7 @@ FILES = {
 }
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
-
-#: How like another name a name must be for that to be offered: "amr" is like "arm".
+#: Similarity from which another name is suggested: "amr" is like "arm".
 _LIKE = 0.66
 
 
@@ -51,7 +70,7 @@ _LIKE = 0.66
     "unknown-name",
     Severity.ERROR,
     needs=(Need.MODEL, Need.SRDF),
-    help="fix the name, or make the SRDF anew for this robot",
+    help="fix the name, or generate the SRDF for this robot",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
@@ -61,10 +80,26 @@ def check(subject: Subject) -> Iterator[Finding]:
     for kind, attribute in srdf.references():
         known = srdf.known(kind)
         if attribute.value and attribute.value not in known and not _is_free_flyer(attribute):
-            hint = Suggester(known, _LIKE).hint(attribute.value)
-            message = f"there is no {kind} '{attribute.value}'{hint}"
-            fix = _fix(attribute, known)
-            yield Finding(attribute, message, fix=fix, alike=attribute.value if fix else kind)
+            yield _unknown(kind, attribute, known)
+    links = srdf.known("link")
+    for pair in (*srdf.root.all("disable_collisions"), *srdf.root.all("enable_collisions")):
+        for key in ("link1", "link2"):
+            name = pair.attributes.get(key)
+            if name is not None and name.value not in links:
+                yield _unknown("link", name, links)._replace(
+                    help="compute the collision matrix again, or fix the name",
+                    severity=Severity.WARNING,
+                )
+    yield from _not_in_group(subject, srdf)
+    yield from unknown_names(subject, srdf)
+
+
+def _unknown(kind: str, name: Attribute, known: set[str]) -> Finding:
+    suggested = Suggester(known).suggested(name.value)
+    edits = replace_value(name, suggested) if suggested else None
+    fix = Fix.of(f"rename it to '{suggested}'", edits)
+    message = f"unknown {kind} '{name.value}'{Suggester(known, _LIKE).hint(name.value)}"
+    return Finding(name, message, fix=fix, alike=name.value if fix else kind)
 
 
 def _is_free_flyer(attribute: Attribute) -> bool:
@@ -73,7 +108,18 @@ def _is_free_flyer(attribute: Attribute) -> bool:
     return attribute.value == "root_joint" and len(value.split()) == 7
 
 
-def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:
-    suggested = Suggester(known).suggested(attribute.value)
-    edits = replace_value(attribute, suggested) if suggested else None
-    return Fix.of(f"rename it to '{suggested}'", edits)
+def _not_in_group(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+    for state in srdf.states:
+        group = state.get("group") or ""
+        links = srdf.links_of(group)
+        for element in state.all("joint") if links else ():
+            joint = subject.model.joints_by_name.get(element.get("name") or "")
+            if joint is None or joint.child is None or joint.child.value in links:
+                continue
+            yield Finding(
+                element,
+                f"state '{state.get('name')}': joint '{joint.name}' is not in group '{group}'",
+                "remove the joint from the state, or add it to the group",
+                related=(Related(srdf.groups_by_name[group][0].span, "group defined here"),),
+                severity=Severity.WARNING,
+            )

@@ -1,6 +1,6 @@
-"""A chain's tip does not hang below its base.
+"""The tip link of a chain is not a descendant of its base link.
 
-A chain goes from a base link down the tree to a tip link. MoveIt refuses one that does not, and the
+A chain goes from a base link down the tree to a tip link. MoveIt rejects any other chain, and the
 group has no joints. Base and tip are swapped, or one of them is on another branch.
 
 Sources:
@@ -60,5 +60,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for chain in group.all("chain"):
             base, tip = chain.get("base_link") or "", chain.get("tip_link") or ""
             if base in links and tip in links and srdf.way(base, tip) is None:
-                message = f"group '{group.get('name')}': link '{tip}' does not hang below '{base}'"
+                message = (
+                    f"group '{group.get('name')}': link '{tip}' is not a descendant of '{base}'"
+                )
                 yield Finding(chain, message)

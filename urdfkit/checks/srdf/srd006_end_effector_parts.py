@@ -67,4 +67,4 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(effector, f"end effector '{name}' and group '{parent}' share {links}")
         link = effector.get("parent_link")
         if link in hand:
-            yield Finding(effector, f"end effector '{name}' hangs on '{link}', its own link")
+            yield Finding(effector, f"end effector '{name}' is attached to '{link}', its own link")

@@ -64,11 +64,13 @@ def check(subject: Subject) -> Iterator[Finding]:
         name, child, kind = (joint.get(key) for key in ("name", "child_link", "type"))
         if kind is not None and kind not in _TYPES:
             types = ", ".join(_TYPES)
-            yield Finding(joint, f"virtual joint '{name}' is of type '{kind}', not one of {types}")
+            yield Finding(
+                joint, f"virtual joint '{name}' has type '{kind}', which is not one of {types}"
+            )
         elif kind == "fixed" and _is_empty(roots.get("world")):
             continue  # robots for Gazebo have this root, and MoveIt makes the joint all the same
         elif child in subject.model.links_by_name and child not in roots:
-            message = f"virtual joint '{name}' holds '{child}', which is not the robot's root"
+            message = f"virtual joint '{name}' is attached to '{child}', which is not the root link"
             yield Finding(joint, message)
 
 

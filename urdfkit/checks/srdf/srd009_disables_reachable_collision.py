@@ -1,10 +1,10 @@
-"""The collision matrix says "Never" of two links that can collide.
+"""The collision matrix disables a pair as "Never" that can collide.
 
 MoveIt does not check the pair, and may drive the one link into the other. A pose in which they
 overlap was found among some thousand samples within the joint limits, with the collision geometry
 as MoveIt reads it, and no pair that MoveIt checks overlaps in that pose: it would have been avoided
 otherwise. The matrix is of an older robot, or was computed from too few samples. `urdfkit
-collisions --srdf` computes it anew and keeps the rest of the file. Pairs with another reason, such
+collisions --srdf` computes it again and keeps the rest of the file. Pairs with another reason, such
 as "User", are a decision and not reported.
 
 Sources:
@@ -69,7 +69,7 @@ FILES = {
 #: In m: less may be a matter of rounding.
 _DEEP = 1e-3
 _SAMPLES = 2000
-#: Pairs in samples that are looked at: all samples up to 200 pairs. A humanoid with hands lists
+#: Pairs times samples: all samples up to 200 pairs. A humanoid with hands lists
 #: 2000 pairs, which would take a minute; what is wrong with its matrix shows in fewer.
 _WORK = 400_000
 
@@ -79,7 +79,7 @@ _WORK = 400_000
     "disables-reachable-collision",
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
-    help="compute the matrix anew: urdfkit collisions ROBOT --srdf FILE",
+    help="compute the matrix again: urdfkit collisions ROBOT --srdf FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     if subject.srdf is None:
@@ -93,12 +93,16 @@ def check(subject: Subject) -> Iterator[Finding]:
     said = [one for one in said if one[1] in known and one[2] in known and one[1] != one[2]]
     if not said:
         return
-    still = subject.collisions.in_moveit
-    said = [one for one in said if still.has_bodies(one[1]) and still.has_bodies(one[2])]
+    configurations = subject.collisions.in_moveit
+    said = [
+        one
+        for one in said
+        if configurations.has_bodies(one[1]) and configurations.has_bodies(one[2])
+    ]
     samples = min(_SAMPLES, _WORK // max(len(said), 1))
     disables = subject.srdf.disables
     pairs = [(one[1], one[2]) for one in said]
-    found = still.colliding(pairs, samples, lambda pair: not disables(pair))
+    found = configurations.colliding(pairs, samples, lambda pair: not disables(pair))
     for (element, first, second), collision in zip(said, found, strict=True):
         if collision and collision.depth > _DEEP:
             pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())

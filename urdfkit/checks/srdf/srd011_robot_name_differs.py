@@ -1,4 +1,4 @@
-"""The SRDF is of a robot with another name.
+"""The SRDF has another robot name than the URDF.
 
 MoveIt compares the names and logs an error, "Semantic description is not specified for the same
 robot as the URDF", but plans all the same. Give both the same name.
@@ -43,7 +43,9 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     name = srdf.root.attributes.get("name")
     if name is not None and name.value != subject.model.name:
-        message = f"the SRDF is of robot '{name.value}', the description of '{subject.model.name}'"
+        message = (
+            f"robot name '{name.value}' in the SRDF differs from '{subject.model.name}' in the URDF"
+        )
         edits = replace_value(name, subject.model.name) if subject.model.name else None
         fix = Fix.of(f"write '{subject.model.name}' in the SRDF", edits)
         yield Finding(name, message, fix=fix)

@@ -1,7 +1,7 @@
-"""The kinematics solver of a group is nearly one that MoveIt has.
+"""The kinematics solver of a group is misspelt.
 
 MoveIt loads no such plugin: "The kinematics plugin (arm) failed to load", and the group cannot be
-moved to a pose. Solvers that urdfkit does not know are taken for others of the workspace.
+moved to a pose. Solvers that urdfkit does not know are assumed to be in the workspace.
 
 Sources:
     MoveIt, kinematics: https://moveit.picknik.ai/main/doc/examples/kinematics_configuration/kinematics_configuration_tutorial.html
@@ -66,7 +66,7 @@ _KNOWN = (
     "ur_kinematics/UR3KinematicsPlugin",
     "ur_kinematics/UR5KinematicsPlugin",
 )
-#: The plugins of IKFast are called after the robot, and are like one another.
+#: The plugins of IKFast are named after the robot, and are similar.
 _OF_ROBOTS = "IKFast"
 _TYPO = 0.93
 
@@ -81,5 +81,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if solver.text in _KNOWN or _OF_ROBOTS in solver.text:
             continue
         if suggested := nearest(solver.text, _KNOWN, _TYPO):
-            message = f"group '{entry.name}': '{solver.text}' is nearly '{suggested}'"
+            message = (
+                f"group '{entry.name}': unknown solver '{solver.text}'; did you mean '{suggested}'?"
+            )
             yield Finding(Location(solver.span), message, f"write {suggested}")

@@ -1,6 +1,6 @@
 """Two states of one group have the same name.
 
-MoveIt keeps the last one, and passes over the other without a word.
+MoveIt keeps the last one, and ignores the other without a message.
 
 Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
@@ -58,6 +58,6 @@ def check(subject: Subject) -> Iterator[Finding]:
         name, group = state.get("name"), state.get("group")
         before = first.setdefault((name, group), state)
         if before is not state and name:
-            note = Related(before.span, "the other one is here")
-            message = f"group '{group}' has two states '{name}', and MoveIt keeps the last"
+            note = Related(before.span, "first defined here")
+            message = f"duplicate state '{name}' of group '{group}'; MoveIt keeps the last"
             yield Finding(state, message, related=(note,))

@@ -1,8 +1,8 @@
-"""The SRDF is made for another variant of the robot.
+"""The SRDF is for another variant of the robot.
 
 Much of what it names is in another robot of the package, or differs by a prefix: one SRDF serves
 the complete robot, and this is its arm alone, or it was started with `prefix:=left_`. MoveIt does
-not load the two together. The other rules about the SRDF are silent, for nothing in it is wrong.
+not load the two together. The other rules about the SRDF do not run then.
 
 Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp

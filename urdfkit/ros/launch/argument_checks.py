@@ -1,4 +1,4 @@
-"""Arguments of launch files: what is used and not declared, passed and not taken, or missing."""
+"""Arguments of launch files: undeclared, unknown to the included file, or missing."""
 
 from __future__ import annotations
 
@@ -10,13 +10,14 @@ from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import Signature
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import Problem, is_launch
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
-#: How like another name a name must be to be a slip of it.
+#: Similarity from which an unknown name is a typo.
 _TYPO = 0.8
 #: The end of the name of a launch file that begins with an expression, in XML or in Python.
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
@@ -25,25 +26,25 @@ MAX_FILES, MAX_FOLDERS = 500, 2000
 
 
 def is_typo(name: str, known: Iterable[str]) -> bool:
-    """True if a name is nearly a known one, and not that of something else."""
+    """True if a name is a misspelt known one."""
     return bool(Suggester(frozenset(known), _TYPO).suggested(name))
 
 
 def undeclared(
     name: str, declared: Collection[str], span: Span, frame: CallFrame | None, *, is_lost: bool
 ) -> Problem:
-    """That an argument is used and not declared.
+    """An argument is used and not declared.
 
-    The command line may give it nevertheless, unless the file is included and gets nothing from
-    there (``is_lost``); it will hardly give a slip.
+    The command line may set it, unless the file is included and gets nothing from there
+    (``is_lost``), or the name is a typo.
     """
     hint = did_you_mean(name, declared)
     message = f"no argument '{name}' is declared{hint}"
-    code = "LAU006" if is_lost or is_typo(name, declared) else "LAU012"
-    return Problem(code, span, message, frame=frame)
+    severity = None if is_lost or is_typo(name, declared) else Severity.WARNING
+    return Problem("LAU006", span, message, frame=frame, severity=severity)
 
 
-def not_taken(
+def unknown_to_included(
     passed: Iterable[tuple[str, Span]],
     taken: Signature,
     source: Source,
@@ -51,7 +52,7 @@ def not_taken(
     *,
     ros: int,
 ) -> Iterator[Problem]:
-    """The arguments that an included file is given and does not have.
+    """The arguments that are passed to an included file that does not have them.
 
     In ROS 2 the file may use them without declaring them, and pass them on.
     """
@@ -63,15 +64,15 @@ def not_taken(
         if not is_used and (ros == 1 or taken.is_whole or is_typo(name, taken.names)):
             file = os.path.basename(source.path)
             message = f"'{file}' has no argument '{name}'{did_you_mean(name, taken.names)}"
-            yield Problem("LAU007", span, message, frame=frame)
+            yield Problem("LAU005", span, message, frame=frame)
 
 
-def not_given(
+def missing_in_include(
     known: Collection[str], taken: Signature, source: Source, span: Span, frame: CallFrame | None
 ) -> Iterator[Problem]:
-    """The arguments without a default that an included file is not given."""
+    """The arguments without a default that are not passed to an included file."""
     for name in sorted(taken.required.difference(known)):
-        message = f"'{os.path.basename(source.path)}' needs the argument '{name}'"
+        message = f"'{os.path.basename(source.path)}' requires argument '{name}'"
         yield Problem("LAU008", span, message, f"pass '{name}', or give it a default", frame)
 
 

@@ -1,4 +1,4 @@
-"""Commands that a Python launch file puts together from pieces, with nothing between them."""
+"""Commands that a Python launch file joins from pieces without spaces."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ import ast
 import re
 
 from urdfkit.ros.launch.values import Values
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import Problem
 
 _ENDS_IN_XACRO = re.compile(r"(?:^|[\s/])xacro(?:\.py)?$")
 _BEGINS_WITH_ARGUMENT = re.compile(r"[A-Za-z_]\w*:=")
 
 
-def run_together(values: Values, command: ast.expr | None) -> Problem | None:
-    """The first two pieces of a ``Command`` that become one word although two are meant.
+def missing_space(values: Values, command: ast.expr | None) -> Problem | None:
+    """The first two pieces of a ``Command`` without a space between them.
 
     launch joins the pieces as they are: ``["xacro", path]`` is ``xacro/home/...``.
     """
@@ -23,20 +25,25 @@ def run_together(values: Values, command: ast.expr | None) -> Problem | None:
         text = _text(values, piece)
         if piece is not None and not before[-1:].isspace() and not text[:1].isspace():
             if is_first_word and _ENDS_IN_XACRO.search(before):
-                message = "'xacro' and the file name become one word: nothing parts them"
-                return Problem("LAU011", values.span(piece), message, "write 'xacro ' with a blank")
+                message = "missing space between 'xacro' and the file path"
+                return _problem(values.span(piece), message, "write 'xacro ' with a space")
             if found := _BEGINS_WITH_ARGUMENT.match(text):
                 word = found.group()
-                message = f"'{word}' becomes part of the word before it: nothing parts them"
-                help = f"write ' {word}' with a blank before it"
-                return Problem("LAU011", values.span(piece), message, help)
+                message = f"missing space before '{word}'"
+                return _problem(
+                    values.span(piece), message, f"write ' {word}' with a space before it"
+                )
         is_first_word = is_first_word and re.search(r"\s", text) is None
         before = text
     return None
 
 
+def _problem(span: Span, message: str, help: str) -> Problem:
+    return Problem("LAU010", span, message, help, severity=Severity.ERROR)
+
+
 def _text(values: Values, piece: ast.expr | None) -> str:
-    """The text of a piece; of a substitution a word, and of what is unknown a blank."""
+    """The text of a piece; of a substitution a word, and of what is unknown a space."""
     text = values.text(piece)
     if text is not None:
         return text or " "

@@ -10,9 +10,9 @@ from urdfkit.ros.launch.argument_checks import (
     declares_others,
     is_included,
     is_typo,
-    not_given,
-    not_taken,
+    missing_in_include,
     undeclared,
+    unknown_to_included,
 )
 from urdfkit.ros.launch.signature import Signature, declares, signature
 from urdfkit.ros.launch.values import Values, argument, called
@@ -52,10 +52,10 @@ class Configurations:
             return
         taken = signature(source)
         self._is_whole = self._is_whole and taken.is_whole
-        yield from not_taken(passed or (), taken, source, None, ros=2)
+        yield from unknown_to_included(passed or (), taken, source, None, ros=2)
         known = {*self._known, *(name for name, _ in passed or ())}
         if passed is not None and not taken.required <= known and not self._may_be_lent():
-            yield from not_given(known, taken, source, self._values.span(call), None)
+            yield from missing_in_include(known, taken, source, self._values.span(call), None)
         self._known |= taken.names  # which an include leaves behind
 
     def given(self, call: ast.Call) -> dict[str, str | None] | None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from itertools import pairwise
 
 from urdfkit.ros.launch.collect import Collector, frame_at
-from urdfkit.ros.launch.commands import run_together
+from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import PARAMETERS, StartedProgram
 from urdfkit.ros.launch.scopes import unread
@@ -151,7 +151,7 @@ class _Reader:
 
     def _command(self, call: ast.Call) -> None:
         command = argument(call, 0, "command")
-        if mistake := run_together(self.values, command):
+        if mistake := missing_space(self.values, command):
             self.collector.problems.append(mistake)
             return
         text = self.values.text(command)

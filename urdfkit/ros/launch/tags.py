@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import nearest
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.xml_reader import Problem
 
@@ -118,7 +119,7 @@ def _names(row: str) -> set[str]:
 
 
 def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
-    """What launch refuses or passes over in a tag, apart from the tags in it."""
+    """Unknown, missing and invalid tags and attributes of an element, apart from the tags in it."""
     table = _TABLES[ros]
     row = table.get(element.tag)
     if row is None:
@@ -130,7 +131,8 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
         name = word.rstrip("!")
         if word.endswith("!") and not _is_written(element, name, ros):
             message = f"<{element.tag}> has no {name}"
-            yield Problem("LAU009", element.span, message, f'write {name}="..."', frame)
+            help = f'write {name}="..."'
+            yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
     if element.tag == "launch":
         return  # nobody looks at its attributes
     known = _names(row)
@@ -149,7 +151,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
 
 
 def _is_written(element: Element, name: str, ros: int) -> bool:
-    """True if an attribute is there, or a slip of it, which is told instead."""
+    """True if an attribute is there, or a typo of it, which is reported instead."""
     translated = _TRANSLATED[ros]
     return any(
         other == name

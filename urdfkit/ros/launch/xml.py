@@ -12,9 +12,9 @@ from urdfkit.ros.launch.argument_checks import (
     declares_others,
     is_included,
     is_typo,
-    not_given,
-    not_taken,
+    missing_in_include,
     undeclared,
+    unknown_to_included,
 )
 from urdfkit.ros.launch.collect import Collector, frame_at
 from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, StartedProgram, Word
@@ -88,7 +88,7 @@ class _File:
         if document is not None and is_launch:
             self._ros = 2 if is_yaml else dialect(document.root) or self._ros_of_package()
             self._children(document.root)
-            self._tell_undeclared()
+            self._report_undeclared()
 
     def _unreadable(self, at: Span, reason: str) -> None:
         problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
@@ -147,7 +147,7 @@ class _File:
                 if attribute and used not in self._declared:
                     self._undeclared.setdefault(used, (attribute.span, frozenset(self._declared)))
 
-    def _tell_undeclared(self) -> None:
+    def _report_undeclared(self) -> None:
         missing = self._undeclared
         if self._ros == 2:  # where what an include declares, holds behind it
             missing = {n: use for n, use in missing.items() if n not in self._declared}
@@ -237,9 +237,9 @@ class _File:
         if self._ros == 2:
             known |= self._declared
         problems = self.collector.problems
-        problems += not_taken(passed, taken, source, self.frame, ros=self._ros or 2)
+        problems += unknown_to_included(passed, taken, source, self.frame, ros=self._ros or 2)
         if self._ros == 1 or not self._may_be_lent():
-            problems += not_given(known, taken, source, element.span, self.frame)
+            problems += missing_in_include(known, taken, source, element.span, self.frame)
 
     def _passed(self, element: Element) -> dict[str, str | None]:
         """The arguments of an include; None for those that only running it would tell."""

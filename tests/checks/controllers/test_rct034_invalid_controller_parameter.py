@@ -1,0 +1,151 @@
+"""RCT034: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.driving import DRIVE, place, reported
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "text", "help"),
+    [
+        ("wheel_radius: 0.1", "wheel_radius: 1", 10, "1", "write 1.0"),
+        ("wheel_radius: 0.1", "wheel_radius: 0,1", 10, "0,1", "write 0.1"),
+        ("wheel_radius: 0.1", "wheel_radius: '0.1'", 10, "'0.1'", "write 0.1"),
+        (
+            "wheel_radius: 0.1",
+            "wheel_radius: wide",
+            10,
+            "wide",
+            "write a number with a decimal point",
+        ),
+        ("[left_joint]", "left_joint", 7, "left_joint", "write a list of strings"),
+        ("frame_id: base", "frame_id: 1", 11, "1", "write a string"),
+        ("ers:\n    drive", "ers:\n    update_rate: 9.0\n    drive", 3, "9.0", "write 9"),
+    ],
+)
+def test_other_types_than_the_node_declares(
+    tmp_path: Path, old: str, new: str, line: int, text: str, help: str
+) -> None:
+    (found,) = reported(tmp_path, "RCT034", DRIVE.replace(old, new))
+    assert place(found) == ("c.yaml", line, text)
+    assert found.help == help
+
+
+@pytest.mark.parametrize("rate", ["0", "-5"])
+def test_rates_of_nothing(tmp_path: Path, rate: str) -> None:
+    text = DRIVE.replace("ers:\n    drive", f"ers:\n    update_rate: {rate}\n    drive")
+    (found,) = reported(tmp_path, "RCT034", text)
+    assert found.message == f"controller manager: update_rate is {rate}, must be > 0"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("wheel_radius: 0.1", "wheel_radius: $(var radius)"),  # filled in by launch
+        ("wheel_radius: 0.1", "wheel_radius: 1e-1"),
+        ("wheel_radius: 0.1", "wheel_radius:"),
+        ("diff_drive_controller/Diff", "my_drive_controller/Diff"),
+        ("frame_id: base", "frame_id: 'base'"),
+    ],
+)
+def test_what_ros_takes_is_calm(tmp_path: Path, old: str, new: str) -> None:
+    assert reported(tmp_path, "RCT034", DRIVE.replace(old, new)) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line"),
+    [
+        ("wheel_separation", "wheel_seperation", 9),
+        ("wheel_radius", "wheels_radius", 10),
+        ("base_frame_id", "base_frame_idd", 11),
+    ],
+)
+def test_a_misspelt_parameter(tmp_path: Path, old: str, new: str, line: int) -> None:
+    (found,) = reported(tmp_path, "RCT034", DRIVE.replace(old, new))
+    assert found.message == f"controller 'drive': unknown parameter '{new}'; did you mean '{old}'?"
+    assert place(found) == ("c.yaml", line, new)
+
+
+def test_a_misspelt_type(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, "RCT034", DRIVE.replace("/DiffDriveC", "/DiffDirveC"))
+    assert found.help == "write diff_drive_controller/DiffDriveController"
+    assert found.span.line == 4
+
+
+def test_unknown_names_that_are_no_typos(tmp_path: Path) -> None:
+    more = DRIVE + "    linear.x.max_velocity: 1.0\n    angular:\n      z:\n        max_jerk: 1.0\n"
+    assert reported(tmp_path, "RCT034", more + "    our_own: 1\n") == []
+    assert reported(tmp_path, "RCT034", DRIVE.replace("diff_drive_controller/", "our_drive/")) == []
+
+
+@pytest.mark.parametrize(
+    "gone", ["left_wheel_names: [left_joint]", "wheel_separation: 0.3", "wheel_radius: 0.1"]
+)
+def test_a_required_parameter_is_missing(tmp_path: Path, gone: str) -> None:
+    (found,) = reported(tmp_path, "RCT034", DRIVE.replace(f"    {gone}\n", ""))
+    assert place(found) == ("c.yaml", 5, "drive")
+    assert found.message.endswith(f": {gone.partition(':')[0]}")
+
+
+def test_parameters_under_a_name_that_is_no_controller(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, "RCT034", DRIVE.replace("\ndrive:", "\nbase_controller:"))
+    assert place(found) == ("c.yaml", 5, "base_controller")
+    assert found.help == "rename 'base_controller' to 'drive', or the reverse"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("drive:\n  ros__parameters:\n    left", "other:\n  ros__parameters:\n    let"),
+        ("diff_drive_controller/Diff", "my_drive_controller/Diff"),
+    ],
+)
+def test_what_may_be_elsewhere_is_calm(tmp_path: Path, old: str, new: str) -> None:
+    assert reported(tmp_path, "RCT034", DRIVE.replace(old, new)) == []
+
+
+def test_ros_1_wants_the_names_of_its_wheels(tmp_path: Path) -> None:
+    text = "drive:\n  type: diff_drive_controller/DiffDriveController\n  left_wheel: left_joint\n"
+    (found,) = reported(tmp_path, "RCT034", text)
+    assert place(found) == ("c.yaml", 1, "drive")
+    assert found.message.endswith(": right_wheel")
+
+
+CLASS = "diff_drive_controller/DiffDriveController"
+
+
+@pytest.mark.parametrize(
+    ("kind", "help"),
+    [
+        ("diff_drive_controller/Drive", f"use one of: {CLASS}"),
+        (
+            "joint_state_controller/JointStateController",
+            "use joint_state_broadcaster/JointStateBroadcaster, and check its parameters",
+        ),
+    ],
+)
+def test_classes_that_ros_2_does_not_have(tmp_path: Path, kind: str, help: str) -> None:
+    (found,) = reported(tmp_path, "RCT034", DRIVE.replace(CLASS, kind))
+    assert place(found) == ("c.yaml", 4, kind)
+    assert found.help == help
+
+
+def test_a_class_of_ros_2_in_ros_1(tmp_path: Path) -> None:
+    text = "states:\n  type: joint_state_broadcaster/JointStateBroadcaster\n"
+    (found,) = reported(tmp_path, "RCT034", text)
+    assert place(found) == ("c.yaml", 2, "joint_state_broadcaster/JointStateBroadcaster")
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        CLASS,
+        "my_controllers/Drive",
+    ],
+)
+def test_what_may_be_there_is_calm(tmp_path: Path, kind: str) -> None:
+    assert reported(tmp_path, "RCT034", DRIVE.replace(CLASS, kind)) == []

@@ -1,0 +1,112 @@
+"""LAU010: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+ROS_1 = '<rosparam file="$(find a)/b.yaml"/>\n'
+ROS_2 = '<let name="x" value="$(var x)"/>\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "word", "help"),
+    [
+        (ROS_1 + '<node pkg="a" tpye="b" name="c"/>', "b", "did you mean type?"),
+        (ROS_1 + '<node pkg="a" exec="b" name="c"/>', "b", "did you mean type?"),
+        (ROS_1 + '<nod pkg="a"/>', '<nod pkg="a"/>', "did you mean <node>?"),
+        (ROS_2 + '<node pkg="a" type="b"/>', "b", "did you mean exec?"),
+        (ROS_2 + '<node pkg="a" exec="b" ns="c"/>', "c", "did you mean namespace?"),
+    ],
+)
+def test_unknown_tags_and_attributes(tmp_path: Path, text: str, word: str, help: str) -> None:
+    (found,) = reported(tmp_path, "LAU010", "a.launch", text)
+    assert (found.span.line, found.span.text, found.help) == (3, word, help)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ROS_1 + '<node pkg="a" type="b" name="c" respawn="true" rosmon-memory-limit="1"/>',
+        ROS_2 + '<node pkg="a" exec="b" if="$(var x)" ros_args="--log-level info"/>',
+        ROS_2 + '<group scoped="false"><set_env name="A" value="b"/></group>',
+        ROS_2 + "<autoware_thing/>",
+    ],
+)
+def test_what_launch_knows_is_calm(tmp_path: Path, text: str) -> None:
+    assert reported(tmp_path, "LAU010", "a.launch", text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('<rosparam command="loads" file="$(arg f)"/>', "<rosparam>: command is 'loads'"),
+        ('<node pkg="a" type="b" name="$(anon c)" output="scren"/>', "<node>: output is 'scren'"),
+    ],
+)
+def test_words_that_an_attribute_cannot_be(tmp_path: Path, text: str, message: str) -> None:
+    (found,) = reported(tmp_path, "LAU010", "a.launch", text)
+    assert found.message == message
+
+
+OF_ROS_2 = '<let name="x" value="$(var x)"/><push_ros_namespace namespace="n"/>'
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('<node pkg="a" name="b" ns="$(arg n)"/>', "<node> has no type"),
+        ('<node pkg="a" type="b" ns="$(arg n)"/>', "<node> has no name"),
+        ('<include ns="$(arg n)"/>', "<include> has no file"),
+        (OF_ROS_2 + '<node pkg="a" name="b"/>', "<node> has no exec"),
+        (OF_ROS_2 + "<executable/>", "<executable> has no cmd"),
+    ],
+)
+def test_what_launch_needs(tmp_path: Path, text: str, message: str) -> None:
+    (found,) = reported(tmp_path, "LAU010", "a.launch", text)
+    assert (found.message, found.span.line) == (message, 2)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<node pkg="a" type="b" name="c" ns="$(arg n)"/>',
+        OF_ROS_2 + '<node pkg="a" exec="b"/>',
+        '<node pkg="a"/>',  # of either ROS
+    ],
+)
+def test_whole_or_unclear_is_calm(tmp_path: Path, text: str) -> None:
+    assert reported(tmp_path, "LAU010", "a.launch", text) == []
+
+
+@pytest.mark.parametrize(
+    ("pieces", "word", "help"),
+    [
+        ("'xacro', path", "path", "write 'xacro ' with a space"),
+        ("FindExecutable(name='xacro'), path", "path", "write 'xacro ' with a space"),
+        ("'xacro ', path, 'sim:=true'", "'sim:=true'", "write ' sim:=' with a space before it"),
+        ("'xacro ', path, ' a:=', path, 'b:=1'", "'b:=1'", "write ' b:=' with a space before it"),
+    ],
+)
+def test_pieces_that_become_one_word(tmp_path: Path, pieces: str, word: str, help: str) -> None:
+    text = f"path = LaunchConfiguration('model')\nCommand([{pieces}])"
+    (found,) = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert (found.span.text, found.help) == (word, help)
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "['xacro ', path, ' sim:=true']",
+        "['xacro', ' ', path, ' ', 'sim:=', sim]",
+        "['xacro ', '/opt/xacro', '/robot.xacro']",
+        "[*pieces, 'sim:=true']",
+        "'xacro robot.xacro'",
+        "",
+    ],
+)
+def test_separated_or_unknown_pieces(tmp_path: Path, command: str) -> None:
+    assert reported(tmp_path, "LAU010", "a.launch.py", f"Command({command})") == []

@@ -1,0 +1,111 @@
+"""LAU016: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+CREATE = "Node(package='ros_gz_sim', executable='create', arguments=[{}])"
+ENTITY = "Node(package='gazebo_ros', executable='spawn_entity.py', arguments=[{}])"
+MODEL = '<node pkg="gazebo_ros" type="spawn_model" name="s" args="{}"/>'
+
+
+@pytest.mark.parametrize(
+    ("node", "message"),
+    [
+        (CREATE.format("'-name', 'r'"), "create requires -file or -param or -string or -topic"),
+        (
+            CREATE.format("'-topic', '/a/robot_descripton'"),
+            "unknown topic 'robot_descripton'; did you",
+        ),
+        (CREATE.format("'-file', '/no/such/robot.sdf'"), "file not found: /no/such/robot.sdf"),
+        (CREATE.format("'-file', '/r/robot.xacro'"), "'robot.xacro' is a xacro file"),
+        (ENTITY.format("'-topic', 'robot_description'"), "spawn_entity.py requires -entity"),
+        (ENTITY.format("'-entity', x, '-name', 'r', '-file', f"), "spawn_entity.py has no option"),
+    ],
+)
+def test_ros_2(tmp_path: Path, node: str, message: str) -> None:
+    (found,) = reported(tmp_path, "LAU016", "a.launch.py", node)
+    assert found.message.startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("args", "message"),
+    [
+        ("-urdf -param robot_description", "spawn_model requires -model"),
+        ("-model r -param robot_description", "spawn_model requires -urdf or -sdf"),
+        ("-urdf -model r", "spawn_model requires -file or -param or -database or -stdin"),
+        (
+            "-urdf -param robot_description -entity r -model r",
+            "spawn_model has no option '-entity'",
+        ),
+    ],
+)
+def test_ros_1(tmp_path: Path, args: str, message: str) -> None:
+    (found,) = reported(tmp_path, "LAU016", "a.launch", MODEL.format(args))
+    assert (found.message.startswith(message), found.span.line) == (True, 2)
+
+
+@pytest.mark.parametrize(
+    "node",
+    [
+        CREATE.format("'-topic', 'robot_description', '-name', 'r', '-z', '-0.5'"),
+        CREATE.format("'-topic', topic, '--name=r', '-allow-renaming', 'true'"),
+        CREATE.format("*more"),
+        CREATE.format("") + "\n" + CREATE.format("'-file', x, '--ros-args', '-q'"),
+        CREATE.format("'-topic', 'robot_description_sim'"),
+        CREATE.format("").replace("]", "], parameters=[{'topic': 'x'}]"),
+        ENTITY.format("'-entity', 'r', '-file', find(), '-J', 'x'").replace("'-J', 'x'", "'-b'"),
+        "Node(package='a', executable='create', arguments=['-q'])",
+    ],
+)
+def test_whole_or_unknown_is_calm(tmp_path: Path, node: str) -> None:
+    assert reported(tmp_path, "LAU016", "a.launch.py", node) == []
+
+
+@pytest.mark.parametrize(
+    "args",
+    [
+        "-urdf -param robot_description -model r -J a 1 -J b 2 -unpause",
+        "-sdf -file $(env MODEL) -model r",
+        "-urdf -param /r/robot_description -model $(arg m)",
+        "",
+    ],
+)
+def test_ros_1_is_calm(tmp_path: Path, args: str) -> None:
+    text = '<arg name="m" default=""/>' + MODEL.format(args)
+    assert reported(tmp_path, "LAU016", "a.launch", text) == []
+
+
+CREATE_IGNORED = "Node(package='ros_gz_sim', executable='create', arguments=['-topic', 't', {}])"
+
+
+@pytest.mark.parametrize(
+    ("words", "message", "help"),
+    [
+        (
+            "'-entity', 'r'",
+            "create has no option '-entity' (ignored)",
+            "write -model in ROS 1, -name for create",
+        ),
+        ("'-nam', 'r'", "create has no option '-nam' (ignored); did you mean 'name'?", "remove it"),
+    ],
+)
+def test_an_option_that_it_lacks(tmp_path: Path, words: str, message: str, help: str) -> None:
+    (found,) = reported(tmp_path, "LAU016", "a.launch.py", CREATE_IGNORED.format(words))
+    assert (found.message, found.help) == (message, help)
+
+
+@pytest.mark.parametrize(
+    "node",
+    [
+        CREATE_IGNORED.format("'-name', 'r', '-allow-renaming', 'true', '-z', '-1'"),
+        CREATE_IGNORED.format("*more"),
+        CREATE_IGNORED.format("'-entity', 'r'").replace("ros_gz_sim", "acme"),
+    ],
+)
+def test_known_or_of_others_is_calm(tmp_path: Path, node: str) -> None:
+    assert reported(tmp_path, "LAU016", "a.launch.py", node) == []

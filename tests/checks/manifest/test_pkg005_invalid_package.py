@@ -1,0 +1,184 @@
+"""PKG005: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import MANIFEST
+from urdfkit import Diagnostic, check
+
+ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/>{}</robot>'
+MESH = '<link name="b"><visual><geometry><mesh filename="package://arm/b.stl"/></geometry></visual></link>'
+USES = '<xacro:include filename="$(find arm)/b.xacro"/>'
+
+
+def reported(folder: Path, manifest: str, more: str = USES) -> list[Diagnostic]:
+    (folder / "package.xml").write_text(manifest)
+    (folder / "b.xacro").write_text(ROBOT.format(""))
+    (folder / "urdf").mkdir()
+    (folder / "urdf" / "r.xacro").write_text(ROBOT.format(more))
+    report = check(folder / "urdf" / "r.xacro", select=["PKG005"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message", "line"),
+    [
+        ("  <license>Apache-2.0</license>\n", "", "the package has no <license>", 2),
+        ("<version>1.0.0</version>", "", "the package has no <version>", 2),
+        (">1.0.0<", ">1.0<", "version '1.0' does not have three numbers", 4),
+        (">1.0.0<", "><", "version '' does not have three numbers", 4),
+        (' email="arm@example.org"', "", "the maintainer has no email", 6),
+        (">Apache-2.0<", "><", "the license is empty", 7),
+        ("</package>", "<run_depend>a</run_depend></package>", "<run_depend> is not a tag of ", 8),
+        (
+            "</package>",
+            "<exec_dep>a</exec_dep></package>",
+            "<exec_dep> is not a tag of format 3",
+            8,
+        ),
+        ("</package>", "<depend>arm</depend></package>", "the package depends on itself", 8),
+        ("</license>", "</licence>", "package.xml is not valid XML: ", 7),
+        ("<license>", "<licence>", "package.xml is not valid XML: ", 7),
+        ("</package>", "<export/><export/></package>", "duplicate <export>", 8),
+    ],
+)
+def test_an_invalid_manifest(tmp_path: Path, old: str, new: str, message: str, line: int) -> None:
+    assert old in MANIFEST
+    (found,) = reported(tmp_path, MANIFEST.replace(old, new))
+    assert found.message.startswith(message)
+    assert (Path(found.span.source.path).name, found.span.line) == ("package.xml", line)
+
+
+@pytest.mark.parametrize(("wrong", "help"), [("run_depend", "exec_depend"), ("depnd", "depend")])
+def test_the_tag_that_was_meant(tmp_path: Path, wrong: str, help: str) -> None:
+    text = MANIFEST.replace("</package>", f"<{wrong}>xacro</{wrong}></package>")
+    assert reported(tmp_path, text)[0].help == f"write <{help}>"
+
+
+def test_a_package_without_a_name(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, MANIFEST.replace("<name>arm</name>", ""), MESH)
+    assert found.message == "the package has no <name>"
+
+
+@pytest.mark.parametrize(
+    "manifest",
+    [
+        MANIFEST,
+        MANIFEST.replace('"3"', '"1"') + "<!-- <run_depend>a</run_depend> -->",
+        MANIFEST.replace("</package>", '<depend condition="$X">a</depend><export/></package>'),
+        MANIFEST.replace("An arm.", "An <b>arm</b>."),
+        MANIFEST.replace('"3"', '"4"').replace("</package>", "<new/></package>"),
+        "<package><name>arm</name><version>1</version></package>",
+    ],
+)
+def test_what_the_build_takes_is_calm(tmp_path: Path, manifest: str) -> None:
+    assert reported(tmp_path, manifest) == []
+
+
+def test_a_robot_that_uses_no_package_does_not_mind(tmp_path: Path) -> None:
+    assert reported(tmp_path, MANIFEST.replace("1.0.0", "1"), "") == []
+
+
+def test_a_launch_file_does(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text(MANIFEST.replace("1.0.0", "1"))
+    (tmp_path / "a.launch").write_text("<launch/>")
+    assert len(check(tmp_path / "a.launch", select=["PKG005"]).diagnostics) == 1
+
+
+ROBOT_PROJECT = """<robot name="r"><link name="base">
+<visual><geometry><mesh filename="package://arm/a.stl"/></geometry></visual>
+</link></robot>"""
+
+
+def reported_project(folder: Path, build: str, file: str = "CMakeLists.txt") -> list[Diagnostic]:
+    (folder / "package.xml").write_text("<package><name>arm</name></package>")
+    (folder / file).write_text(build)
+    (folder / "r.urdf").write_text(ROBOT_PROJECT)
+    report = check(folder / "r.urdf", select=["PKG005"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+@pytest.mark.parametrize(
+    ("file", "build"),
+    [
+        ("CMakeLists.txt", "# project(arm)\nproject(amr VERSION 1.0)\n"),
+        ("CMakeLists.txt", 'PROJECT (\n  "amr")\n'),
+        ("setup.py", "from setuptools import setup\npackage_name = 'amr'\n"),
+    ],
+)
+def test_another_name(tmp_path: Path, file: str, build: str) -> None:
+    (found,) = reported_project(tmp_path, build, file)
+    assert (
+        found.message
+        == f"project name 'amr' in {file} differs from the package name 'arm' in package.xml"
+    )
+    assert found.span.source.path == str(tmp_path / file)
+    assert found.span.text == "amr"
+
+
+@pytest.mark.parametrize(
+    "build", ["project(arm)", "project(${NAME})", "", "# no project here", "myproject(amr)"]
+)
+def test_the_same_name_or_none_that_is_written_out(tmp_path: Path, build: str) -> None:
+    assert reported_project(tmp_path, build) == []
+
+
+TYPE = "<export><build_type>ament_python</build_type></export>"
+PYTHON = MANIFEST.replace("</package>", f"{TYPE}</package>")
+SETUP = """\
+package_name = 'arm'
+setup(data_files=[
+    ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
+])
+"""
+
+
+def reported_python(folder: Path, manifest: str, setup: str, *more: str) -> list[Diagnostic]:
+    (folder / "package.xml").write_text(manifest)
+    (folder / "setup.py").write_text(setup)
+    for name in more:
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).touch()
+    (folder / "a.launch").write_text("<launch/>")
+    report = check(folder / "a.launch", select=["PKG005"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+def test_without_the_index(tmp_path: Path) -> None:
+    (found,) = reported_python(tmp_path, PYTHON, "setup(data_files=[])", "resource/arm")
+    assert found.message.endswith("ROS does not find the package 'arm'")
+    assert Path(found.span.source.path).name == "setup.py"
+
+
+def test_without_the_file_in_it(tmp_path: Path) -> None:
+    (found,) = reported_python(tmp_path, PYTHON, SETUP)
+    assert found.message == "file not found: resource/arm, which setup.py installs"
+    assert found.span.line == 3
+
+
+def test_without_a_build_type(tmp_path: Path) -> None:
+    (found,) = reported_python(tmp_path, MANIFEST, SETUP, "resource/arm")
+    assert found.message == "no build type: colcon looks for a CMakeLists.txt"
+    assert Path(found.span.source.path).name == "package.xml"
+
+
+@pytest.mark.parametrize(
+    ("manifest", "setup", "more"),
+    [
+        (PYTHON, SETUP, ["resource/arm"]),
+        (PYTHON, SETUP.replace("'resource/' + package_name", "MARKER"), []),
+        (MANIFEST, "setup()", []),
+        (MANIFEST, SETUP, ["CMakeLists.txt"]),
+        (PYTHON.replace("ament_python", "cmake"), "setup()", []),
+    ],
+)
+def test_registered_or_unclear_is_calm(
+    tmp_path: Path, manifest: str, setup: str, more: list[str]
+) -> None:
+    assert reported_python(tmp_path, manifest, setup, *more) == []

@@ -1,0 +1,101 @@
+"""RCT002: see the rule."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, transmission
+from tests.reported import messages, places, reported
+from urdfkit.text.diagnostic import Severity
+
+
+def test_a_fixed_joint_in_ros2_control() -> None:
+    text = ROBOT + control('<joint name="weld"><state_interface name="position"/></joint>')
+    assert messages("RCT002", text) == ["<ros2_control> 'c' drives joint 'weld', which is fixed"]
+    assert places("RCT002", text) == [(NEXT + 2, "weld")]
+
+
+def test_a_fixed_joint_in_a_transmission() -> None:
+    text = ROBOT + transmission("weld")
+    assert messages("RCT002", text) == ["transmission 't' drives joint 'weld', which is fixed"]
+    assert reported("RCT002", text, targets=("gz-harmonic",)) == []
+
+
+@pytest.mark.parametrize("name", ["swing", "slide", "nobody", ""])
+def test_joints_that_move_or_are_unknown(name: str) -> None:
+    assert reported("RCT002", ROBOT + control(driven(name))) == []
+    assert reported("RCT002", ROBOT + transmission(name)) == []
+
+
+def test_a_vendor_s_interface_may_drive_nothing() -> None:
+    joint = (
+        '<transmission name="model"><type>franka_hw/FrankaModelInterface</type>'
+        '<joint name="weld"><hardwareInterface>franka_hw/FrankaModelInterface'
+        "</hardwareInterface></joint></transmission>"
+    )
+    assert reported("RCT002", ROBOT + joint) == []
+
+
+BAD = ROBOT + control(driven("swing"), driven("follow", "velocity"))
+
+
+def test_a_follower_with_a_command() -> None:
+    assert messages("RCT002", BAD) == [
+        "mimic joint 'follow' (of 'swing') has command interface 'velocity'"
+    ]
+    assert places("RCT002", BAD) == [(NEXT + 3, '<command_interface name="velocity"/>')]
+
+
+@pytest.mark.parametrize(
+    ("targets", "severity"),
+    [
+        (("ros2",), Severity.ERROR),
+        (("gz-harmonic",), Severity.ERROR),
+        (("gz-jetty", "ros2"), Severity.ERROR),
+        (("gz-fortress",), Severity.WARNING),
+        (("classic-ros2", "ros2"), Severity.WARNING),
+    ],
+)
+def test_humble_lets_it_pass(targets: tuple[str, ...], severity: Severity) -> None:
+    (found,) = reported("RCT002", BAD, targets=targets)
+    assert found.severity is severity
+
+
+def test_a_follower_without_command() -> None:
+    state = '<joint name="follow"><state_interface name="position"/></joint>'
+    assert reported("RCT002", ROBOT + control(driven("swing"), state)) == []
+
+
+def test_a_follower_with_a_motor_of_its_own() -> None:
+    own = driven("follow").replace("<joint ", '<joint mimic="False" ')
+    assert reported("RCT002", ROBOT + control(driven("swing"), own)) == []
+    same = driven("follow").replace("<joint ", '<joint mimic="true" ')
+    assert len(reported("RCT002", ROBOT + control(driven("swing"), same))) == 1
+
+
+def test_the_form_of_humble() -> None:
+    old = driven("follow", more='<param name="mimic">swing</param>')
+    assert reported("RCT002", ROBOT + control(driven("swing"), old)) == []
+
+
+FOLLOWS = '<param name="mimic">swing</param><param name="multiplier">1</param>'
+
+
+def test_a_parameter_of_humble_for_jazzy() -> None:
+    text = ROBOT + control(driven("slide", more=FOLLOWS), plugin=GZ)
+    assert messages("RCT002", text) == [
+        ("joint 'slide' mimics 'swing' by a parameter, which ros2_control ignores from Jazzy on")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("joint", "hardware"),
+    [("slide", CLASSIC), ("slide", "ign_ros2_control/IgnitionSystem"), ("slide", MOCK)],
+)
+def test_where_it_is_read_or_nothing_is_known(joint: str, hardware: str) -> None:
+    assert reported("RCT002", ROBOT + control(driven(joint, more=FOLLOWS), plugin=hardware)) == []
+
+
+def test_a_joint_that_mimics_needs_no_parameter() -> None:
+    assert reported("RCT002", ROBOT + control(driven("follow", more=FOLLOWS), plugin=GZ)) == []
+    assert reported("RCT002", ROBOT + control(driven("slide"), plugin=GZ)) == []

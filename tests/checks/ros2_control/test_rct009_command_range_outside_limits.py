@@ -1,0 +1,127 @@
+"""RCT009: see the rule."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.controls import NEXT, ROBOT, control
+from tests.reported import messages, places, reported
+
+
+def commanded(name: str, interface: str, least: str, greatest: str) -> str:
+    """A joint with a range, on one line."""
+    return (
+        f'<joint name="{name}"><command_interface name="{interface}"><param name="min">{least}'
+        f'</param><param name="max">{greatest}</param></command_interface></joint>'
+    )
+
+
+@pytest.mark.parametrize(
+    ("joint", "message"),
+    [
+        (
+            commanded("slide", "position", "0", "0.6"),
+            (
+                "joint 'slide': the range of command_interface 'position', [0, 0.6] m, exceeds the "
+                "joint limit [0, 0.5] m"
+            ),
+        ),
+        (
+            commanded("swing", "velocity", "-3", "3"),
+            (
+                "joint 'swing': the range of command_interface 'velocity', [-3, 3] rad/s, "
+                "exceeds the joint limit [-2, 2] rad/s"
+            ),
+        ),
+        (
+            commanded("slide", "effort", "-200", "x"),
+            (
+                "joint 'slide': the range of command_interface 'effort', [-200, ...] N, "
+                "exceeds the joint limit [-100, 100] N"
+            ),
+        ),
+    ],
+)
+def test_wider(joint: str, message: str) -> None:
+    assert messages("RCT009", ROBOT + control(joint)) == [message]
+
+
+def test_the_place_is_the_bound_that_is_outside() -> None:
+    text = ROBOT + control(commanded("slide", "position", "0", "0.6"))
+    assert places("RCT009", text) == [(NEXT + 2, '<param name="max">')]
+    text = text.replace(">0<", ">-0.1<")
+    assert places("RCT009", text) == [(NEXT + 2, '<param name="min">')]
+
+
+def test_one_block_is_one_finding() -> None:
+    joints = [commanded("slide", "position", "-1", "1"), commanded("swing", "velocity", "-9", "9")]
+    (found,) = reported("RCT009", ROBOT + control(*joints))
+    assert found.message.endswith(", and 1 more in <ros2_control> 'c'")
+    assert [related.span.line for related in found.related] == [NEXT + 3]
+
+
+@pytest.mark.parametrize(
+    "joint",
+    [
+        commanded("slide", "position", "0.1", "0.5"),
+        commanded("slide", "position", "-0.004", "0.504"),  # rounded
+        commanded("swing", "position", "-9", "9"),  # without end
+        commanded("slide", "acceleration", "-9", "9"),
+        commanded("nobody", "position", "-9", "9"),
+        commanded("slide", "position", "", "text"),
+        '<joint name="slide"><command_interface name="position"/></joint>',
+    ],
+)
+def test_within(joint: str) -> None:
+    assert reported("RCT009", ROBOT + control(joint)) == []
+
+
+def test_swapped() -> None:
+    text = ROBOT + control(commanded("slide", "position", "0.5", "0"))
+    assert messages("RCT009", text) == ["joint 'slide', position: min 0.5 > max 0"]
+    assert places("RCT009", text) == [(NEXT + 2, '<param name="min">')]
+
+
+def test_of_a_gpio() -> None:
+    text = commanded("lamp", "analog", "5", "-5").replace("joint", "gpio")
+    (message,) = messages("RCT009", ROBOT + control(text))
+    assert message.startswith("gpio 'lamp', ")
+
+
+def test_ranges_that_hold_something() -> None:
+    for least, greatest in [("0", "0"), ("0", "0.5"), ("x", "0.5"), ("0.5", "")]:
+        assert (
+            reported("RCT009", ROBOT + control(commanded("slide", "position", least, greatest)))
+            == []
+        )
+
+
+def starting(name: str, interface: str, value: str) -> str:
+    """A joint with a state, on one line."""
+    return (
+        f'<joint name="{name}"><state_interface name="{interface}">'
+        f'<param name="initial_value">{value}</param></state_interface></joint>'
+    )
+
+
+def test_outside() -> None:
+    text = ROBOT + control(starting("slide", "position", "0.6"))
+    assert messages("RCT009", text) == [
+        "joint 'slide': initial_value 0.6 m is outside the joint limit [0, 0.5] m"
+    ]
+    assert places("RCT009", text) == [(NEXT + 2, '<param name="initial_value">')]
+
+
+@pytest.mark.parametrize(
+    ("name", "interface", "value"),
+    [
+        ("slide", "position", "0.5"),
+        ("slide", "position", "0.5005"),
+        ("slide", "velocity", "9"),
+        ("slide", "position", "x"),
+        ("swing", "position", "9"),
+        ("nobody", "position", "9"),
+    ],
+)
+def test_within_or_without_limits(name: str, interface: str, value: str) -> None:
+    assert reported("RCT009", ROBOT + control(starting(name, interface, value))) == []

@@ -1,0 +1,258 @@
+"""RCT017: see the rule."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.controls import CLASSIC, GZ, NEXT, ROBOT, control, driven, plugin, transmission
+from tests.reported import fixed, messages, places, reported
+
+GPIO = '<gpio name="lamp"><param name="p">1</param><command_interface name="on"/></gpio>'
+GOOD = ROBOT + control(driven("swing", more='<param name="p">1</param>'), GPIO)
+
+
+def test_a_tag_that_stops_the_parser() -> None:
+    text = ROBOT + control(driven("swing"), '<sensr name="imu"/>')
+    assert messages("RCT017", text) == [
+        "<ros2_control>: unknown element <sensr>; did you mean 'sensor'?"
+    ]
+    assert places("RCT017", text) == [(NEXT + 3, '<sensr name="imu"/>')]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "tag"),
+    [
+        ('<joint name="swing">', "<joint>", "joint"),
+        ('<gpio name="lamp">', '<gpio name="">', "gpio"),
+        ('<command_interface name="on"/>', "<command_interface/>", "command_interface"),
+        ('<param name="p">', "<param>", "param"),
+        ('<ros2_control name="c"', "<ros2_control", "ros2_control"),
+    ],
+)
+def test_a_name_that_is_missing(old: str, new: str, tag: str) -> None:
+    assert old in GOOD
+    found = messages("RCT017", GOOD.replace(old, new))
+    assert set(found) == {f"<{tag}> has no name"}
+
+
+def test_what_the_parser_takes() -> None:
+    more = '<properties/><transmission name="t"><plugin>p/C</plugin></transmission>'
+    assert reported("RCT017", GOOD) == []
+    assert reported("RCT017", ROBOT + control(driven("swing"), more)) == []
+    assert reported("RCT017", ROBOT + control(driven("swing", more="<limits/>"))) == []
+    assert reported("RCT017", ROBOT + control(driven("swing"), "<xacro:more/>")) == []
+
+
+def test_an_actuator_has_one_joint() -> None:
+    text = ROBOT + control(driven("swing"), driven("slide"), kind="actuator")
+    assert messages("RCT017", text) == ["<ros2_control> 'c': type actuator with 2 joints, not 1"]
+    assert places("RCT017", text) == [(NEXT, "actuator")]
+    assert reported("RCT017", ROBOT + control(driven("swing"), kind="actuator")) == []
+
+
+def test_the_parts_of_a_transmission_have_roles() -> None:
+    inside = '<plugin>p/C</plugin><joint name="swing" role="{}"/><actuator name="m" role="a"/>'
+    block = f'<transmission name="t">{inside}</transmission>'
+    assert reported("RCT017", ROBOT + control(driven("swing"), block.format("joint1"))) == []
+    assert messages("RCT017", ROBOT + control(driven("swing"), block.format(""))) == [
+        "<joint> of a transmission has no role"
+    ]
+
+
+def test_a_misspelt_interface() -> None:
+    text = ROBOT + control(driven("swing", "velocty", "efort"))
+    assert messages("RCT017", text) == [
+        "joint 'swing': command interface 'velocty' is unknown; did you mean 'velocity'?",
+        "joint 'swing': state interface 'efort' is unknown; did you mean 'effort'?",
+    ]
+    assert places("RCT017", text) == [(NEXT + 2, "velocty"), (NEXT + 2, "efort")]
+
+
+@pytest.mark.parametrize(
+    "name",
+    "position velocity effort acceleration torque pid_gain position_pid velocity_scaling x".split(),
+)
+def test_names_that_hardware_and_controller_agree_on(name: str) -> None:
+    assert reported("RCT017", ROBOT + control(driven("swing", name, name))) == []
+
+
+def test_gazebo_has_three_and_classic_five() -> None:
+    found = messages("RCT017", ROBOT + control(driven("swing", "position_pid"), plugin=GZ))
+    assert found == [
+        (
+            "joint 'swing': command interface 'position_pid' is not one of "
+            "gz_ros2_control/GazeboSimSystem (position, velocity, effort)"
+        )
+    ]
+    assert (
+        reported("RCT017", ROBOT + control(driven("swing", "position_pid"), plugin=CLASSIC)) == []
+    )
+    assert messages("RCT017", ROBOT + control(driven("swing", state="torque"), plugin=CLASSIC)) == [
+        (
+            "joint 'swing': state interface 'torque' is not one of "
+            "gazebo_ros2_control/GazeboSystem (position, velocity, effort)"
+        )
+    ]
+
+
+def test_sensors_and_gpios() -> None:
+    sensor = '<sensor name="imu"><state_interface name="{}"/></sensor>'
+    assert messages("RCT017", ROBOT + control(sensor.format("orientation_x"), plugin=GZ)) == [
+        "sensor 'imu': state interface 'orientation_x' is unknown; did you mean 'orientation.x'?"
+    ]
+    assert messages("RCT017", ROBOT + control(sensor.format("linear_accel.x"), plugin=GZ)) == [
+        (
+            "sensor 'imu': state interface 'linear_accel.x' is not one of "
+            "gz_ros2_control/GazeboSimSystem (such as orientation.x)"
+        )
+    ]
+    for name in ("orientation.x", "force.z", "ft.torque.x", "temperature", "positon"):
+        assert reported("RCT017", ROBOT + control(sensor.format(name))) == []
+    gpio = '<gpio name="g"><command_interface name="positon"/></gpio>'
+    assert reported("RCT017", ROBOT + control(gpio)) == []
+
+
+def test_hardware_interfaces_of_ros1() -> None:
+    mistake = ROBOT + transmission("swing", "hardware_interface/EffortJointInterfce")
+    assert messages("RCT017", mistake) == [
+        (
+            "joint 'swing': hardware interface 'hardware_interface/EffortJointInterfce' is "
+            "unknown; did you mean 'hardware_interface/EffortJointInterface'?"
+        )
+    ]
+    assert reported("RCT017", mistake, targets=("ros2",)) == []
+    for name in ("VelocityJointInterface", "hardware_interface/PosVelJointInterface", "my/Own"):
+        assert reported("RCT017", ROBOT + transmission("swing", name)) == []
+
+
+def test_gazebo_of_ros1_knows_three() -> None:
+    text = ROBOT + transmission("swing", "hardware_interface/PosVelJointInterface")
+    (message,) = messages("RCT017", text + plugin("libgazebo_ros_control.so"))
+    assert " is not one of gazebo_ros_control (hardware_interface/Effort" in message
+    own = plugin("libgazebo_ros_control.so", "<robotSimType>acme/Sim</robotSimType>")
+    assert reported("RCT017", text + own) == []
+
+
+@pytest.mark.parametrize(
+    ("kind", "hint"),
+    [
+        ("System", "; did you mean 'system'?"),
+        ("sensors", "; did you mean 'sensor'?"),
+        ("robot", ""),
+    ],
+)
+def test_a_type_that_loads_nothing(kind: str, hint: str) -> None:
+    text = ROBOT + control(driven("swing"), kind=kind)
+    assert messages("RCT017", text) == [
+        f"<ros2_control> 'c': type '{kind}' is not one of system, actuator, sensor{hint}"
+    ]
+    assert places("RCT017", text) == [(NEXT, kind)]
+
+
+def test_no_type() -> None:
+    text = ROBOT + control(driven("swing")).replace(' type="system"', "")
+    assert messages("RCT017", text) == ["<ros2_control> 'c' has no type"]
+
+
+@pytest.mark.parametrize("kind", ["system", "actuator", "sensor", "${kind}"])
+def test_the_types_that_there_are(kind: str) -> None:
+    assert reported("RCT017", ROBOT + control(driven("swing"), kind=kind)) == []
+
+
+@pytest.mark.parametrize(
+    ("part", "message"),
+    [
+        (
+            '<joint name="swing"><comand_interface name="position"/></joint>',
+            (
+                "joint 'swing' in <ros2_control>: unknown element <comand_interface>; did you mean "
+                "'command_interface'?"
+            ),
+        ),
+        (
+            (
+                '<joint name="swing"><state_interface name="position"><parm name="min">0</parm>'
+                "</state_interface></joint>"
+            ),
+            (
+                "state_interface 'position' in <ros2_control>: unknown element <parm>; "
+                "did you mean 'param'?"
+            ),
+        ),
+        (
+            '<sensor name="imu"><command_interface name="x"/></sensor>',
+            (
+                "sensor 'imu' in <ros2_control>: unknown element <command_interface>; did you mean "
+                "'state_interface'?"
+            ),
+        ),
+    ],
+)
+def test_unknown_elements(part: str, message: str) -> None:
+    assert messages("RCT017", ROBOT + control(part)) == [message]
+    ((line, _),) = places("RCT017", ROBOT + control(part))
+    assert line == NEXT + 2
+
+
+def test_known_elements() -> None:
+    part = (
+        '<joint name="swing"><command_interface name="position"><param name="min">0</param>'
+        '<limits enable="false"/></command_interface><param name="gain">1</param></joint>'
+    )
+    transmission = (
+        '<transmission name="t"><plugin>t/T</plugin><joint name="swing" role="r">'
+        "<mechanical_reduction>2</mechanical_reduction></joint></transmission>"
+    )
+    assert messages("RCT017", ROBOT + control(part, transmission)) == []
+
+
+def with_parameter(name: str, value: str) -> str:
+    parameter = f'<param name="{name}">{value}</param>'
+    interface = f'<command_interface name="position">{parameter}</command_interface>'
+    return ROBOT + control(f'<joint name="swing">{interface}</joint>')
+
+
+@pytest.mark.parametrize("value", ["1,5", "", "3.14 rad", "nan?"])
+@pytest.mark.parametrize("name", ["min", "max", "initial_value"])
+def test_text_for_a_number(name: str, value: str) -> None:
+    shown = f"'{value}'" if value else "empty"
+    assert messages("RCT017", with_parameter(name, value)) == [
+        f"joint 'swing', position: parameter '{name}' is {shown}, not a number"
+    ]
+
+
+def test_a_misspelt_parameter_is_fixed() -> None:
+    assert messages("RCT017", with_parameter("inital_value", "1")) == [
+        "joint 'swing', position: unknown parameter 'inital_value'; did you mean 'initial_value'?"
+    ]
+    assert 'name="initial_value"' in fixed("RCT017", with_parameter("inital_value", "1"))
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("min", "-1.5"), ("max", "${pi}"), ("initial_value", " 1e-3 "), ("p", "x")]
+)
+def test_numbers_and_parameters_of_others(name: str, value: str) -> None:
+    assert messages("RCT017", with_parameter(name, value)) == []
+
+
+def with_attributes(rw_rate: str, size: str) -> str:
+    interface = f'<command_interface name="position" size="{size}"/>'
+    text = ROBOT + control(f'<joint name="swing">{interface}</joint>')
+    return text.replace("<ros2_control", f'<ros2_control rw_rate="{rw_rate}"')
+
+
+@pytest.mark.parametrize("rate", ["-50", "50.5", "fast", ""])
+def test_an_invalid_rate(rate: str) -> None:
+    (message,) = messages("RCT017", with_attributes(rate, "1"))
+    assert message.endswith(f": rw_rate is '{rate}', must be an integer >= 0")
+
+
+@pytest.mark.parametrize("size", ["-4", "0", "1.5", "all"])
+def test_an_invalid_size(size: str) -> None:
+    assert messages("RCT017", with_attributes("100", size)) == [
+        f"joint 'swing', position: size is '{size}', must be an integer >= 1"
+    ]
+
+
+def test_attributes_that_are_read() -> None:
+    assert messages("RCT017", with_attributes("0", "3")) == []

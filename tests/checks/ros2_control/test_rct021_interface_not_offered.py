@@ -1,0 +1,184 @@
+"""RCT021: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.controllers.test_rct013_controllers_name_unknown_joint import (
+    TRAJECTORY,
+    controller,
+)
+from tests.controls import GZ, NEXT, ROBOT, control, driven, plugin, transmission
+from tests.reported import messages, places
+from urdfkit import Diagnostic, check
+from urdfkit.lint.rule_examples import whole_robot
+
+OFFERED = control(driven("swing", "velocity", "velocity"), driven("slide"), plugin=GZ)
+
+
+def reported(
+    folder: Path, text: str, blocks: str = OFFERED, direction: str = "command"
+) -> list[Diagnostic]:
+    (folder / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
+    (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    report = check(folder / "r.urdf", select=["RCT021"])
+    assert report.crashed == ()
+    return [
+        found for found in report.diagnostics if f"needs {direction} interface" in found.message
+    ]
+
+
+def state_reported(folder: Path, text: str) -> list[Diagnostic]:
+    return reported(folder, text, direction="state")
+
+
+def test_a_trajectory_controller_says_which(tmp_path: Path) -> None:
+    text = controller("arm", joints="[swing, slide]", command_interfaces="[position, acceleration]")
+    first, second = reported(tmp_path, text)
+    assert first.message == (
+        "controller 'arm' needs command interface position, acceleration of joint 'swing', "
+        "which offers: velocity"
+    )
+    assert (first.span.line, first.span.text) == (4, "swing")
+    assert second.message.endswith("acceleration of joint 'slide', which offers: position")
+
+
+@pytest.mark.parametrize(
+    ("kind", "names", "joint"),
+    [
+        ("velocity_controllers/JointGroupVelocityController", "joints", "slide"),
+        ("effort_controllers/JointGroupEffortController", "joints", "swing"),
+        ("position_controllers/JointGroupPositionController", "joints", "swing"),
+        ("diff_drive_controller/DiffDriveController", "left_wheel_names", "slide"),
+    ],
+)
+def test_the_type_says_which(tmp_path: Path, kind: str, names: str, joint: str) -> None:
+    (found,) = reported(tmp_path, controller("c", kind, **{names: f"[{joint}]"}))
+    assert found.span.text == joint
+    good = "slide" if joint == "swing" and "effort" not in kind else "swing"
+    others = reported(tmp_path, controller("c", kind, **{names: f"[{good}]"}))
+    assert len(others) == ("effort" in kind)
+
+
+def test_what_is_not_known_is_not_judged(tmp_path: Path) -> None:
+    velocity = controller("arm", joints="[swing]", command_interfaces="[position]")
+    assert reported(tmp_path, velocity, "") == []  # no block at all
+    assert reported(tmp_path, controller("arm", joints="[swing]")) == []
+    assert reported(tmp_path, controller("arm", "acme/Own", joints="[swing]")) == []
+    other = controller(
+        "arm", joints="[swing]", command_joints="[pid/swing]", command_interfaces="[position]"
+    )
+    assert reported(tmp_path, other) == []
+    assert TRAJECTORY in other
+
+
+@pytest.mark.parametrize(("hardware", "count"), [("acme/Motors", 0), (GZ, 1)])
+def test_a_launch_file_that_starts_the_real_robot(
+    tmp_path: Path, hardware: str, count: int
+) -> None:
+    """What its Gazebo plugin would load is that of another variant, as in open_manipulator."""
+    text = controller("arm", joints="[swing]", command_interfaces="[position]")
+    (tmp_path / "gazebo.yaml").write_text(text)
+    (tmp_path / "real.yaml").write_text(text.replace("[position]", "[effort]"))
+    blocks = control(driven("swing", "effort"), plugin=hardware)
+    names = plugin("gz_ros2_control-system", f"<parameters>{tmp_path}/gazebo.yaml</parameters>")
+    (tmp_path / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    (tmp_path / "r.launch.py").write_text(
+        f"robot = Command(['cat ', '{tmp_path}/r.urdf'])\n"
+        "Node(package='controller_manager', executable='ros2_control_node',\n"
+        f"     parameters=[{{'robot_description': robot}}, '{tmp_path}/real.yaml'])\n"
+    )
+    assert len(check(tmp_path / "r.launch.py", select=["RCT021"]).diagnostics) == count
+
+
+DRIVE = "drive:\n  type: {}_controllers/JointPositionController\n  joint: swing\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (DRIVE.format("position"), 1),
+        (DRIVE.format("effort"), 0),
+        (DRIVE.format("position") + DRIVE.format("effort").replace("drive", "other"), 0),
+    ],
+)
+def test_ros_1_goes_by_the_transmission(tmp_path: Path, text: str, count: int) -> None:
+    (tmp_path / "c.yaml").write_text(text)
+    robot = ROBOT + transmission("swing") + plugin("libgazebo_ros_control.so")
+    (tmp_path / "r.urdf").write_text(whole_robot(robot))
+    (tmp_path / "a.launch").write_text(
+        '<launch><param name="robot_description" textfile="$(dirname)/r.urdf"/>'
+        '<rosparam command="load" file="$(dirname)/c.yaml"/></launch>'
+    )
+    found = check(tmp_path / "a.launch", select=["RCT021"]).diagnostics
+    assert len(found) == count
+    for one in found:
+        assert one.message.endswith("position of joint 'swing', which offers: effort")
+
+
+WHEELS = "diff_drive_controller/DiffDriveController"
+
+
+def test_a_trajectory_controller_says_which_state(tmp_path: Path) -> None:
+    text = controller("arm", joints="[swing, slide]", state_interfaces="[position, velocity]")
+    first, second = state_reported(tmp_path, text)
+    assert first.message.endswith("position of joint 'swing', which offers: velocity")
+    assert (first.span.line, first.span.text) == (4, "swing")
+    assert second.message.endswith("velocity of joint 'slide', which offers: position")
+
+
+@pytest.mark.parametrize(
+    ("feedback", "joint", "needs"),
+    [
+        ({}, "swing", "position"),
+        ({"position_feedback": "false"}, "slide", "velocity"),
+        ({"position_feedback": "True"}, "swing", "position"),
+    ],
+)
+def test_wheels(tmp_path: Path, feedback: dict[str, str], joint: str, needs: str) -> None:
+    (found,) = state_reported(
+        tmp_path, controller("d", WHEELS, left_wheel_names=f"[{joint}]", **feedback)
+    )
+    assert f"{needs} of joint '{joint}'" in found.message
+
+
+def test_a_gripper(tmp_path: Path) -> None:
+    kind = "position_controllers/GripperActionController"
+    (found,) = state_reported(tmp_path, controller("g", kind, joint="slide"))
+    assert "velocity of joint 'slide'" in found.message
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        controller("d", WHEELS, left_wheel_names="[swing]", position_feedback="false"),
+        controller("d", WHEELS, left_wheel_names="[swing]", open_loop="true"),
+        controller("arm", joints="[slide]", state_interfaces="[position]"),
+        controller("arm", joints="[slide]"),
+        controller("arm", "acme/Own", joints="[slide]", state_interfaces="[effort]"),
+        controller("arm", joints="[follow]", state_interfaces="[effort]"),
+    ],
+)
+def test_states_that_are_offered_or_unknown(tmp_path: Path, text: str) -> None:
+    assert state_reported(tmp_path, text) == []
+
+
+MUTE = '<joint name="swing"><command_interface name="velocity"/></joint>'
+
+
+def test_a_joint_without_state() -> None:
+    text = ROBOT + control(driven("slide"), MUTE)
+    assert messages("RCT021", text) == [
+        "joint 'swing' has command interfaces but no state interface"
+    ]
+    assert places("RCT021", text) == [(NEXT + 3, '<joint name="swing">')]
+
+
+def test_the_state_may_be_in_another_block() -> None:
+    sensor = '<joint name="swing"><state_interface name="position"/></joint>'
+    text = ROBOT + control(MUTE) + control(sensor, name="s", kind="sensor")
+    assert messages("RCT021", text) == []
+    assert messages("RCT021", ROBOT + control('<joint name="swing"/>')) == []

@@ -1,0 +1,82 @@
+"""RCT032: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.controllers.test_rct013_controllers_name_unknown_joint import controller
+from tests.controls import CLASSIC, GZ, MOCK, ROBOT, control, driven, plugin
+from tests.reported import fixed, messages, reported
+from urdfkit import Diagnostic, check
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Confidence, Severity
+
+IMU = '<sensor name="{}"><state_interface name="orientation.x"/></sensor>'
+GAZEBO = '<gazebo reference="swing_link"><sensor name="base_imu" type="imu"/></gazebo>'
+
+
+@pytest.mark.parametrize("hardware", [GZ, CLASSIC])
+def test_a_sensor_that_gazebo_does_not_have(hardware: str) -> None:
+    text = ROBOT + control(IMU.format("base_immu"), plugin=hardware) + GAZEBO
+    assert messages("RCT032", text) == [
+        (
+            "sensor 'base_immu' of <ros2_control> does not exist in <gazebo>; did you mean "
+            "'base_imu'?"
+        )
+    ]
+    assert '<sensor name="base_imu"><state' in fixed("RCT032", text)
+
+
+def test_others_are_calm() -> None:
+    assert reported("RCT032", ROBOT + control(IMU.format("base_imu"), plugin=GZ) + GAZEBO) == []
+    assert reported("RCT032", ROBOT + control(IMU.format("own"), plugin=MOCK) + GAZEBO) == []
+
+
+SENSOR = '<sensor name="imu"><state_interface name="orientation.x"/></sensor>'
+OFFERED = control(driven("swing"), SENSOR)
+IMU_BROADCASTER = "imu_sensor_broadcaster/IMUSensorBroadcaster"
+FORCE = "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster"
+
+
+def reported_broadcaster(folder: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
+    (folder / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
+    (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    report = check(folder / "r.urdf", select=["RCT032"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+@pytest.mark.parametrize("kind", [IMU_BROADCASTER, FORCE])
+def test_a_sensor_that_is_not_there(tmp_path: Path, kind: str) -> None:
+    (found,) = reported_broadcaster(tmp_path, controller("b", kind, sensor_name="imuu"))
+    assert found.message == (
+        "controller 'b': sensor 'imuu' does not exist in <ros2_control>; did you mean 'imu'?"
+    )
+    assert (found.span.line, found.span.text) == (4, "imuu")
+    # A driver may export what the description does not name, as that of a robot with sonars.
+    assert (found.severity, found.confidence) == (Severity.WARNING, Confidence.INFERRED)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        controller("b", IMU_BROADCASTER, sensor_name="imu"),
+        controller("b", IMU_BROADCASTER),
+        controller("b", FORCE, sensor_name="''"),
+        controller("b", "acme/Own", sensor_name="x"),
+        controller("b", IMU_BROADCASTER, sensor_name="$(var prefix)imu"),
+    ],
+)
+def test_there_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
+    assert reported_broadcaster(tmp_path, text) == []
+
+
+@pytest.mark.parametrize("blocks", ["", control(driven("swing"))])
+def test_a_robot_without_sensors_is_calm(tmp_path: Path, blocks: str) -> None:
+    assert (
+        reported_broadcaster(tmp_path, controller("b", IMU_BROADCASTER, sensor_name="x"), blocks)
+        == []
+    )

@@ -1,0 +1,94 @@
+"""SRD010: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.physics.collision.robots import joint, link, revolute, sphere
+from tests.srdfs import findings
+from urdfkit import Diagnostic, check
+from urdfkit.lint.rule_examples import whole_robot
+
+
+def reported(folder: Path, matrix: str, *, near: float = 0.15) -> list[Diagnostic]:
+    """A hand that is held near the arm."""
+    robot = whole_robot(
+        "\n".join(
+            (
+                link("base", sphere(0.1)),
+                link("arm", sphere(0.1)),
+                link("hand", sphere(0.1)),
+                joint("base", "arm", "revolute", "0 0 0.5", revolute(-1, 1)),
+                joint("arm", "hand", origin=f"0 0 {near}"),
+            )
+        )
+    )
+    (folder / "r.urdf").write_text(robot)
+    (folder / "r.srdf").write_text(f'<robot name="example">\n{matrix}\n</robot>\n')
+    return list(check(folder / "r.urdf", select=["SRD010"]).diagnostics)
+
+
+SOME = '<disable_collisions link1="base" link2="arm" reason="Adjacent"/>'
+ALL = f'{SOME}<disable_collisions link1="hand" link2="arm" reason="Adjacent"/>'
+
+
+def test_the_pair_and_the_depth(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, SOME)
+    assert found.message == (
+        "connected links 'arm' and 'hand' overlap by 50 mm, but their collisions are not disabled"
+    )
+    assert found.span.source.path == str(tmp_path / "r.srdf")
+
+
+@pytest.mark.parametrize("matrix", [ALL, "", f'{SOME}<disable_default_collisions link="arm"/>'])
+def test_a_pair_that_is_disabled_and_no_matrix_at_all(tmp_path: Path, matrix: str) -> None:
+    assert reported(tmp_path, matrix) == []
+
+
+def test_what_does_not_overlap_is_no_matter(tmp_path: Path) -> None:
+    assert reported(tmp_path, SOME, near=0.21) == []
+
+
+BAD = [
+    (
+        '<disable_collisions link1="base" link2="hand" reason="Adjacent"/>',
+        "links 'base' and 'hand' are not adjacent: no joint connects them",
+        None,
+    ),
+]
+GOOD = [
+    '<disable_collisions link1="base" link2="arm" reason="Adjacent"/>',
+    '<disable_collisions link1="arm" link2="finger" reason="Adjacent"/>',
+    '<disable_collisions link1="base" link2="hand" reason="Never"/>',
+]
+
+
+@pytest.mark.parametrize(("text", "message", "word"), BAD)
+def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: str | None) -> None:
+    (finding,) = findings(tmp_path, text, "SRD010")
+    assert finding.message == message
+    assert finding.span.source.path == str(tmp_path / "r.srdf")
+    assert finding.span.line == 2
+    assert word is None or finding.span.text == word
+
+
+@pytest.mark.parametrize("text", GOOD)
+def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
+    assert findings(tmp_path, text, "SRD010") == []
+
+
+def test_all_around_a_link_without_geometry_are_adjacent_to_moveit(tmp_path: Path) -> None:
+    """The Setup Assistant takes such links out, and joins what they held."""
+    body = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+    links = "".join(f'<link name="leg{number}">{body}</link>' for number in (1, 2))
+    joints = "".join(
+        f'<joint name="j{number}" type="continuous"><parent link="base"/>'
+        f'<child link="leg{number}"/></joint>'
+        for number in (1, 2)
+    )
+    (tmp_path / "r.urdf").write_text(f'<robot name="r"><link name="base"/>{links}{joints}</robot>')
+    pair = '<disable_collisions link1="leg1" link2="leg2" reason="Adjacent"/>'
+    (tmp_path / "r.srdf").write_text(f'<robot name="r">{pair}</robot>')
+    assert check(tmp_path / "r.urdf", select=["SRD010"]).diagnostics == ()

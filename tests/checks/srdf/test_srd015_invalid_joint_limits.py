@@ -1,0 +1,97 @@
+"""SRD015: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.srdfs import findings
+from urdfkit import Diagnostic
+
+
+def reported(folder: Path, **values: str) -> list[Diagnostic]:
+    lines = "".join(f"    {name}: {value}\n" for name, value in values.items())
+    (folder / "joint_limits.yaml").write_text(f"joint_limits:\n  shoulder:\n{lines}")
+    return findings(folder, "", "SRD015")
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        (
+            {"has_velocity_limits": "true", "max_velocity": "1.5"},
+            "joint 'shoulder': max_velocity 1.5 rad/s exceeds the limit of the robot, 1 rad/s",
+        ),
+        (
+            {"has_position_limits": "true", "min_position": "-2", "max_position": "0.5"},
+            "joint 'shoulder': min_position -2 rad exceeds the limit of the robot, -1 rad",
+        ),
+        (
+            {"has_velocity_limits": "true", "max_velocity": "!degrees 90"},
+            ("joint 'shoulder': max_velocity 1.5708 rad/s exceeds the limit of the robot, 1 rad/s"),
+        ),
+        (
+            {"has_position_limits": "True", "max_position": "1.2"},
+            "joint 'shoulder': max_position 1.2 rad exceeds the limit of the robot, 1 rad",
+        ),
+    ],
+)
+def test_wider(tmp_path: Path, values: dict[str, str], message: str) -> None:
+    (found,) = reported(tmp_path, **values)
+    assert found.message == message
+    assert found.span.source.path == str(tmp_path / "joint_limits.yaml")
+    (related,) = found.related
+    assert related.span.source.path == str(tmp_path / "r.urdf")
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"has_velocity_limits": "true", "max_velocity": "1.005"},
+        {"has_velocity_limits": "true", "max_velocity": "!degrees 57"},
+        {"has_velocity_limits": "false", "max_velocity": "5"},
+        {"max_velocity": "5"},
+        {"has_position_limits": "true", "min_position": "-1", "max_position": "0.9"},
+        {"has_acceleration_limits": "true", "max_acceleration": "99"},
+    ],
+)
+def test_narrower_or_off(tmp_path: Path, values: dict[str, str]) -> None:
+    assert reported(tmp_path, **values) == []
+
+
+TEXT = "joint_limits:\n  shoulder:\n    has_velocity_limits: true\n    max_velocity: {}\n"
+AMENT = (
+    "<package format='3'><name>a</name><export><build_type>ament_cmake</build_type></export>"
+    "</package>"
+)
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        ("2,5", "max_velocity is '2,5', not a number"),
+        ("'2.5'", "max_velocity is '2.5', not a number"),
+        ("-2.5", "max_velocity is -2.5, must be > 0"),
+        ("0.0", "max_velocity is 0.0, must be > 0"),
+        ("2", "max_velocity is 2, an integer; MoveIt 2 needs a double"),
+    ],
+)
+def test_values_that_moveit_cannot_use(tmp_path: Path, value: str, message: str) -> None:
+    (tmp_path / "package.xml").write_text(AMENT)
+    (tmp_path / "joint_limits.yaml").write_text(TEXT.format(value))
+    (found,) = findings(tmp_path, "", "SRD015")
+    assert found.message == f"joint 'shoulder': {message}"
+    assert (found.span.line, found.span.text) == (4, value)
+
+
+@pytest.mark.parametrize("value", ["0.5", "1", "$(var v)"])
+def test_what_moveit_1_takes_is_calm(tmp_path: Path, value: str) -> None:
+    (tmp_path / "joint_limits.yaml").write_text(TEXT.format(value))
+    assert findings(tmp_path, "", "SRD015") == []
+
+
+def test_a_limit_that_is_off_is_calm(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text(AMENT)
+    (tmp_path / "joint_limits.yaml").write_text(TEXT.replace("true", "false").format(0))
+    assert findings(tmp_path, "", "SRD015") == []

@@ -1,0 +1,100 @@
+"""SRD017: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.srdfs import findings
+from urdfkit import check
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        (
+            '<group name="g"><chain tip_link="arm"/></group>',
+            "<chain> has no base_link, so that MoveIt ignores it",
+        ),
+        ('<group_state name="s"/>', "<group_state> has no group, so that MoveIt ignores it"),
+        ('<disable_collisions link1="arm"/>', "<disable_collisions> has no link2, so that MoveIt"),
+        (
+            '<group_state name="s" group="g"><joint name="shoulder" value="0,5"/></group_state>',
+            "state 's': value '0,5' is not a number",
+        ),
+    ],
+)
+def test_what_is_left_out(tmp_path: Path, body: str, message: str) -> None:
+    (finding,) = findings(tmp_path, body, "SRD017")
+    assert finding.message.startswith(message)
+    assert finding.span.line == 2
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        '<group name="g"><joint name="shoulder"/></group>',  # of a group: no value
+        '<group_state name="s" group="g"><joint name="p" value="0 0 1.5"/></group_state>',
+        '<group name="g"><chain base_link="base" tip_link="arm"/></group>',
+    ],
+)
+def test_what_is_read(tmp_path: Path, body: str) -> None:
+    assert findings(tmp_path, body, "SRD017") == []
+
+
+@pytest.mark.parametrize(
+    ("body", "text", "message"),
+    [
+        (
+            '<group_sate name="s" group="g"/>',
+            "group_sate",
+            "unknown element <group_sate> in <robot> (ignored); did you mean 'group_state'?",
+        ),
+        (
+            '<group name="g"><chian base_link="base" tip_link="arm"/></group>',
+            "chian",
+            "unknown element <chian> in <group> (ignored); did you mean 'chain'?",
+        ),
+        (
+            '<disable_collisions link1="base" link_2="arm"/>',
+            "link_2",
+            "unknown attribute 'link_2' in <disable_collisions> (ignored); did you mean 'link2'?",
+        ),
+    ],
+)
+def test_misspelt_names(tmp_path: Path, body: str, text: str, message: str) -> None:
+    (finding,) = findings(tmp_path, body, "SRD017")
+    assert finding.message == message
+    assert finding.span.line == 2
+    assert finding.span.text == text
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        '<gripper name="g" clearance="0.1"/>',  # of another program
+        '<group name="g"><link name="arm" clearance="0.1"/></group>',
+        '<hpp:group_stat xmlns:hpp="x"/>',
+        '<joint_property joint_name="shoulder" property_name="p" value="1"/>',
+    ],
+)
+def test_names_of_other_programs(tmp_path: Path, body: str) -> None:
+    assert findings(tmp_path, body, "SRD017") == []
+
+
+def test_xml_that_is_not_well_formed(tmp_path: Path) -> None:
+    (finding,) = findings(tmp_path, '<group name="g">', "SRD017")
+    assert finding.span.source.path == str(tmp_path / "r.srdf")
+    assert (finding.span.line, finding.span.text) == (2, '<group name="g">')
+
+
+def test_one_of_several_that_has_another_name_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "other.srdf").write_text("<robot")
+    assert findings(tmp_path, "", "SRD017") == []
+    (tmp_path / "r.srdf").write_text("<robot")
+    assert len(check(tmp_path / "r.urdf", select=["SRD017"]).diagnostics) == 1
+
+
+def test_a_sound_one_is_calm(tmp_path: Path) -> None:
+    assert findings(tmp_path, '<group name="g"><link name="arm"/></group>', "SRD017") == []

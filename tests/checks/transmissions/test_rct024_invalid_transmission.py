@@ -1,0 +1,195 @@
+"""RCT024: see the rule."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.controls import NEXT, ROBOT, control, driven, plugin, transmission
+from tests.reported import fixed, messages, places, reported
+from urdfkit.text.diagnostic import Severity
+
+SOUND = ROBOT + transmission("swing")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            "SimpleTransmission",
+            "SimpelTransmission",
+            (
+                "transmission 't': type 'transmission_interface/SimpelTransmission' is unknown; "
+                "did you mean 'transmission_interface/SimpleTransmission'?"
+            ),
+        ),
+        (">1<", ">0<", "transmission 't': mechanicalReduction is 0, not a number other than 0"),
+        (
+            ">1<",
+            ">1:50<",
+            "transmission 't': mechanicalReduction is 1:50, not a number other than 0",
+        ),
+        (
+            "mechanicalReduction",
+            "mechanicalReducton",
+            (
+                "transmission 't': unknown element <mechanicalReducton>; did you mean "
+                "'mechanicalReduction'?"
+            ),
+        ),
+    ],
+)
+def test_an_invalid_type_or_ratio(old: str, new: str, message: str) -> None:
+    assert messages("RCT024", SOUND.replace(old, new)) == [message]
+
+
+def test_typos_are_fixed() -> None:
+    assert fixed("RCT024", SOUND.replace("SimpleT", "SimpelT")) == fixed("RCT024", SOUND)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [(">1<", ">-50.5<"), ("Simple", "HalfDifferential"), ("Simple", "acme/Worm")]
+)
+def test_what_is_read_or_of_others(old: str, new: str) -> None:
+    assert messages("RCT024", SOUND.replace(old, new)) == []
+
+
+def test_a_type_without_its_package() -> None:
+    text = SOUND.replace("transmission_interface/Simple", "Simple")
+    assert messages("RCT024", text) == [
+        "transmission 't': type 'SimpleTransmission' has no package name"
+    ]
+    assert fixed("RCT024", text) == fixed("RCT024", SOUND)
+
+
+@pytest.mark.parametrize(
+    ("kind", "joints", "actuators", "wrong"),
+    [
+        ("Simple", 2, 1, "<joint>"),
+        ("Simple", 1, 2, "<actuator>"),
+        ("Differential", 2, 1, "<actuator>"),
+        ("FourBarLinkage", 1, 2, "<joint>"),
+        ("Differential", 2, 2, ""),
+        ("HalfDifferential", 3, 1, ""),
+    ],
+)
+def test_each_type_has_its_number_of_joints(
+    kind: str, joints: int, actuators: int, wrong: str
+) -> None:
+    how = "<hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>"
+    parts = [f'<joint name="{name}">{how}</joint>' for name in ("swing", "slide", "follow")]
+    ratio = "<mechanicalReduction>1</mechanicalReduction>"
+    motors = [f'<actuator name="m{number}">{ratio}</actuator>' for number in range(actuators)]
+    text = (
+        f'<transmission name="t"><type>transmission_interface/{kind}Transmission</type>'
+        f"{''.join(parts[:joints])}{''.join(motors)}</transmission>"
+    )
+    found = messages("RCT024", ROBOT + text)
+    assert [wrong in message for message in found] == ([True] if wrong else [])
+
+
+EMPTY = ROBOT + transmission("swing", " ")
+PR2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission">{}</transmission>'
+
+
+def test_a_joint_without_interface() -> None:
+    assert messages("RCT024", EMPTY) == [
+        "transmission 't': joint 'swing' has no <hardwareInterface>"
+    ]
+    assert places("RCT024", EMPTY) == [(NEXT + 1, '<joint name="swing">')]
+
+
+def test_the_one_in_the_actuator_does_not_count() -> None:
+    old = "<hardwareInterface>EffortJointInterface</hardwareInterface></actuator>"
+    assert messages("RCT024", EMPTY.replace("</actuator>", old)) == [
+        (
+            "transmission 't': joint 'swing' has no <hardwareInterface>; "
+            "the one in <actuator> is ignored"
+        )
+    ]
+
+
+TWO = ROBOT + transmission("swing") + transmission("slide").replace('"t"', '"u"')
+
+
+def test_one_finding_for_all() -> None:
+    text = TWO + control(driven("swing"))
+    assert messages("RCT024", text) == ["transmission 't' and 1 more: not read in ROS 2"]
+    assert places("RCT024", text) == [(NEXT, '<transmission name="t">')]
+    (found,) = reported("RCT024", text)
+    assert found.severity is Severity.INFO
+    assert [one.message for one in found.related] == ["transmission 'u'"]
+
+
+def test_who_reads_it() -> None:
+    assert reported("RCT024", TWO) == [], "nothing says that it is for ROS 2"
+    assert reported("RCT024", TWO + plugin("libgazebo_ros_control.so")) == []
+    assert reported("RCT024", TWO, targets=("ros1", "ros2")) == []
+    (found,) = reported("RCT024", TWO.replace(">1<", ">0<"), targets=("gz-jetty",))
+    assert found.severity is Severity.INFO
+    inner = '<transmission name="t"><plugin>p/C</plugin></transmission>'
+    assert reported("RCT024", ROBOT + control(driven("swing"), inner)) == []
+
+
+TYPE = "<type>transmission_interface/SimpleTransmission</type>"
+ACTUATOR = '<actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator>'
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (TYPE, "", "transmission 't' has no <type>"),
+        (TYPE, "<type/>", "transmission 't' has no <type>"),
+        (
+            f'name="t">{TYPE}',
+            'name="t" type="SimpleTransmission">',
+            "transmission 't' has no <type> (the attribute is ignored)",
+        ),
+        ('name="t"', "", "a transmission has no name"),
+        (ACTUATOR, "", "transmission 't' has no <actuator>"),
+        ('<actuator name="m">', "<actuator>", "transmission 't' has no name in its <actuator>"),
+        (
+            TYPE,
+            "</transmission><transmission>",
+            "transmission 't' has no <type> and no <joint> and",
+        ),
+    ],
+)
+def test_what_is_missing(old: str, new: str, message: str) -> None:
+    found = messages("RCT024", SOUND.replace(old, new))
+    assert found[0].startswith(message)
+    assert places("RCT024", SOUND.replace(old, new))[0][0] == NEXT
+
+
+def test_complete_transmissions_and_those_of_the_pr2() -> None:
+    assert reported("RCT024", SOUND) == []
+    assert reported("RCT024", ROBOT + PR2.format('<joint name="swing"/>')) == []
+
+
+@pytest.mark.parametrize(
+    ("targets", "severity"),
+    [((), Severity.WARNING), (("ros1",), Severity.ERROR), (("mujoco",), Severity.WARNING)],
+)
+def test_severity_by_target(targets: tuple[str, ...], severity: Severity) -> None:
+    (finding, *_) = reported("RCT024", SOUND.replace(TYPE, ""), targets=targets)
+    assert finding.severity is severity
+
+
+FIRST = transmission("swing")
+
+
+def test_a_copy_in_which_one_name_was_forgotten() -> None:
+    text = ROBOT + FIRST + transmission("swing").replace('name="t"', 'name="u"')
+    assert messages("RCT024", text) == ["joint 'swing' already has a transmission"]
+    assert places("RCT024", text) == [(NEXT + 3, "swing")]
+    (found,) = reported("RCT024", text)
+    assert [note.span.line for note in found.related] == [NEXT + 1]
+
+
+def test_two_transmissions_of_one_name() -> None:
+    text = ROBOT + FIRST + transmission("slide")
+    assert messages("RCT024", text) == ["duplicate transmission name 't'"]
+
+
+def test_a_joint_that_is_moved_in_two_ways() -> None:
+    other = transmission("swing", "hardware_interface/PositionJointInterface")
+    assert reported("RCT024", ROBOT + FIRST + other.replace('name="t"', 'name="u"')) == []

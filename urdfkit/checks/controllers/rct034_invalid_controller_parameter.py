@@ -1,0 +1,191 @@
+"""A controller's type or one of its parameters is unknown, missing or invalid.
+
+The controller manager does not load the controller, or the controller runs with a default:
+
+- The type is misspelt, or its package does not have that class in this version of ROS: "Loader for
+  controller 'x' (type 'y') not found". Many types of ROS 1 have another name in ROS 2.
+- The name of a parameter is misspelt. A robot whose `wheel_seperation` is never read turns by the
+  wrong angle (warning).
+- A required parameter is missing: "'joints' parameter was empty".
+- A value has the wrong type. ROS 2 parameters are typed: a `double` does not accept the integer
+  `50`, and a quoted number or a decimal comma is a string: "parameter 'publish_rate' has invalid
+  type". Only what all versions of a class since Humble agree on is reported.
+- A value that must be positive is not.
+
+Only classes of the packages that urdfkit knows are checked.
+
+Sources:
+    rclcpp, parameter types: https://docs.ros.org/en/rolling/Concepts/Basic/About-Parameters.html
+    ros2_controllers: https://control.ros.org/master/doc/ros2_controllers/doc/controllers_index.html
+    ros_controllers: https://wiki.ros.org/ros_controllers
+    diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.ros.catalog.controllers import (
+    Parameters,
+    classes,
+    of_manager,
+    parameters_of,
+    successor,
+)
+from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.catalog.ros_control import parameters
+from urdfkit.ros.controllers import Controller, Section, controllers, managers, named_sections
+from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.ros.parameter_types import is_not_positive, type_of
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.located_yaml import Node, Value
+from urdfkit.text.source import Span
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+BAD = ARM + CONTROL
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+_YAML = b"""\
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    arm:
+      type: joint_trajectory_controller/JointTrajectoryController
+arm:
+  ros__parameters:
+    joints: [shoulder]
+    command_interfaces: [position]
+    state_interfaces: [position]
+    action_monitor_rate: 20.0
+"""
+FILES = {
+    "config/bad.yaml": _YAML.replace(b"20.0", b"20"),
+    "config/good.yaml": _YAML,
+}
+
+_TYPES = {
+    "bool": "true or false",
+    "int": "an integer",
+    "double": "a number with a decimal point",
+    "string": "a string",
+    "bool_array": "a list of booleans",
+    "int_array": "a list of integers",
+    "double_array": "a list of numbers with a decimal point",
+    "string_array": "a list of strings",
+}
+#: Similarity from which an unknown word is a typo: of a parameter, and of a class.
+_PARAMETER_TYPO, _CLASS_TYPO = 0.88, 0.93
+
+#: Place, message and help.
+_Problem = tuple[Span, str, str]
+
+
+@rule("RCT034", "invalid-controller-parameter", Severity.ERROR)
+def check(subject: Subject) -> Iterator[Finding]:
+    for file, section in managers(subject):
+        for span, message, help in _invalid_values(of_manager(), section):
+            at = Location(span)
+            yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
+    everywhere = named_sections(subject)
+    for file, found in controllers(subject):
+        names = {one.name for one in found}
+        others = {n: section for n, section in everywhere.items() if n not in names}
+        for one in found:
+            known = parameters_of(one.type, one.ros)
+            own = everywhere.get(one.name, one.section)
+            problems = [*_unknown_class(one), *_missing(one, own, others)]
+            if known is not None:
+                problems += _invalid_values(known, one.section)
+            typos = list(_misspelt(one))
+            for severity, several in ((None, problems), (Severity.WARNING, typos)):
+                for span, message, help in several:
+                    yield Finding(
+                        Location(span),
+                        f"controller '{one.name}': {message}",
+                        help,
+                        related=(file.note,),
+                        severity=severity,
+                    )
+
+
+def _unknown_class(controller: Controller) -> Iterator[_Problem]:
+    """The type, if its package is known and has no such class in this version of ROS."""
+    kind, here = controller.type, classes(controller.ros)
+    if kind in here:
+        return
+    if controller.ros == 1:
+        if kind in classes(2):
+            help = "use the class of ros_controllers"
+            yield controller.type_at, f"type '{kind}' exists only in ROS 2", help
+    elif suggested := successor(kind):
+        message = f"type '{kind}' does not exist in ROS 2"
+        yield controller.type_at, message, f"use {suggested}, and check its parameters"
+    else:
+        package = kind.partition("/")[0]
+        own = [name for name in here if name.startswith(f"{package}/")]
+        if own and not nearest(kind, here, _CLASS_TYPO):
+            message = f"package '{package}' has no controller type '{kind}'"
+            yield controller.type_at, message, f"use one of: {', '.join(own)}"
+
+
+def _misspelt(controller: Controller) -> Iterator[_Problem]:
+    known = catalogue()
+    if controller.type not in known:
+        if suggested := nearest(controller.type, known, _CLASS_TYPO):
+            message = f"unknown type '{controller.type}'; did you mean '{suggested}'?"
+            yield controller.type_at, message, f"write {suggested}"
+        return
+    names = parameters(controller.type)
+    for name in controller.parameters:
+        suggested = nearest(name, names, _PARAMETER_TYPO) if name not in names else None
+        if suggested and suggested not in controller.parameters and len(suggested) > 4:
+            message = f"unknown parameter '{name}'; did you mean '{suggested}'?"
+            yield controller.places[name], message, f"write {suggested}"
+
+
+def _missing(
+    controller: Controller, own: Section, others: dict[str, Section]
+) -> Iterator[_Problem]:
+    """Required parameters that the controller does not have, misspelt ones apart."""
+    known = parameters_of(controller.type, controller.ros)
+    required = known.required if known else ()
+    absent = [name for name in required if name not in own.places]
+    missing = [name for name in absent if not nearest(name, own.places, _PARAMETER_TYPO)]
+    message = f"required parameters are missing: {', '.join(missing)}"
+    if missing and own.at:
+        yield own.at, message, "add " + " and ".join(f"{name}: ..." for name in missing)
+    elif missing:  # no parameters at all: they may be in another file, or under another name
+        unowned = [n for n, section in others.items() if section.places.keys() >= set(required)]
+        if len(unowned) == 1 and (at := others[unowned[0]].at):
+            message += f"; '{unowned[0]}' has them, but is not a controller"
+            yield at, message, f"rename '{unowned[0]}' to '{controller.name}', or the reverse"
+
+
+def _invalid_values(known: Parameters, section: Section) -> Iterator[_Problem]:
+    for name, node in section.given.items():
+        expected, actual = known.type_of(name), type_of(node)
+        span = section.places[name] if isinstance(node, list) else node.span
+        if expected and actual and actual != expected:
+            message = f"{name} is {_TYPES[actual]}, must be {_TYPES[expected]}"
+            yield span, message, _correction(node, expected)
+        elif name in known.positive and isinstance(node, Value) and is_not_positive(node):
+            yield span, f"{name} is {node.text}, must be > 0", "write a positive number"
+
+
+def _correction(node: Node, expected: str) -> str:
+    """What to write instead."""
+    if isinstance(node, Value) and expected in ("double", "int"):
+        try:
+            number = float(node.text.replace(",", "."))
+        except ValueError:
+            pass
+        else:
+            if expected == "double":
+                return f"write {number}"
+            if number.is_integer():
+                return f"write {int(number)}"
+    return f"write {_TYPES[expected]}"

@@ -1,0 +1,37 @@
+"""A launch file has an unknown, incomplete or invalid tag, or a command without spaces.
+
+- A required attribute is missing (error). `roslaunch` stops: "<node> tag is missing required
+  attribute"; `ros2 launch`, too: "Attribute 'exec' not found".
+- An attribute is unknown, or its value is not one of those allowed. `ros2 launch` stops at it:
+  "Unexpected attribute(s) found"; `roslaunch` ignores it. Many are typos, others belong to the
+  other ROS, which calls the executable of a node `type` (ROS 1) or `exec` (ROS 2).
+- A tag is misspelt. Packages may bring tags of their own, so only typos of known tags are reported.
+- The pieces of a `Command` have no space between them (error). launch joins them as they are:
+  `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the
+  argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
+
+Sources:
+    roslaunch, xmlloader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/xmlloader.py
+    launch, entity.py: https://github.com/ros2/launch/blob/rolling/launch_xml/launch_xml/entity.py
+    launch, command.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/command.py
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Need, reported, rule
+from urdfkit.text.diagnostic import Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+NAME = "robot.launch"
+BAD = '<launch><node name="rviz" pkg="rviz" type="rviz" respwan="true"/></launch>'
+GOOD = BAD.replace("respwan", "respawn")
+
+
+@rule("LAU010", "invalid-launch-element", Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Iterator[Finding]:
+    yield from reported(subject, "LAU010")

@@ -1,0 +1,77 @@
+"""Build files that do not fit the package.xml: another name, or no registration with ROS."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Finding, Location
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source, Span
+
+if TYPE_CHECKING:
+    from urdfkit.workspace.resolve import Resolver
+
+#: Where each build file gives the name, as far as it is written out.
+_NAMES = {
+    "CMakeLists.txt": rb"(?im)^[^#\n]*?\bproject\s*\(\s*\"?([A-Za-z][\w-]*)",
+    "setup.py": rb"(?m)^[ \t]*(?:package_name|PACKAGE_NAME)\s*=\s*[\"']([\w-]+)[\"']",
+}
+_INDEX = "share/ament_index/resource_index/packages"
+
+
+def other_name(name: str, folder: str) -> Iterator[Finding]:
+    """A build file whose project has another name than the package."""
+    for file, pattern in _NAMES.items():
+        try:
+            source = Source.read(os.path.join(folder, file))
+        except UnreadableFile:
+            continue
+        found = re.search(pattern, source.data)
+        if found and found.group(1).decode() != name:
+            yield Finding(
+                Location(Span(source, *found.span(1))),
+                f"project name '{found.group(1).decode()}' in {file} differs from the package name "
+                f"'{name}' in package.xml",
+                "use the same name in both files",
+                severity=Severity.WARNING,
+            )
+        return
+
+
+def not_registered(name: str, folder: str, resolver: Resolver) -> Iterator[Finding]:
+    """A Python package of ROS 2 that ROS or colcon does not find."""
+    if os.path.exists(os.path.join(folder, "CMakeLists.txt")):
+        return
+    try:
+        manifest, setup = (
+            resolver.read(os.path.join(folder, file)) for file in ("package.xml", "setup.py")
+        )
+    except UnreadableFile:
+        return
+    named = re.search(rb"<build_type\b[^>]*>\s*(\w*)", manifest.data)
+    if named and named.group(1) == b"ament_python":
+        yield from _unregistered(setup, folder, name)
+    elif not named and _INDEX.encode() in setup.data:
+        yield Finding(
+            Location(Span(manifest, 0, 0)),
+            "no build type: colcon looks for a CMakeLists.txt",
+            "add <export><build_type>ament_python</build_type></export>",
+        )
+
+
+def _unregistered(setup: Source, folder: str, name: str) -> Iterator[Finding]:
+    if b"resource_index" not in setup.data:
+        yield Finding(
+            Location(Span(setup, 0, 0)),
+            f"nothing is installed into {_INDEX}: ROS does not find the package '{name}'",
+            f"add ('{_INDEX}', ['resource/{name}']) to data_files, and create that empty file",
+        )
+        return
+    marker = re.search(rb"[\"']resource/|[\"']resource[\"']\s*,", setup.data)
+    if marker and not os.path.exists(os.path.join(folder, "resource", name)):
+        message = f"file not found: resource/{name}, which setup.py installs"
+        yield Finding(Location(Span(setup, *marker.span())), message, "create it; it may be empty")

@@ -1,0 +1,151 @@
+"""The package.xml or the build files of the robot's package are invalid.
+
+The package is not built or not found: nothing of the robot is installed, and `package://` leads
+nowhere.
+
+- catkin and colcon stop at an invalid package.xml, or ignore the package: a required element is
+  missing, a tag belongs to another format, or the file is not XML. A file with little more than a
+  name is taken for the stub of a test.
+- The project in CMakeLists.txt or setup.py has another name than the package (warning). The build
+  installs the files below that name, or catkin stops: "package name does not match project name".
+- A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
+  only if setup.py installs an existing file of its name into
+  `share/ament_index/resource_index/packages`. Without `<build_type>ament_python</build_type>` in
+  `<export>`, colcon looks for a CMakeLists.txt.
+
+Only launch files, and descriptions that refer to packages, are checked.
+
+Sources:
+    REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
+    catkin_pkg, package.py: https://github.com/ros-infrastructure/catkin_pkg/blob/master/src/catkin_pkg/package.py
+    ROS 2, developing a package: https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.checks.manifest.build_files import not_registered, other_name
+from urdfkit.core.suggest import nearest
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Element
+from urdfkit.text.xml_reader import is_launch, read_xml
+from urdfkit.workspace.manifest import REQUIRED, beside, known_tags
+from urdfkit.workspace.package_references import are_in
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+NAME = "urdf/bot.urdf"
+BAD = """\
+<robot name="bot">
+  <link name="base">
+    <visual>
+      <geometry><mesh filename="package://bot_description/meshes/base.stl"/></geometry>
+    </visual>
+  </link>
+</robot>
+"""
+GOOD = BAD.replace("package://bot_description", "..")
+_MANIFEST = b"""\
+<package format="3">
+  <name>bot_description</name>
+  <version>1.0.0</version>
+  <description>A bot.</description>
+  <maintainer email="bot@example.org">Bot</maintainer>
+  <license>MIT</license>
+  <run_depend>xacro</run_depend>
+</package>
+"""
+FILES = {
+    "package.xml": _MANIFEST,
+    "meshes/base.stl": PLATE,
+}
+
+#: The codes of XML that is not well-formed.
+_BROKEN = ("XML001", "XML002", "XML006")
+
+
+@rule("PKG005", "invalid-package", Severity.ERROR, help="fix the package.xml")
+def check(subject: Subject) -> Iterator[Finding]:
+    path, resolver = subject.source.path, subject.resolver
+    if not (is_launch(path) or are_in(subject.document.sources)):
+        return
+    if home := resolver.packages.enclosing(path):
+        yield from other_name(*home)
+        yield from not_registered(*home, resolver)
+    file = beside(path)
+    try:
+        source = resolver.read(file) if file else None
+    except UnreadableFile:
+        return
+    if source is None:
+        return
+    document, problems = read_xml(source)
+    broken = [problem for problem in problems if problem.code in _BROKEN]
+    for problem in broken[:1]:
+        yield Finding(Location(problem.span), f"package.xml is not valid XML: {problem.message}")
+    if document is None or broken or document.root.tag != "package":
+        return
+    if not {"description", "maintainer", "license"} & {c.tag for c in document.root.children}:
+        return
+    yield from _missing(document.root)
+    yield from _tags(document.root)
+    yield from _values(document.root)
+
+
+def _missing(package: Element) -> Iterator[Finding]:
+    tags = [child.tag for child in package.children]
+    for tag in REQUIRED:
+        if tag not in tags:
+            yield Finding(Location(package.span), f"the package has no <{tag}>", f"write a <{tag}>")
+    for tag in ("name", "version", "description", "export"):
+        for again in package.all(tag)[1:]:
+            yield Finding(Location(again.span), f"duplicate <{tag}>", "keep one")
+
+
+def _tags(package: Element) -> Iterator[Finding]:
+    """Tags that the format of the file does not have."""
+    known = known_tags(package.get("format"))
+    renamed = {"run_depend": "exec_depend", "exec_depend": "run_depend"}
+    for child in package.children:
+        if not known or child.tag in known:
+            continue
+        suggested = renamed.get(child.tag) or nearest(child.tag, known)
+        help = f"write <{suggested}>" if suggested in known else "remove it"
+        number = package.get("format") or "1"
+        yield Finding(Location(child.span), f"<{child.tag}> is not a tag of format {number}", help)
+
+
+def _values(package: Element) -> Iterator[Finding]:
+    name, version = package.child("name"), package.child("version")
+    if name and not _is_name(name.text.strip()):
+        yield Finding(Location(name.span), f"'{name.text.strip()}' is not a valid package name")
+    if version and not _is_version(version.text.strip()):
+        message = f"version '{version.text.strip()}' does not have three numbers"
+        yield Finding(Location(version.span), message, "write it as 1.0.0")
+    for maintainer in package.all("maintainer"):
+        if not maintainer.get("email"):
+            yield Finding(
+                Location(maintainer.span), "the maintainer has no email", 'write email="..."'
+            )
+    for child in package.all("license"):
+        if not child.text.strip():
+            yield Finding(Location(child.span), "the license is empty", "name the licence")
+    own = name.text.strip() if name else ""
+    for child in package.children:
+        if own and child.tag.endswith("depend") and child.text.strip() == own:
+            yield Finding(Location(child.span), "the package depends on itself", "remove it")
+
+
+def _is_name(text: str) -> bool:
+    return text[:1].isalnum() and text.replace("_", "").replace("-", "").isalnum()
+
+
+def _is_version(text: str) -> bool:
+    numbers = text.split(".")
+    return len(numbers) == 3 and all(map(str.isdecimal, numbers))

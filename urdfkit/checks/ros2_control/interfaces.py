@@ -1,0 +1,116 @@
+"""Interfaces of joints and sensors that hardware and controllers do not have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding
+from urdfkit.ros.catalog.ros_control import hardware, words
+from urdfkit.ros.ros_control import (
+    components,
+    control_plugins,
+    driven_joints,
+    is_of_pr2,
+    reads_transmissions,
+)
+from urdfkit.text.diagnostic import Fix
+from urdfkit.text.editing.edits import rewrite
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.ros_control import Component, ControlPart, Interface
+    from urdfkit.text.document import Attribute, Element
+
+_HELP = "correct the name of the interface"
+#: The state interfaces of a simulated joint.
+_SIMULATED_STATES = ("position", "velocity", "effort")
+
+
+def invalid_interfaces(subject: Subject) -> Iterator[Finding]:
+    """Interfaces that are misspelt, or that a simulator does not offer."""
+    for component in components(subject.model):
+        for part in component.parts:
+            for interface in part.interfaces:
+                yield from _of_ros2(component, part, interface)
+    if subject.model.transmissions and reads_transmissions(subject.targets):
+        yield from _of_ros1(subject)
+
+
+def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> Iterator[Finding]:
+    name = interface.name
+    if not name or part.kind == "gpio":
+        return
+    simulated = hardware().get(component.hardware)
+    is_joint = part.kind == "joint"
+    who = f"{part.kind} '{part.name}': {interface.direction} interface '{name}'"
+    at = interface.at.attributes["name"]
+    if simulated and is_joint:
+        known = simulated.commands if interface.direction == "command" else _SIMULATED_STATES
+        if name not in known:
+            yield Finding(at, f"{who} is not one of {simulated.name} ({', '.join(known)})", _HELP)
+        return
+    standard = [
+        word
+        for kind in (("joint",) if is_joint else ("imu", "force_torque"))
+        for word in words("interfaces", kind)
+    ]
+    if suggested := _typo(name, standard):
+        yield Finding(
+            at, f"{who} is unknown; did you mean '{suggested}'?", _HELP, _fix(at, suggested)
+        )
+    elif simulated and name not in standard:
+        yield Finding(at, f"{who} is not one of {simulated.name} (such as {standard[0]})", _HELP)
+
+
+def _of_ros1(subject: Subject) -> Iterator[Finding]:
+    simulated = _has_default_simulation(subject)
+    known = [*words("transmission", "interfaces"), *words("transmission", "unprefixed")]
+    simulable = [*words("transmission", "gazebo"), *words("transmission", "unprefixed")]
+    for joint, transmission in driven_joints(subject.model):
+        if is_of_pr2(transmission):
+            continue
+        for element in joint.all("hardwareInterface"):
+            name = element.text.strip()
+            who = f"joint '{joint.get('name') or ''}': hardware interface '{name}'"
+            suggested = "" if name in known else _typo(name, known)
+            if suggested:
+                yield Finding(
+                    element,
+                    f"{who} is unknown; did you mean '{suggested}'?",
+                    _HELP,
+                    _fix(element, suggested),
+                )
+            elif name and simulated and name not in simulable:
+                yield Finding(
+                    element,
+                    f"{who} is not one of gazebo_ros_control ({', '.join(simulable[:3])})",
+                    _HELP,
+                )
+
+
+def _has_default_simulation(subject: Subject) -> bool:
+    """True for a gazebo_ros_control with the default hardware simulation."""
+    for plugin in control_plugins(subject.model):
+        kind = plugin.at.child("robotSimType")
+        if plugin.kind == "gazebo_ros_control":
+            return kind is None or _is_default(kind)
+    return False
+
+
+def _is_default(kind: Element) -> bool:
+    return kind.text.strip() in ("", "gazebo_ros_control/DefaultRobotHWSim")
+
+
+def _fix(at: Element | Attribute, suggested: str) -> Fix | None:
+    edits = rewrite(at, suggested)
+    return Fix.of(f"write {suggested}", edits)
+
+
+def _typo(name: str, standard: list[str]) -> str:
+    """The standard name that differs from a name in one letter; empty if there is none."""
+    if name in standard:
+        return ""
+    suggested = nearest(name, standard, 0.85) or ""
+    return suggested if abs(len(suggested) - len(name)) <= 1 else ""

@@ -1,0 +1,135 @@
+"""`<ros2_control>` or a transmission drives a joint that cannot be driven: fixed, or a mimic joint.
+
+- A fixed joint cannot move. From ROS 2 Jazzy on the controller manager throws an exception; in
+  Gazebo the joint is gone, because its links are merged, and gazebo_ros_control of ROS 1 then
+  drives no joint at all. Transmissions with a vendor's interface may drive nothing; they are not
+  reported.
+- A mimic joint with a command interface of its own stops the controller manager from Jazzy on:
+  "Activated mimic joints cannot have command interfaces". Humble does not read `<mimic>` here, and
+  a controller moves the joint independently. Keep only state interfaces, or write `mimic="false"`
+  in this joint of `<ros2_control>` if it has its own motor.
+- `<param name="mimic">` and `<param name="multiplier">` couple joints in a simulator in Humble and
+  Iron. From Jazzy on they are ignored (warning): write `<mimic>` into the joint of the URDF.
+
+Sources:
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
+    ros2_control, joints: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/joints_userdoc.rst
+    ros2_control#1553: https://github.com/ros-controls/ros2_control/pull/1553
+    gz_ros2_control#340: https://github.com/ros-controls/gz_ros2_control/issues/340
+    gazebo_ros_control_plugin.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_ros_control/src/gazebo_ros_control_plugin.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog import ros_control
+from urdfkit.ros.ros_control import (
+    ROS1,
+    ROS2,
+    called,
+    components,
+    driven_joints,
+    parameter,
+    reads_transmissions,
+)
+from urdfkit.text.diagnostic import Confidence, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.ros_control import ControlPart
+    from urdfkit.text.document import Element
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="fixed">
+  <parent link="base"/>
+  <child link="arm"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace('type="fixed"', 'type="continuous"')
+
+#: Gazebo with ROS 2 Humble, and with Jazzy or newer.
+_HUMBLE, _JAZZY = ("classic-ros2", "gz-fortress"), ("gz-harmonic", "gz-jetty")
+
+
+@rule(
+    "RCT002",
+    "joint-not-controllable",
+    Severity.WARNING,
+    by_target=dict.fromkeys((*ROS1, *ROS2), Severity.ERROR),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    yield from _fixed(subject)
+    targets = subject.targets
+    is_jazzy = targets.any_of(_JAZZY) and not targets.any_of(_HUMBLE)
+    for component in components(subject.model):
+        for part in component.joints:
+            joint = subject.model.joints_by_name.get(part.name)
+            if joint and joint.mimic:
+                leader = joint.mimic.joint.value if joint.mimic.joint else ""
+                is_humble = targets.any_of(_HUMBLE)
+                yield from _commanded_mimic(part, leader, is_humble)
+            elif joint and is_jazzy and (leader_at := parameter(part.at, "mimic")):
+                yield Finding(
+                    leader_at,
+                    f"joint '{part.name}' mimics '{leader_at.text.strip()}' by a parameter, which "
+                    "ros2_control ignores from Jazzy on",
+                    "add <mimic> to the joint of the URDF",
+                    confidence=Confidence.INFERRED,
+                    severity=Severity.WARNING,
+                )
+
+
+def _fixed(subject: Subject) -> Iterator[Finding]:
+    joints = subject.model.joints_by_name
+    for element, owner in _driven(subject):
+        joint = joints.get(element.get("name") or "")
+        if joint and joint.kind == "fixed":
+            yield Finding(
+                element.attributes["name"],
+                f"{owner} drives joint '{joint.name}', which is fixed",
+                "change the type of the joint, or remove the joint here",
+                alike="fixed",
+            )
+
+
+def _driven(subject: Subject) -> Iterator[tuple[Element, str]]:
+    for component in components(subject.model):
+        for joint in component.joints:
+            yield joint.at, component.called
+    if subject.model.transmissions and reads_transmissions(subject.targets):
+        for element, transmission in driven_joints(subject.model):
+            if not _is_of_a_vendor(element):
+                yield element, called(transmission)
+
+
+def _is_of_a_vendor(joint: Element) -> bool:
+    """True if a transmission gives a joint interfaces, and ROS has none of them."""
+    known = {name.rpartition("/")[2] for name in ros_control.words("transmission", "interfaces")}
+    named = {element.text.strip().rpartition("/")[2] for element in joint.all("hardwareInterface")}
+    return bool(named) and named.isdisjoint(known)
+
+
+def _commanded_mimic(part: ControlPart, leader: str, is_humble: bool) -> Iterator[Finding]:
+    """A mimic joint with a command interface; one with Humble's parameters is written for it."""
+    commands = part.of("command")
+    has_motor = (part.at.get("mimic") or "").lower() == "false"
+    if commands and not has_motor and not parameter(part.at, "mimic"):
+        yield Finding(
+            commands[0].at,
+            f"mimic joint '{part.name}' (of '{leader}') has command interface '{commands[0].name}'",
+            'delete the command interface, or write mimic="false" in this joint of <ros2_control>',
+            severity=Severity.WARNING if is_humble else Severity.ERROR,
+        )

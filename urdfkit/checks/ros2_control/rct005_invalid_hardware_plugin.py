@@ -1,0 +1,131 @@
+"""A `<ros2_control>` block has no hardware plugin, or one that cannot be loaded.
+
+- Without a plugin the parser throws an exception and the controller manager does not start. Name
+  the hardware class; `mock_components/GenericSystem` is one for tests without hardware. A block
+  that leaves the choice to xacro arguments is not reported.
+- A misspelt class is not found, and the controller manager starts without hardware. Classes that
+  urdfkit does not know are assumed to be the robot's own.
+- Each control plugin of a simulator loads only its own hardware and ignores any other, so that no
+  controller can be activated: Gazebo Classic's needs `gazebo_ros2_control/GazeboSystem`, that of
+  Gazebo Sim `gz_ros2_control/GazeboSimSystem`.
+
+Sources:
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
+    ros2_control, mock components: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/mock_components_userdoc.rst
+    gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
+    gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.ros_control import hardware as simulated_hardware
+from urdfkit.ros.ros_control import called, components, control_plugins
+from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.editing.edits import rewrite
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.ros_control import Component, ControlPlugin
+    from urdfkit.text.document import Element
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_component/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace("mock_component/", "mock_components/")
+FIXED = GOOD
+
+#: A plugin, or all of the hardware, within a condition.
+_CONDITIONAL = re.compile(
+    r"<xacro:(if|unless)\b(?:(?!</xacro:\1).)*?<(?:hardware|plugin)\b", re.DOTALL
+)
+#: Of ros2_control itself, and of a package that many simulators are driven through.
+_COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")
+#: Similarity from which an unknown class is a typo.
+_TYPO = 0.9
+_ADD_PLUGIN = "add <hardware><plugin>package/Class</plugin></hardware> to the block"
+
+
+@rule("RCT005", "invalid-hardware-plugin", Severity.ERROR, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    plugins = control_plugins(subject.model)
+    for component in components(subject.model):
+        if component.plugin is None and _is_left_to_arguments(component.at):
+            continue
+        yield from _missing(component)
+        yield from _misspelt(component)
+        if plugins:
+            yield from _of_other_simulator(component, plugins)
+
+
+def _missing(component: Component) -> Iterator[Finding]:
+    hardware = component.at.child("hardware")
+    if hardware is None:
+        yield Finding(component.at, f"{component.called} has no <hardware>", _ADD_PLUGIN)
+    elif component.plugin is None:
+        yield Finding(hardware, f"{component.called}: <hardware> has no <plugin>", _ADD_PLUGIN)
+    elif not component.hardware:
+        yield Finding(component.plugin, f"{component.called}: <plugin> is empty", _ADD_PLUGIN)
+    for transmission in component.at.all("transmission"):
+        plugin = transmission.child("plugin")
+        if plugin is None or not plugin.text.strip():
+            yield Finding(
+                transmission,
+                f"{called(transmission)} has no <plugin>",
+                "add <plugin>transmission_interface/SimpleTransmission</plugin>",
+            )
+
+
+def _is_left_to_arguments(component: Element) -> bool:
+    """True if the block names a plugin behind a condition that does not hold here.
+
+    Such a robot is started with other arguments, and without them it is only displayed.
+    """
+    return bool(_CONDITIONAL.search(component.tag_at.whole_span.text))
+
+
+def _misspelt(component: Component) -> Iterator[Finding]:
+    """A class that is nearly a known one, or a known one without its package."""
+    name, known = component.hardware, (*_COMMON, *simulated_hardware())
+    if component.plugin is None or not name or name in known or name.startswith("fake_"):
+        return
+    full = next((one for one in known if one.endswith(f"/{name}")), None)
+    if suggested := full or nearest(name, known, _TYPO):
+        fix = Fix.of(f"write {suggested}", rewrite(component.plugin, suggested))
+        message = f"{component.called}: unknown hardware '{name}'; did you mean '{suggested}'?"
+        yield Finding(component.plugin, message, f"write {suggested}", fix)
+
+
+def _of_other_simulator(component: Component, plugins: list[ControlPlugin]) -> Iterator[Finding]:
+    kinds = {plugin.kind for plugin in plugins}
+    known = simulated_hardware()
+    found = known.get(component.hardware)
+    if found and found.control not in kinds and component.plugin:
+        suitable = " or ".join(one.name for one in known.values() if one.control in kinds)
+        yield Finding(
+            component.plugin,
+            f"{component.called}: {plugins[0].filename} does not load hardware {found.name}",
+            f"use {suitable}" if suitable else "use the control plugin of the same simulator",
+            related=(Related(plugins[0].at.span, "control plugin"),),
+        )

@@ -1,0 +1,161 @@
+"""A command range or initial value in `<ros2_control>` does not fit the limits of its joint.
+
+- The range of a command interface exceeds the joint limit. From ROS 2 Jazzy on the narrower of the
+  two counts; in Humble the hardware sees only `min` and `max`, and may drive the joint past its
+  limit. Usually the limits were changed and `<ros2_control>` was not.
+- The range is empty: `min` is above `max` (error). From Jazzy on the resource manager clamps
+  commands into it.
+- `initial_value`, at which simulated and mock hardware start, is outside the joint limits. The
+  first command makes the joint jump, MoveIt does not plan from there ("start state out of bounds"),
+  and Gazebo pushes the joint back with all its force.
+
+Sources:
+    ros2_control, joint limiting: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/joint_limiting.rst
+    ros2_control, mock components: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/mock_components_userdoc.rst
+    gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
+    MoveIt, check_start_state_bounds.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_bounds.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import bounds, effort_unit, unit
+from urdfkit.ros.ros_control import components
+from urdfkit.text.diagnostic import Related, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
+    from urdfkit.ros.ros_control import Component, ControlPart, Interface
+    from urdfkit.text.document import Element
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position">
+      <param name="min">-1</param>
+      <param name="max">1.5</param>
+    </command_interface>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace("1.5", "0.9")
+
+#: Relative; people round radians to three digits.
+TOLERANCE = 0.01
+#: Of an initial value, in rad or m.
+ROUNDING = 1e-3
+#: Places that a finding lists after the first.
+_MAX_RELATED = 20
+
+
+@rule("RCT009", "command-range-outside-limits", Severity.WARNING)
+def check(subject: Subject) -> Iterator[Finding]:
+    joints = subject.model.joints_by_name
+    for component in components(subject.model):
+        yield from _wider_ranges(component, joints)
+        for part in component.parts:
+            for interface in part.interfaces:
+                yield from _empty_range(part, interface)
+                joint = joints.get(part.name)
+                if joint and part.kind == "joint" and interface.name == "position":
+                    yield from _initial_value(joint, interface)
+
+
+def _wider_ranges(component: Component, joints: dict[str, Joint]) -> Iterator[Finding]:
+    """One finding for each block: usually all of its ranges are out of date."""
+    wider = [
+        found
+        for part in component.joints
+        if (joint := joints.get(part.name))
+        for interface in part.of("command")
+        if (found := _wider(joint, interface))
+    ]
+    if wider:
+        (at, message), *others = wider
+        more = f", and {len(others)} more in {component.called}" if others else ""
+        yield Finding(
+            at,
+            message + more,
+            "use the values of the joint's <limit> as min and max",
+            related=tuple(
+                Related(place.span, reported) for place, reported in others[:_MAX_RELATED]
+            ),
+        )
+
+
+def _wider(joint: Joint, interface: Interface) -> tuple[Element, str] | None:
+    """The bound of an interface that is outside the joint's limit, and the message."""
+    limits = _limits(joint, interface.name)
+    if limits is None:
+        return None
+    lower, upper, of = limits
+    slack = TOLERANCE * max(abs(lower), abs(upper))
+    bounds_of = {name: interface.bound(name) for name in ("min", "max")}
+    outside = [
+        name
+        for name, value in bounds_of.items()
+        if value is not None and not lower - slack <= value <= upper + slack
+    ]
+    at = interface.parameter(outside[0]) if outside else None
+    if at is None:
+        return None
+    range_ = ", ".join("..." if value is None else f"{value:g}" for value in bounds_of.values())
+    return at, (
+        f"joint '{joint.name}': the range of command_interface '{interface.name}', [{range_}] "
+        f"{of}, exceeds the joint limit [{lower:g}, {upper:g}] {of}"
+    )
+
+
+def _limits(joint: Joint, interface: str) -> tuple[float, float, str] | None:
+    """The least and greatest value that the joint allows, and the unit; None without a range."""
+    if interface == "position":
+        found = bounds(joint)
+        return (*found, unit(joint)) if found and found[0] < found[1] else None
+    limit = joint.limit
+    placed = {"velocity": limit.velocity, "effort": limit.effort}.get(interface) if limit else None
+    if placed is None or placed.value <= 0:
+        return None
+    of = f"{unit(joint)}/s" if interface == "velocity" else effort_unit(joint)
+    return -placed.value, placed.value, of
+
+
+def _empty_range(part: ControlPart, interface: Interface) -> Iterator[Finding]:
+    least, greatest = interface.bound("min"), interface.bound("max")
+    at = interface.parameter("min")
+    if at and least is not None and greatest is not None and least > greatest:
+        yield Finding(
+            at,
+            f"{part.kind} '{part.name}', {interface.name}: min {least:g} > max {greatest:g}",
+            "swap min and max",
+            severity=Severity.ERROR,
+        )
+
+
+def _initial_value(joint: Joint, interface: Interface) -> Iterator[Finding]:
+    limits = _limits(joint, "position")
+    value, at = interface.bound("initial_value"), interface.parameter("initial_value")
+    if limits is None or value is None or at is None:
+        return
+    lower, upper, of = limits
+    if not lower - ROUNDING <= value <= upper + ROUNDING:
+        yield Finding(
+            at,
+            f"joint '{joint.name}': initial_value {value:g} {of} is outside the joint limit "
+            f"[{lower:g}, {upper:g}] {of}",
+            "write a value within the limits, or correct the limits",
+        )

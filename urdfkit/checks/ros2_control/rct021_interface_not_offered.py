@@ -1,0 +1,204 @@
+"""A controller needs an interface that the robot's joints do not offer.
+
+The controller manager cannot activate the controller: "not in the list of available interfaces".
+Add the command or state interface to the joint, if the hardware has it, or configure the
+controller without it: `position_feedback: false` or `open_loop: true` of a wheel controller,
+`state_interfaces` of a trajectory controller. A joint with command interfaces and without any
+state interface is reported even without a controller (warning): most controllers do not start, and
+the joint is missing in the joint states. Joints without any `<ros2_control>` are not reported here.
+In ROS 1 Gazebo offers the `<hardwareInterface>` of the joint's transmission.
+
+Sources:
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
+    ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
+    diff_drive_controller.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/diff_drive_controller/src/diff_drive_controller.cpp
+    joint_trajectory_controller.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/joint_trajectory_controller/src/joint_trajectory_controller.cpp
+    gripper_action_controller_impl.hpp: https://github.com/ros-controls/ros2_controllers/blob/humble/gripper_controllers/include/gripper_controllers/gripper_action_controller_impl.hpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.controllers import Controller, ParameterFile, controllers
+from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.ros.ros_control import components, control_plugins, driven_joints
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.located_yaml import Value
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+BAD = (
+    ARM
+    + """\
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="velocity"/>
+    <state_interface name="velocity"/>
+  </joint>
+</ros2_control>
+"""
+    + CONTROL
+)
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+_YAML = b"""\
+controller_manager:
+  ros__parameters:
+    drive:
+      type: velocity_controllers/JointGroupVelocityController
+drive:
+  ros__parameters:
+    joints: [shoulder]
+"""
+FILES = {
+    "config/bad.yaml": _YAML.replace(b"velocity", b"effort").replace(b"Velocity", b"Effort"),
+    "config/good.yaml": _YAML,
+}
+
+#: The control plugin of ROS 1, the interfaces of its joints, and those that controllers need.
+_OF_ROS1 = "gazebo_ros_control"
+_INTERFACES = {
+    "PositionJointInterface": "position",
+    "VelocityJointInterface": "velocity",
+    "EffortJointInterface": "effort",
+}
+_BY_PACKAGE = {f"{kind}_controllers": kind for kind in _INTERFACES.values()}
+_GRIPPER = "GripperActionController"
+_DRIVE = "diff_drive_controller/DiffDriveController"
+
+#: The interfaces of joints, by the names of the joints.
+_Offered = dict[str, set[str]]
+
+
+@rule("RCT021", "interface-not-offered", Severity.ERROR)
+def check(subject: Subject) -> Iterator[Finding]:
+    read = [(file, one) for file, found in controllers(subject) for one in found]
+    yield from _without_command(subject, read)
+    states = _offered(subject, "state")
+    for file, controller in read:
+        kind = catalogue().get(controller.type)
+        names = [name for name in kind.joints if name != "command_joints"] if kind else []
+        joints = controller.values(names)
+        yield from _lacking(controller, file, joints, _states(controller), states, "state")
+    yield from _without_state(subject)
+
+
+def _without_command(
+    subject: Subject, read: list[tuple[ParameterFile, Controller]]
+) -> Iterator[Finding]:
+    by_ros = {1: _transmitted(subject), 2: _offered(subject, "command")}
+    served = {
+        value.text
+        for _, one in read
+        for value in _commanded_joints(one)
+        if one.ros == 1 and by_ros[1].get(value.text, set()).issuperset(_commands(one))
+    }
+    for name in served:  # another controller of the file is for this joint as it is
+        by_ros[1].pop(name, None)
+    for file, one in read:
+        joints, offered = _commanded_joints(one), by_ros[one.ros]
+        yield from _lacking(one, file, joints, _commands(one), offered, "command")
+
+
+def _lacking(
+    controller: Controller,
+    file: ParameterFile,
+    joints: list[Value],
+    needed: list[str],
+    offered: _Offered,
+    direction: str,
+) -> Iterator[Finding]:
+    for value in joints:
+        available = offered.get(value.text)
+        missing = [name for name in needed if available is not None and name not in available]
+        if missing and available is not None:
+            yield Finding(
+                Location(value.span),
+                f"controller '{controller.name}' needs {direction} interface "
+                f"{', '.join(missing)} of joint '{value.text}', which offers: "
+                + (", ".join(sorted(available)) or "none"),
+                f"add the <{direction}_interface> to the joint, or change the controller",
+                related=(file.note,),
+            )
+
+
+def _without_state(subject: Subject) -> Iterator[Finding]:
+    blocks = components(subject.model)
+    measured = {part.name for block in blocks for part in block.parts if part.of("state")}
+    for block in blocks:
+        for part in block.joints:
+            if part.of("command") and part.name and part.name not in measured:
+                yield Finding(
+                    part.at,
+                    f"joint '{part.name}' has command interfaces but no state interface",
+                    'add <state_interface name="position"/>, and velocity if the hardware has it',
+                    severity=Severity.WARNING,
+                )
+
+
+def _offered(subject: Subject, direction: str) -> _Offered:
+    """The interfaces of one direction of the joints in ``<ros2_control>``."""
+    return {
+        # gazebo_ros2_control offers position_pid as position, with a PID of its own behind it.
+        part.name: {interface.name.removesuffix("_pid") for interface in part.of(direction)}
+        for component in components(subject.model)
+        for part in component.joints
+    }
+
+
+def _transmitted(subject: Subject) -> _Offered:
+    """The command interfaces that Gazebo offers in ROS 1; real hardware may offer more.
+
+    Files of ROS 1 often hold controllers for each interface, of which a launch file starts some.
+    """
+    if not any(plugin.kind == _OF_ROS1 for plugin in control_plugins(subject.model)):
+        return {}
+    offered: _Offered = {}
+    for joint, _ in driven_joints(subject.model):
+        for interface in joint.all("hardwareInterface"):
+            name = interface.text.strip().removeprefix("hardware_interface/")
+            if name in _INTERFACES:
+                offered.setdefault(joint.get("name") or "", set()).add(_INTERFACES[name])
+    return offered
+
+
+def _commands(controller: Controller) -> list[str]:
+    """The command interfaces that it needs of each joint; empty if that is not known."""
+    if controller.ros == 1 and (kind := _BY_PACKAGE.get(controller.type.partition("/")[0])):
+        return [kind]
+    known = catalogue().get(controller.type)
+    if known is None:
+        return []
+    if known.interface:
+        return [known.interface]
+    named = controller.values([known.interfaces]) if known.interfaces else []
+    return [value.text for value in named if value.text]
+
+
+def _commanded_joints(controller: Controller) -> list[Value]:
+    """The joints that it commands; ``command_joints`` takes precedence over ``joints``."""
+    kind = catalogue().get(controller.type)
+    commanded = controller.values(["command_joints"])
+    return commanded or (controller.values(kind.joints) if kind else [])
+
+
+def _states(controller: Controller) -> list[str]:
+    """The state interfaces that it needs of each joint; empty if that is not known."""
+    if controller.type == _DRIVE:
+        if _is(controller, "open_loop", "true"):
+            return []
+        return ["velocity" if _is(controller, "position_feedback", "false") else "position"]
+    if controller.type.endswith(_GRIPPER):
+        return ["position", "velocity"]
+    return [value.text for value in controller.values(["state_interfaces"]) if value.text]
+
+
+def _is(controller: Controller, name: str, word: str) -> bool:
+    return any(value.text.lower() == word for value in controller.values([name]))

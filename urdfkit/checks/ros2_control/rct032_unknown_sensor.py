@@ -1,0 +1,110 @@
+"""A sensor of `<ros2_control>` has no counterpart in Gazebo, or a broadcaster names an unknown one.
+
+Sensors are found by name. A `<sensor>` in `<ros2_control>` without a `<sensor>` of the same name in
+`<gazebo>` has no data in the simulator. A broadcaster whose `sensor_name` is not a `<sensor>` in
+`<ros2_control>` cannot be activated, unless the driver of the hardware exports sensors that the
+description does not name.
+
+Sources:
+    gazebo_ros2_control, gazebo_system.cpp: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_system.cpp
+    gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
+    imu_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/imu_sensor_broadcaster/src/imu_sensor_broadcaster.cpp
+    force_torque_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/force_torque_sensor_broadcaster/src/force_torque_sensor_broadcaster.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.controllers import controllers
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.ros_control import components
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.grammar import is_expression
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.ros_control import Component
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="base">
+  <sensor name="base_imu" type="imu">
+    <update_rate>100</update_rate>
+  </sensor>
+</gazebo>
+<ros2_control name="robot" type="system">
+  <hardware>
+    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+  </hardware>
+  <sensor name="base_immu">
+    <state_interface name="orientation.x"/>
+  </sensor>
+</ros2_control>"""
+FIXED = GOOD = BAD.replace("base_immu", "base_imu")
+
+_BROADCASTERS = (
+    "imu_sensor_broadcaster/IMUSensorBroadcaster",
+    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster",
+    "range_sensor_broadcaster/RangeSensorBroadcaster",
+    "gps_sensor_broadcaster/GPSSensorBroadcaster",
+)
+
+
+@rule("RCT032", "unknown-sensor", Severity.WARNING, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    blocks = components(subject.model)
+    if not subject.is_part:
+        yield from _not_in_gazebo(subject, blocks)
+    yield from _not_in_ros2_control(subject, blocks)
+
+
+def _not_in_gazebo(subject: Subject, blocks: list[Component]) -> Iterator[Finding]:
+    simulated = {sensor.name for sensor in sensors(subject.model)}
+    suggester = Suggester(simulated)
+    for component in blocks:
+        for part in component.parts if component.hardware in hardware() else ():
+            name = part.at.attributes.get("name")
+            if part.kind != "sensor" or name is None or name.value in simulated:
+                continue
+            suggested, hint = suggester.suggested(name.value), suggester.hint(name.value)
+            edits = replace_value(name, suggested) if suggested else None
+            yield Finding(
+                name,
+                f"sensor '{name.value}' of <ros2_control> does not exist in <gazebo>{hint}",
+                "use the same name for both sensors",
+                Fix.of(f"rename it to '{suggested}'", edits),
+            )
+
+
+def _not_in_ros2_control(subject: Subject, blocks: list[Component]) -> Iterator[Finding]:
+    parts = [part for component in blocks for part in component.parts]
+    known = {part.name for part in parts if part.kind == "sensor"}
+    if not known:
+        return  # the file may be for another robot, too, and nothing start the broadcaster
+    for file, found in controllers(subject):
+        for controller in found:
+            for value in controller.values(["sensor_name"]):
+                name = value.text
+                is_named = name and not is_expression(name)
+                if controller.type not in _BROADCASTERS or not is_named:
+                    continue
+                if all(part.name != name for part in parts):
+                    yield Finding(
+                        Location(value.span),
+                        f"controller '{controller.name}': sensor '{name}' does not exist in "
+                        f"<ros2_control>{did_you_mean(name, known)}",
+                        "use the name of a <sensor> in <ros2_control>",
+                        related=(file.note,),
+                        confidence=Confidence.INFERRED,
+                    )

@@ -1,0 +1,67 @@
+"""Names in MoveIt's YAML files that neither the robot nor the SRDF has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, Location
+from urdfkit.ros.moveit.config import group_entries, joint_entries, names_without_settings
+from urdfkit.ros.moveit.joint_limits import planned_limits
+from urdfkit.text.diagnostic import Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.moveit.srdf import Srdf
+
+
+def unknown_names(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+    """The unknown joints, groups and controllers in the configuration files."""
+    yield from _joint_limits(subject)
+    yield from _groups(subject, srdf)
+    yield from _controllers(subject, srdf)
+
+
+def _joint_limits(subject: Subject) -> Iterator[Finding]:
+    known = subject.model.joints_by_name
+    planned = list(planned_limits(subject))
+    unknown = [limit for limit in planned if limit.joint not in known]
+    if len(unknown) == len(planned) > 1:
+        unknown = unknown[:1]  # of another robot altogether
+    for limit in unknown:
+        yield Finding(
+            Location(limit.at.span),
+            f"limits of unknown joint '{limit.joint}'{did_you_mean(limit.joint, known)}",
+            "fix the name, or remove the entry",
+            severity=Severity.WARNING,
+        )
+
+
+def _groups(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+    known = srdf.known("group")
+    entries = list(group_entries(srdf, subject.resolver))
+    for entry in entries:
+        # Several groups none of which is there are those of another robot.
+        is_ours = entry.is_alone or any(other.name in known for other in entries)
+        if known and entry.name not in known and is_ours:
+            yield Finding(
+                Location(entry.name.span),
+                f"settings of unknown group '{entry.name}'{did_you_mean(entry.name, known)}",
+                "use the name of a group of the SRDF",
+                severity=Severity.WARNING,
+            )
+
+
+def _controllers(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+    known = srdf.known("joint")
+    named = list(joint_entries(srdf, subject.resolver))
+    unknown = [(who, joint) for who, joint in named if joint.text not in known]
+    if 2 * len(unknown) > len(named) > 2:
+        unknown = []  # of another robot, or of another variant of this one
+    for who, joint in unknown:
+        message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
+        yield Finding(Location(joint.span), message, "fix the name")
+    for name, others in names_without_settings(srdf, subject.resolver):
+        message = f"controller '{name.text}' has no settings{did_you_mean(name.text, others)}"
+        yield Finding(Location(name.span), message, "fix the name")

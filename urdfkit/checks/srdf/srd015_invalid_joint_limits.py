@@ -1,0 +1,133 @@
+"""A limit in MoveIt's joint_limits.yaml is invalid, or wider than that of the robot.
+
+- The values override those of the URDF. With wider ones MoveIt plans motions that the robot cannot
+  follow: controllers abort with a path tolerance violation, or the hardware stops (warning).
+- Parameters of ROS 2 are typed, and the limits are declared as `double`: an integer stops
+  move_group ("parameter ... has invalid type: expected [double] got [integer]"). A decimal comma
+  makes a string.
+- A maximum velocity, acceleration or jerk that is not above zero leaves nothing to plan with.
+
+Sources:
+    MoveIt, joint limits: https://moveit.picknik.ai/main/doc/examples/time_parameterization/time_parameterization_tutorial.html
+    MoveIt, robot_model_loader.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/robot_model_loader/src/robot_model_loader.cpp
+    MoveIt, time parameterization: https://github.com/moveit/moveit2/blob/main/moveit_core/trajectory_processing/src/time_optimal_trajectory_generation.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.robot.joints import bounds, unit
+from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
+from urdfkit.ros.parameter_types import is_not_positive, type_of
+from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.located_yaml import Value
+from urdfkit.workspace.manifest import manifest_of
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
+
+BAD = """\
+<link name="column"/>
+<link name="carriage"/>
+<joint name="lift" type="prismatic">
+  <parent link="column"/>
+  <child link="carriage"/>
+  <limit lower="0.1" upper="0.9" effort="500" velocity="0.1"/>
+</joint>"""
+GOOD = BAD.replace('velocity="0.1"', 'velocity="0.2"')
+FILES = {
+    "example.srdf": b'<robot name="example"/>',
+    "joint_limits.yaml": b"""\
+joint_limits:
+  lift:
+    has_velocity_limits: true
+    max_velocity: 0.2
+""",
+}
+
+#: Relative; people round to three digits.
+TOLERANCE = 0.01
+#: Limits, each with the switch that turns it on.
+_LIMITS = {
+    "min_position": "has_position_limits",
+    "max_position": "has_position_limits",
+    "max_velocity": "has_velocity_limits",
+    "max_acceleration": "has_acceleration_limits",
+    "max_jerk": "has_jerk_limits",
+}
+_POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
+
+
+@rule("SRD015", "invalid-joint-limits", Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
+def check(subject: Subject) -> Iterator[Finding]:
+    for planned in planned_limits(subject):
+        if joint := subject.model.joints_by_name.get(planned.joint):
+            invalid = dict(_invalid(planned, subject))
+            yield from invalid.values()
+            yield from (found for name, found in _wider(planned, joint) if name not in invalid)
+
+
+def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]:
+    for name, value, allowed, measure in _compared(planned, joint):
+        if _is_wider(name, value, allowed):
+            limit = joint.limit
+            yield (
+                name,
+                Finding(
+                    Location(planned.values[name].span),
+                    f"joint '{joint.name}': {name} {value:g} {measure} exceeds the limit of the "
+                    f"robot, {allowed:g} {measure}",
+                    "use the narrower limit in both files",
+                    related=(Related(limit.at.span, "limit of the robot"),) if limit else (),
+                ),
+            )
+
+
+def _invalid(planned: PlannedLimit, subject: Subject) -> Iterator[tuple[str, Finding]]:
+    for name, switch in _LIMITS.items():
+        value = planned.values.get(name) if planned.is_on(switch) else None
+        if value is not None and (invalid := _wrong(name, value, _ros(subject))):
+            message, help = invalid
+            message = f"joint '{planned.joint}': {message}"
+            at = Location(value.span)
+            yield name, Finding(at, message, help, severity=Severity.ERROR)
+
+
+def _compared(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, float, float, str]]:
+    """Name, value there, value in the URDF, and unit of each bound that both have."""
+    velocity = planned.bound("max_velocity", "has_velocity_limits")
+    limit = joint.limit
+    if velocity is not None and limit and limit.velocity and limit.velocity.value > 0:
+        yield "max_velocity", velocity, limit.velocity.value, f"{unit(joint)}/s"
+    for name, allowed in zip(("min_position", "max_position"), bounds(joint) or (), strict=False):
+        position = planned.bound(name, "has_position_limits")
+        if position is not None:
+            yield name, position, allowed, unit(joint)
+
+
+def _is_wider(name: str, said: float, allowed: float) -> bool:
+    beyond = allowed - said if name.startswith("min") else said - allowed
+    return beyond > TOLERANCE * max(abs(allowed), 0.01)
+
+
+def _ros(subject: Subject) -> int | None:
+    """The ROS of the SRDF's package, else of the robot's."""
+    places = (subject.srdf.path if subject.srdf else "", subject.source.path)
+    manifests = (manifest_of(subject.resolver, place) for place in places if place)
+    return next((manifest.ros for manifest in manifests if manifest), None)
+
+
+def _wrong(name: str, value: Value, ros: int | None) -> tuple[str, str] | None:
+    kind = type_of(value)
+    if kind in ("string", "bool"):
+        return f"{name} is '{value.text}', not a number", "write a number"
+    if kind == "int" and ros == 2:
+        message = f"{name} is {value.text}, an integer; MoveIt 2 needs a double"
+        return message, f"write {value.text}.0"
+    if name in _POSITIVE and is_not_positive(value):
+        return f"{name} is {value.text}, must be > 0", "write a positive number"
+    return None

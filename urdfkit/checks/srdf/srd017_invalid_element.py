@@ -1,0 +1,105 @@
+"""An element of the SRDF is misspelt, incomplete or invalid, or the file is not well-formed.
+
+- move_group stops at a file that is not well-formed XML; the other rules about the SRDF cannot run.
+- srdfdom ignores unknown elements and attributes (warning): a group loses its chain, a pair of
+  links is checked for collisions again. Only names that are nearly known ones are reported, since
+  other programs have elements of their own in the file.
+- An element without a required attribute, or with text for a number, is logged and left out: the
+  group has no chain, the state does not set the joint.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.robot.model import number
+from urdfkit.ros.moveit.srdf import unreadable
+from urdfkit.ros.moveit.srdf_grammar import lacking, mistakes
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import rename_attribute, rename_element
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.moveit.srdf import Srdf
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <joint name="shoulder" type="fixed">
+    <parent link="base"/>
+    <child link="arm"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <disable_collision link1="base" link2="arm" reason="Adjacent"/>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <disable_collisions link1="base" link2="arm" reason="Adjacent"/>
+</robot>
+""",
+}
+FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
+
+
+@rule(
+    "SRD017",
+    "invalid-element",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.SRDF),
+    help="fix the XML of the SRDF",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if not subject.is_part:
+        for problem in unreadable(subject.source.path, subject.model.name, subject.resolver):
+            at = Location(problem.span, problem.frame)
+            yield Finding(at, problem.message, problem.help, related=problem.related)
+    if subject.srdf is not None:
+        yield from _misspelt(subject.srdf)
+        yield from _incomplete(subject.srdf)
+        yield from _positions(subject.srdf)
+
+
+def _misspelt(srdf: Srdf) -> Iterator[Finding]:
+    for mistake in mistakes(srdf.root):
+        if isinstance(mistake.at, Element):
+            what, edits = f"element <{mistake.name}>", rename_element(mistake.at, mistake.suggested)
+        else:
+            what = f"attribute '{mistake.name}'"
+            edits = rename_attribute(mistake.at, mistake.suggested)
+        yield Finding(
+            Location(edits[0].span) if edits else mistake.at,
+            f"unknown {what} in <{mistake.parent.tag}> (ignored); "
+            f"did you mean '{mistake.suggested}'?",
+            "fix the name",
+            Fix.of(f"rename it to {mistake.suggested}", edits),
+            severity=Severity.WARNING,
+        )
+
+
+def _incomplete(srdf: Srdf) -> Iterator[Finding]:
+    for element, name in lacking(srdf.root):
+        message = f"<{element.tag}> has no {name}, so that MoveIt ignores it"
+        yield Finding(element, message, f"add {name}")
+
+
+def _positions(srdf: Srdf) -> Iterator[Finding]:
+    for state in srdf.states:
+        for joint in state.all("joint"):
+            value = joint.attributes.get("value")
+            if value is None or not value.value.strip():
+                continue
+            if any(number(part) is None for part in value.value.split()):
+                message = f"state '{state.get('name')}': value '{value.value}' is not a number"
+                yield Finding(value, message, "write a number, in rad or m")

@@ -1,0 +1,221 @@
+"""A transmission of ROS 1 is incomplete, invalid, a duplicate, or in a robot of ROS 2.
+
+ros_control leaves an invalid transmission out, so that no controller finds the joint: "Could not
+find resource". Reported are
+
+- a missing name, `<type>`, `<joint>`, `<actuator>` or `<hardwareInterface>`. The type is an
+  element; as an attribute only the PR2 reads it. Up to ROS Indigo `<hardwareInterface>` was in
+  `<actuator>`; now only the one in `<joint>` counts;
+- a type without its package or misspelt, and a number of joints or actuators that the type does not
+  have;
+- a `mechanicalReduction` that is 0 or not a number, and misspelt elements, whose default is used;
+- two transmissions with one name, of which the second is kept, or for one joint, usually a copy in
+  which a name was not changed (warning);
+- transmissions in a robot of ROS 2, where nothing reads them: ros2_control has its own
+  `<transmission>` inside `<ros2_control>` (info).
+
+Sources:
+    URDF, transmission: https://wiki.ros.org/urdf/XML/Transmission
+    ros_control, transmission_parser.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_parser.cpp
+    ros_control, transmission_interface_loader.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_interface_loader.cpp
+    ros-controls/ros_control#177: https://github.com/ros-controls/ros_control/issues/177
+    ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import number
+from urdfkit.ros.catalog.ros_control import words
+from urdfkit.ros.ros_control import ROS1, called, is_of_pr2, reads_transmissions
+from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.editing.edits import rename_element, rewrite
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Attribute, Element
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<transmission name="shoulder_transmission">
+  <type>transmission_interface/SimpleTransmission</type>
+  <joint name="shoulder">
+    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+  </joint>
+  <actuator name="shoulder_motor">
+    <mechanicalReducton>50</mechanicalReducton>
+  </actuator>
+</transmission>"""
+GOOD = BAD.replace("Reducton", "Reduction")
+FIXED = GOOD
+
+_CHILDREN = {
+    "transmission": ("type", "joint", "actuator"),
+    "joint": ("hardwareInterface", "role", "offset", "mechanicalReduction"),
+    "actuator": ("hardwareInterface", "role", "mechanicalReduction", "motorTorqueConstant"),
+}
+#: Joints, and as many actuators, of each type.
+_COUNTS = {"SimpleTransmission": 1, "DifferentialTransmission": 2, "FourBarLinkageTransmission": 2}
+#: Similarity from which an unknown word is a typo.
+_TYPO = 0.85
+#: Places that a finding lists after the first.
+_MAX_RELATED = 20
+
+
+@rule(
+    "RCT024",
+    "invalid-transmission",
+    Severity.WARNING,
+    fixable=True,
+    by_target=dict.fromkeys(ROS1, Severity.ERROR),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    transmissions = subject.model.transmissions
+    if not transmissions:
+        return
+    if not reads_transmissions(subject.targets):
+        yield _unread(*transmissions)
+        return
+    read = [transmission for transmission in transmissions if not is_of_pr2(transmission)]
+    for transmission in read:
+        if missing := _missing(transmission):
+            yield Finding(
+                transmission,
+                f"{called(transmission)} has no {' and no '.join(missing)}",
+                "add a name, <type>transmission_interface/SimpleTransmission</type>, <joint> and "
+                "<actuator>",
+            )
+        yield from _interfaces(transmission)
+        yield from _type(transmission)
+        yield from _count(transmission)
+        for element in (transmission, *transmission.children):
+            yield from _children(element, called(transmission))
+    yield from _duplicates(read)
+
+
+def _unread(first: Element, *others: Element) -> Finding:
+    """One finding for all: a robot has a transmission for each joint."""
+    more = f" and {len(others)} more" if others else ""
+    return Finding(
+        first,
+        f"{called(first)}{more}: not read in ROS 2",
+        "delete it, or move it into <ros2_control>",
+        related=tuple(Related(other.span, called(other)) for other in others[:_MAX_RELATED]),
+        severity=Severity.INFO,
+    )
+
+
+def _missing(transmission: Element) -> list[str]:
+    missing: list[str] = []
+    if not transmission.get("name"):
+        missing.append("name")
+    if not _has_text(transmission, "type"):
+        attribute = " (the attribute is ignored)" if "type" in transmission.attributes else ""
+        missing.append(f"<type>{attribute}")
+    missing += [f"<{tag}>" for tag in ("joint", "actuator") if transmission.child(tag) is None]
+    missing += [
+        f"name in its <{child.tag}>"
+        for child in transmission.children
+        if child.tag in ("joint", "actuator") and not child.get("name")
+    ]
+    return missing
+
+
+def _interfaces(transmission: Element) -> Iterator[Finding]:
+    for joint in transmission.all("joint"):
+        if _has_text(joint, "hardwareInterface") or transmission.child("type") is None:
+            continue
+        is_misplaced = any(_has_text(a, "hardwareInterface") for a in transmission.all("actuator"))
+        yield Finding(
+            joint,
+            f"{called(transmission)}: joint '{joint.get('name') or ''}' has no <hardwareInterface>"
+            + ("; the one in <actuator> is ignored" if is_misplaced else ""),
+            "add <hardwareInterface>hardware_interface/...JointInterface</hardwareInterface> to "
+            "the joint",
+        )
+
+
+def _has_text(element: Element, tag: str) -> bool:
+    return any(found.text.strip() for found in element.all(tag))
+
+
+def _type(transmission: Element) -> Iterator[Finding]:
+    element, known = transmission.child("type"), words("transmission", "types")
+    name = element.text.strip() if element else ""
+    if element is None or name in known:
+        return
+    full = next((one for one in known if one.endswith(f"/{name}")), None)
+    suggested = full or nearest(name, known, _TYPO)
+    if suggested and (full or abs(len(suggested) - len(name)) <= 2):
+        fix = Fix.of(f"write {suggested}", rewrite(element, suggested))
+        message = "has no package name" if full else f"is unknown; did you mean '{suggested}'?"
+        message = f"{called(transmission)}: type '{name}' {message}"
+        yield Finding(element, message, f"write {suggested}", fix)
+
+
+def _count(transmission: Element) -> Iterator[Finding]:
+    """One joint and actuator for a simple transmission, two of each for the others."""
+    element = transmission.child("type")
+    kind = element.text.strip().rpartition("/")[2] if element else ""
+    for tag in ("joint", "actuator"):
+        found = transmission.all(tag)
+        if kind in _COUNTS and found and len(found) != _COUNTS[kind]:
+            message = f"{len(found)} <{tag}> elements; a {kind} has {_COUNTS[kind]}"
+            help = "write one transmission per joint" if kind == "SimpleTransmission" else ""
+            help = help or f"write {_COUNTS[kind]} <{tag}> elements"
+            yield Finding(found[-1], f"{called(transmission)}: {message}", help)
+
+
+def _children(element: Element, who: str) -> Iterator[Finding]:
+    """Misspelt elements, and invalid gear ratios."""
+    for child in element.children:
+        known = _CHILDREN.get(element.tag, ())
+        suggested = nearest(child.tag, known, _TYPO) if child.tag not in known else None
+        if suggested:
+            fix = Fix.of(f"rename it to <{suggested}>", rename_element(child, suggested))
+            message = f"{who}: unknown element <{child.tag}>; did you mean '{suggested}'?"
+            yield Finding(child, message, "fix the name of the element", fix)
+        elif child.tag == "mechanicalReduction" and not number(child.text.strip()):
+            shown = child.text.strip() or "empty"
+            message = f"{who}: {child.tag} is {shown}, not a number other than 0"
+            yield Finding(child, message, "write the gear ratio, such as 50")
+
+
+def _duplicates(transmissions: Iterable[Element]) -> Iterator[Finding]:
+    names: dict[str, Attribute] = {}
+    driven: dict[tuple[str, str], Attribute] = {}
+    for transmission in transmissions:
+        own = transmission.attributes.get("name")
+        if own and (first := names.setdefault(own.value, own)) is not own:
+            message = f"duplicate transmission name '{own.value}'"
+            yield _duplicate(own, message, "give it a unique name", first)
+        for joint in transmission.all("joint"):
+            name = joint.attributes.get("name")
+            keys = [(name.value, kind) for kind in _interface_types(joint)] if name else []
+            firsts = [driven.setdefault(key, name) for key in keys if name]
+            others = [one for one in firsts if one is not name]
+            if name and others:
+                message = f"joint '{name.value}' already has a transmission"
+                help = "name the joint that this transmission drives, or delete one of the two"
+                yield _duplicate(name, message, help, others[0])
+
+
+def _duplicate(at: Attribute, message: str, help: str, first: Attribute) -> Finding:
+    related = (Related(first.span, "first defined here"),)
+    return Finding(at, message, help, related=related, severity=Severity.WARNING)
+
+
+def _interface_types(joint: Element) -> list[str]:
+    """A joint may have a transmission for each of its interfaces."""
+    return [found.text.strip().rpartition("/")[2] for found in joint.all("hardwareInterface")]
