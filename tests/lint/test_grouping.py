@@ -83,7 +83,7 @@ def test_a_help_of_its_own_stands_in_the_note() -> None:
     )
     tags = "".join(f"<{tag}>x</{tag}>" for tag in mistakes)
     plugin = f'<plugin name="p" filename="libgazebo_ros_planar_move.so">{tags}</plugin>'
-    found = shown("GAZ032", f'<link name="a"/><gazebo>{plugin}</gazebo>')
+    found = shown("GAZ016", f'<link name="a"/><gazebo>{plugin}</gazebo>')
     (finding,) = found
     assert finding.help == "did you mean <robotBaseFrame>?"
     assert finding.related[0].message.endswith(
