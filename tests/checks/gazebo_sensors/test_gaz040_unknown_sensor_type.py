@@ -42,7 +42,9 @@ def test_a_sensor_without_a_type():
     assert finding.message == "sensor 's' is without a type, which no Gazebo knows"
 
 
-@pytest.mark.parametrize(("target", "suggested"), [("classic-ros1", "sonar"), ("gz-harmonic", None)])
+@pytest.mark.parametrize(
+    ("target", "suggested"), [("classic-ros1", "sonar"), ("gz-harmonic", None)]
+)
 def test_only_a_type_that_the_gazebo_at_hand_makes_is_meant(target, suggested):
     (finding,) = findings("GAZ040", "sonarr", targets=(target,))
     assert (finding.fix.title if finding.fix else None) == (

@@ -84,7 +84,7 @@ def test_what_gazebo_refuses(type: str, inner: str, wanted: str) -> None:
     [
         "<update_rate> 30 Hz </update_rate>",  # read as 30
         "<always_on>TRUE</always_on>",
-        "<camera><horizontal_fov>60</horizontal_fov></camera>",  # GAZ056
+        "<camera><horizontal_fov>60</horizontal_fov></camera>",  # GAZ047
         "<pose>0 0 0 0 0 0</pose>",
         "<ray><range><min>0.1</min><max>inf</max></range></ray>",
         CAMERA.format(640, "R8G8B8"),

@@ -13,7 +13,7 @@ def test_the_noise_of_a_lidar_in_an_imu():
     noise = "<noise><type>none</type><mean>0</mean></noise>"
     (finding,) = findings("GAZ065", "imu", axis(noise))
     assert finding.message == (
-        "sensor 's': <noise> has no attribute type: Gazebo refuses the model, and passes over its "
+        "sensor 's': <noise> has no attribute type: Gazebo rejects the model, and ignores its "
         "<type>"
     )
     assert (finding.span.line, finding.span.text) == (11, "<noise>")

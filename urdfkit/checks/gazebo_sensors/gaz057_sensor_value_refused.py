@@ -50,7 +50,7 @@ GOOD = BAD.replace("RGB888", "R8G8B8")
 _NUMBERS = ("float", "int", "uint")
 #: Settings of which 0 and less make nothing.
 _POSITIVE = ("width", "height", "samples")
-#: Of the bounds of these GAZ048 and GAZ056 tell.
+#: Of the bounds of these GAZ048 and GAZ047 tell.
 _BOUNDED_ELSEWHERE = ("horizontal_fov", "near", "far")
 _LENGTHS = {"vector2": 2, "vector3": 3, "pose": 6}
 _BOOLEANS = ("true", "false", "1", "0")

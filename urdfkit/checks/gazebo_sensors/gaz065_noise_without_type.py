@@ -60,7 +60,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for inner in written(sensor):
             if inner.holds_type_as_attribute and "type" not in inner.at.attributes:
                 child = inner.at.child("type")
-                reported = ", and passes over its <type>" if child else ""
+                reported = ", and ignores its <type>" if child else ""
                 yield Finding(
                     inner.at,
                     f"{sensor.who}: <noise> has no attribute type: Gazebo rejects the model"

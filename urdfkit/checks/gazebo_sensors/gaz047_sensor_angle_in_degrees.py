@@ -1,11 +1,14 @@
 """An angle of a sensor is in degrees.
 
-SDF takes radians. A lidar that should look 180 degrees wide then spans 180 radians, 28 times round,
-and a sensor that is turned by 90 in its `<pose>` looks 117 degrees to the side.
+SDF expects radians. A lidar of 180 degrees then spans 180 radians, 28 full turns, and a sensor that
+is turned by 90 in its `<pose>` looks 117 degrees to the side. For the `<horizontal_fov>` of a
+camera it is an error: Gazebo rejects the model ("horizontal fov must be greater than zero and less
+than or equal to two pi").
 
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
+    SDF, camera.sdf: https://github.com/gazebosim/sdformat/blob/main/sdf/1.9/camera.sdf
 """
 
 from __future__ import annotations
@@ -15,7 +18,8 @@ from math import pi, radians
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.model import numbers
+from urdfkit.robot.model import number, numbers
+from urdfkit.ros.gazebo.rejection import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
@@ -37,7 +41,7 @@ _ANGLES = (
 
 @rule(
     "GAZ047",
-    "angle-in-degrees",
+    "sensor-angle-in-degrees",
     Severity.WARNING,
     help="write the angle in radians",
     fixable=True,
@@ -52,11 +56,12 @@ def check(subject: Subject) -> Iterator[Finding]:
                 yield Finding(
                     angle,
                     f"{sensor.who}: {angle.value:g} rad is more than a full turn",
-                    f"if degrees were meant, write {text}",
+                    f"if it is in degrees, write {text}",
                     Fix.of(f"write {text}", edits),
                     confidence=Confidence.INFERRED,
                 )
         yield from _turned_far(sensor)
+        yield from _field_of_view(sensor)
 
 
 def _turned_far(sensor: Sensor) -> Iterator[Finding]:
@@ -72,7 +77,24 @@ def _turned_far(sensor: Sensor) -> Iterator[Finding]:
             yield Finding(
                 pose,
                 f"{sensor.who}: <pose> turns it by {most:g} rad, more than a full turn",
-                f"if degrees were meant, write {right}",
+                f"if it is in degrees, write {right}",
                 Fix.of(f"write {right}", edits),
                 confidence=Confidence.INFERRED,
             )
+
+
+def _field_of_view(sensor: Sensor) -> Iterator[Finding]:
+    for camera in sensor.at.all("camera"):
+        element = camera.child("horizontal_fov")
+        value = number(element.text.strip()) if element else None
+        if element is None or value is None or 0 < value <= 2 * pi:
+            continue
+        text = f"{radians(value):.6g}"
+        edits = rewrite(element, text) if value > 0 else None
+        yield Finding(
+            element,
+            f"{sensor.who}: <horizontal_fov> is {value:g} rad, not within 0 to 2 pi: {REJECTED}",
+            f"if it is in degrees, write {text}" if value > 0 else "",
+            Fix.of(f"write {text}", edits),
+            severity=Severity.ERROR,
+        )

@@ -1,11 +1,19 @@
-"""A plugin has no `name`, or no `filename`.
+"""A plugin has no valid `name` or no `filename`, or a sensor has no name.
 
-SDF requires both: up to SDF 1.9 Gazebo refuses the whole model without them. The file name is that
-of the library; the name is free in Gazebo Classic and the class in gz-sim.
+SDF requires all of them: up to SDF 1.9 Gazebo rejects the whole model without them. The file name
+of a plugin is that of its library; the name is free in Gazebo Classic and the class in gz-sim.
+
+In Gazebo Classic with ROS 2 the plugin is a node with the plugin's name. ROS 2 allows letters,
+digits and underscores, and no digit first; with any other name the node's constructor throws, and
+the plugin does not start.
 
 Sources:
     sdformat, Plugin.cc: https://github.com/gazebosim/sdformat/blob/main/src/Plugin.cc
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
     moveit/moveit#3572: https://github.com/moveit/moveit/issues/3572
+    ROS 2, names: https://design.ros2.org/articles/topic_and_service_names.html
+    gazebo_ros, node.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_ros/src/node.cpp
+    open-rmf/rmf_simulation#109: https://github.com/open-rmf/rmf_simulation/issues/109
 """
 
 from __future__ import annotations
@@ -15,7 +23,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.gazebo.rejection import REJECTED
+from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
@@ -38,7 +49,7 @@ FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
 
 @rule(
     "GAZ010",
-    "plugin-without-name-or-filename",
+    "invalid-plugin-or-sensor-name",
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
     fixable=True,
@@ -49,9 +60,16 @@ def check(subject: Subject) -> Iterator[Finding]:
             if not (use.at.get(attribute) or "").strip():
                 other = use.filename if attribute == "name" else use.name and f"'{use.name}'"
                 who = f"plugin {other}" if other else "a plugin"
-                message = f"{who} has no {attribute}: Gazebo refuses the model"
+                message = f"{who} has no {attribute}: {REJECTED}"
                 fix = _named(subject, use) if attribute == "name" else None
                 yield Finding(use.at, message, f'add {attribute}="...", {what}', fix)
+        if use.plugin and use.plugin.node and use.name:
+            yield from _invalid_node_name(use)
+    for sensor in sensors(subject.model):
+        if not sensor.name.strip():
+            kind = f" of type '{sensor.type}'" if sensor.type else ""
+            message = f"a sensor{kind} of '{sensor.reference}' has no name: {REJECTED}"
+            yield Finding(sensor.at, message, 'add name="...", unique in the link')
 
 
 def _named(subject: Subject, use: PluginUse) -> Fix | None:
@@ -62,3 +80,18 @@ def _named(subject: Subject, use: PluginUse) -> Fix | None:
         return None
     source, _, end = use.at.tag_at.name_span
     return Fix(f'add name="{name}"', (Edit(Span(source, end, end), f' name="{name}"'),))
+
+
+def _invalid_node_name(use: PluginUse) -> Iterator[Finding]:
+    if re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", use.name):
+        return
+    good = re.sub(r"[^A-Za-z0-9_]", "_", use.name)
+    good = f"_{good}" if good[0].isdigit() else good
+    attribute = use.at.attributes["name"]
+    yield Finding(
+        attribute,
+        f"{use.title}: the name is not a valid ROS 2 node name (letters, digits and underscores, "
+        "no digit first)",
+        f"write '{good}'",
+        Fix.of(f"rename it to '{good}'", replace_value(attribute, good)),
+    )
