@@ -32,7 +32,7 @@ ROBOT = """<robot name="r">
 </robot>
 """
 #: What is about the simulators.
-CODES = ["RCT011", "GAZ012", "GAZ041"]
+CODES = ["RCT011", "GAZ012", "GAZ040"]
 
 
 def codes(folder: Path, hardware: str, plugins: str = "") -> list[str]:
@@ -58,4 +58,4 @@ def test_a_robot_for_both_is_checked_for_both(tmp_path: Path) -> None:
         '<plugin name="p3d" filename="libgazebo_ros_p3d.so"/>'
     )
     found = codes(tmp_path, "gz_ros2_control/GazeboSimSystem", both)
-    assert found.count("GAZ041") == 2
+    assert found.count("GAZ040") == 2

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import os
 
 #: The rules that report what a generation of Gazebo does not have.
-RULES = ("GAZ012", "GAZ016", "GAZ041")
+RULES = ("GAZ012", "GAZ016", "GAZ040")
 
 
 class Migration(Record):

@@ -10,8 +10,17 @@ if TYPE_CHECKING:
 #: Codes and names of rules that others have absorbed.
 REDIRECTS = {
     "angle-in-degrees": "GAZ047",
+    "GAZ041": "GAZ040",
+    "sensor-not-in-target": "GAZ040",
+    "unknown-sensor-type": "GAZ040",
+    "GAZ044": "",
+    "conflicting-rates": "",
     "GAZ056": "GAZ047",
     "field-of-view-in-degrees": "GAZ047",
+    "GAZ062": "GAZ040",
+    "sensor-on-wrong-kind": "GAZ040",
+    "GAZ065": "GAZ040",
+    "noise-without-type": "GAZ040",
 }
 
 

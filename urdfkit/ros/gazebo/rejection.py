@@ -15,15 +15,15 @@ REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model
 
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset(
-    "GAZ065 JNT001 JNT002 NAM001 NAM002 NAM006 REF001 "
+    "JNT001 JNT002 NAM001 NAM002 NAM006 REF001 "
     "TRE001 TRE002 TRE003 TRE006 URD010 URD011 URD015".split()
 )
 #: Rules with findings that reject the robot, as their messages say.
-SOMETIMES = frozenset("GAZ010 GAZ027 GAZ047".split())
+SOMETIMES = frozenset("GAZ010 GAZ027 GAZ040 GAZ047".split())
 #: Rules whose findings reject the robot where they are about a joint.
 IN_JOINTS = frozenset("URD003 URD004 URD005 URD006".split())
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
-BY_GZ = frozenset("GAZ040 GAZ057 JNT005".split())
+BY_GZ = frozenset("GAZ057 JNT005".split())
 
 CODES = ALWAYS | SOMETIMES | IN_JOINTS | BY_GZ
 
