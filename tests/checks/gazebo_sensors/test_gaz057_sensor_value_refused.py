@@ -20,7 +20,7 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         (
             "imu",
             "<pose>0 0 1</pose>",
-            "<pose> is '0 0 1', and must be 6 numbers with blanks between them",
+            "<pose> is '0 0 1', and must be 6 numbers with spaces between them",
         ),
         (
             "camera",
@@ -30,7 +30,7 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         (
             "camera",
             "<camera><clip><far>50 cm</far></clip></camera>",
-            "<far> is '50 cm', and Gazebo reads 50 and passes over 'cm'",
+            "<far> is '50 cm', and Gazebo reads 50 and ignores 'cm'",
         ),
         (
             "camera",
@@ -45,7 +45,7 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         (
             "camera",
             CAMERA.format("1e3", "L8"),
-            "<width> is '1e3', and Gazebo reads 1 and passes over 'e3'",
+            "<width> is '1e3', and Gazebo reads 1 and ignores 'e3'",
         ),
         (
             "imu",
