@@ -32,7 +32,7 @@ ROBOT = """<robot name="r">
 </robot>
 """
 #: What is about the simulators.
-CODES = ["RCT005", "GAZ012", "GAZ013", "GAZ041"]
+CODES = ["RCT011", "GAZ012", "GAZ040"]
 
 
 def codes(folder: Path, hardware: str, plugins: str = "") -> list[str]:
@@ -42,14 +42,14 @@ def codes(folder: Path, hardware: str, plugins: str = "") -> list[str]:
 
 
 def test_a_hardware_plugin_of_gazebo_classic(tmp_path: Path) -> None:
-    assert codes(tmp_path, "gazebo_ros2_control/GazeboSystem") == ["RCT005"]
+    assert codes(tmp_path, "gazebo_ros2_control/GazeboSystem") == ["RCT011"]
     assert codes(tmp_path, "gz_ros2_control/GazeboSimSystem") == []
 
 
 def test_a_plugin_of_gazebo_classic_is_told_once(tmp_path: Path) -> None:
     system = "gz_ros2_control/GazeboSimSystem"
     old = '<plugin name="p3d" filename="libgazebo_ros_p3d.so"><bodyName>arm</bodyName></plugin>'
-    assert codes(tmp_path, system, old) == ["GAZ013"]
+    assert codes(tmp_path, system, old) == ["GAZ012"]
 
 
 def test_a_robot_for_both_is_checked_for_both(tmp_path: Path) -> None:
@@ -58,4 +58,4 @@ def test_a_robot_for_both_is_checked_for_both(tmp_path: Path) -> None:
         '<plugin name="p3d" filename="libgazebo_ros_p3d.so"/>'
     )
     found = codes(tmp_path, "gz_ros2_control/GazeboSimSystem", both)
-    assert found.count("GAZ041") == 2
+    assert found.count("GAZ040") == 2

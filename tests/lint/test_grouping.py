@@ -83,8 +83,8 @@ def test_a_help_of_its_own_stands_in_the_note() -> None:
     )
     tags = "".join(f"<{tag}>x</{tag}>" for tag in mistakes)
     plugin = f'<plugin name="p" filename="libgazebo_ros_planar_move.so">{tags}</plugin>'
-    found = shown("GAZ032", f'<link name="a"/><gazebo>{plugin}</gazebo>')
-    (finding,) = found
+    found = shown("GAZ016", f'<link name="a"/><gazebo>{plugin}</gazebo>')
+    (finding,) = [one for one in found if one.fix]
     assert finding.help == "did you mean <robotBaseFrame>?"
     assert finding.related[0].message.endswith(
         "does not read <odometryFrme>: did you mean <odometryFrame>?"
@@ -115,7 +115,7 @@ MASS = (
 #: Something on each of three links that are fixed to a base.
 ON_LINKS = {
     "GAZ007": "<material>Gazebo/Silver</material>",
-    "GAZ042": '<sensor name="s{0}" type="imu"><imu><topic_name>t</topic_name></imu></sensor>',
+    "GAZ003": '<sensor name="s{0}" type="imu"><imu><topic_name>t</topic_name></imu></sensor>',
     "GAZ067": "<selfCollide>true</selfCollide>",
 }
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check
-from urdfkit.text.diagnostic import Diagnostic, Edit
+from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.editing.rewriting import diff
 from urdfkit.text.source import Source
@@ -15,8 +15,8 @@ from urdfkit.text.source import Source
 if TYPE_CHECKING:
     import os
 
-#: The rules that tell what a generation of Gazebo does not have.
-RULES = ("GAZ012", "GAZ018", "GAZ041")
+#: The rules that report what a generation of Gazebo does not have.
+RULES = ("GAZ012", "GAZ016", "GAZ040")
 
 
 class Migration(Record):
@@ -70,6 +70,8 @@ def migrate(
     edits: dict[Source, list[Edit]] = {}
     left, renamed = [], []
     for diagnostic in report.diagnostics:
+        if diagnostic.severity is Severity.INFO:
+            continue  # has no effect in any Gazebo
         if diagnostic.fix is None or _overlaps(diagnostic, edits):
             left.append(diagnostic)
             continue

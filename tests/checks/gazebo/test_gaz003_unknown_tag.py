@@ -4,23 +4,24 @@ import pytest
 
 from tests.gazebos import BASE, block
 from tests.reported import fixed, messages, reported
+from tests.sensing import findings
 from urdfkit.ros.catalog.extensions import extensions, suggested
 
 
 @pytest.mark.parametrize(("wrong", "right"), [*suggested().items(), ("selfcollide", "selfCollide")])
-def test_slips_are_mended(wrong: str, right: str) -> None:
+def test_typos_are_fixed(wrong: str, right: str) -> None:
     text = BASE + block(f"<{wrong}>1</{wrong}>")
-    assert messages("GAZ003", text) == [f"Gazebo knows no <{wrong}>, and ignores it"]
+    assert messages("GAZ003", text) == [f"unknown element <{wrong}> in <gazebo> (ignored)"]
     assert f"<{right}>1</{right}>" in fixed("GAZ003", text)
 
 
 def test_one_finding_for_a_name_that_nothing_is_like() -> None:
     assert messages("GAZ003", BASE + block("<stopKp>1</stopKp>")) == [
-        "Gazebo knows no <stopKp>, and ignores it"
+        "unknown element <stopKp> in <gazebo> (ignored)"
     ]
     text = BASE + block("<stopKp>1</stopKp>") + block("<stopKp>2</stopKp>")
     (found,) = reported("GAZ003", text)
-    assert found.message == "Gazebo knows no <stopKp>, and ignores it (2 times)"
+    assert found.message == "unknown element <stopKp> in <gazebo> (ignored) (2 times)"
     assert [note.span.text for note in found.related] == ["<stopKp>"]
     assert found.fix is None
     (found,) = reported("GAZ003", BASE + 9 * block("<stopKp>1</stopKp>"))
@@ -33,9 +34,61 @@ def test_known_tags(tag: str) -> None:
     assert reported("GAZ003", BASE + block(f"<{tag}>1</{tag}>")) == []
 
 
-def test_what_belongs_into_the_robot_is_told_so() -> None:
+def test_what_belongs_into_the_robot_is_reported() -> None:
     hardware = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
     control = block(f'<ros2_control name="c" type="system">{hardware}</ros2_control>', "")
     (found,) = reported("GAZ003", BASE + control)
     assert found.help == "move <ros2_control> out of the <gazebo>, into <robot>"
     assert messages("GAZ010", BASE + control) == []
+
+
+def test_the_nearest_name_is_suggested():
+    (finding,) = findings("GAZ003", "imu", "<updaterate>1</updaterate>")
+    assert finding.message == (
+        "sensor 's': unknown element <updaterate> in <sensor> (ignored); "
+        "did you mean 'update_rate'?"
+    )
+    assert finding.span.line == 10
+
+
+@pytest.mark.parametrize("tag", ["update_rate", "ray", "camera", "plugin", "gz_frame_id", "my:tag"])
+def test_what_sensors_have_is_not_reported(tag):
+    assert findings("GAZ003", "ray", f"<{tag}/>") == []
+
+
+def test_a_typo_deep_in_the_settings():
+    inner = "<camera><image>\n<widht>640</widht></image></camera>"
+    (finding,) = findings("GAZ003", "camera", inner)
+    assert (
+        finding.message
+        == "sensor 's': unknown element <widht> in <image> (ignored); did you mean 'width'?"
+    )
+    assert (finding.span.line, finding.span.text) == (11, "<widht>")
+    assert finding.fix
+
+
+def test_what_is_in_an_unknown_tag_is_not_reported_as_well():
+    inner = "<camera><imaeg><widht>640</widht></imaeg></camera>"
+    assert len(findings("GAZ003", "camera", inner)) == 1
+
+
+@pytest.mark.parametrize(
+    "inner",
+    [
+        "<camera><noise><type>gaussian</type><mean>0</mean><stddev>1</stddev></noise></camera>",
+        "<ray><scan><vertical><samples>16</samples></vertical></scan></ray>",
+        (
+            "<imu><angular_velocity><x><noise type='none'><bias_mean>0</bias_mean></noise></x>"
+            "</angular_velocity></imu>"
+        ),
+    ],
+)
+def test_what_sdf_knows_is_not_reported(inner):
+    assert findings("GAZ003", "camera", inner) == []
+
+
+@pytest.mark.parametrize(("tag", "instead"), [("origin", "<pose>"), ("noise", "<ray>")])
+def test_what_belongs_elsewhere_is_reported(tag, instead):
+    (finding,) = findings("GAZ003", "ray", f"<{tag}/>")
+    assert finding.message == f"sensor 's': unknown element <{tag}> in <sensor> (ignored)"
+    assert instead in finding.help

@@ -19,8 +19,8 @@ from tests.reported import messages, reported
         ),
         ("<mu1>0,5</mu1>", "<mu1> is '0,5': Gazebo reads 0, for a comma ends the number"),
         ('<mu1 value="0,5"/>', "<mu1> is '0,5': Gazebo reads 0, for a comma ends the number"),
-        ("<kp>1.2.3</kp>", "<kp> is '1.2.3': Gazebo reads 1.2 and passes over '.3'"),
-        ("<minDepth>1 mm</minDepth>", "<minDepth> is '1 mm': Gazebo reads 1 and passes over 'mm'"),
+        ("<kp>1.2.3</kp>", "<kp> is '1.2.3': Gazebo reads 1.2 and ignores '.3'"),
+        ("<minDepth>1 mm</minDepth>", "<minDepth> is '1 mm': Gazebo reads 1 and ignores 'mm'"),
         ("<kd>nan</kd>", "<kd> is 'nan': the simulation spreads it to all links"),
         ("<fdir1>a b c</fdir1>", "<fdir1> is 'a b c', and must be 3 numbers"),
         ("<selfCollide>on</selfCollide>", "<selfCollide> is 'on', which Gazebo takes for false"),
@@ -30,7 +30,7 @@ from tests.reported import messages, reported
         ),
         (
             "<gravity>yes</gravity>",
-            "<gravity> is 'yes': SDF wants true, false, 1 or 0, and refuses the model",
+            "<gravity> is 'yes': SDF wants true, false, 1 or 0, and rejects the model",
         ),
     ],
 )

@@ -18,7 +18,7 @@ from urdfkit.ros.catalog.materials import materials
 )
 def test_the_nearest_is_written(wrong: str, right: str) -> None:
     text = BASE + block(f"<material> {wrong} </material>")
-    assert messages("GAZ007", text) == [f"Gazebo has no material '{wrong}'"]
+    assert messages("GAZ007", text) == [f"unknown Gazebo material '{wrong}'"]
     assert fixed("GAZ007", text).count(f"<material> {right} </material>") == 1
 
 
@@ -27,7 +27,7 @@ def test_the_nearest_is_written(wrong: str, right: str) -> None:
 )
 def test_nothing_is_near(name: str) -> None:
     (found,) = reported("GAZ007", BASE + block(f"<material>{name}</material>"))
-    said = f"Gazebo has no material '{name}'" if name else "<material> names no material"
+    said = f"unknown Gazebo material '{name}'" if name else "<material> is empty"
     assert (found.message, found.fix) == (said, None)
     assert "did you mean" not in found.help
 
@@ -36,3 +36,31 @@ def test_nothing_is_near(name: str) -> None:
 def test_materials_of_gazebo_and_of_vendors(name: str) -> None:
     assert reported("GAZ007", BASE + block(f"<material>{name}</material>")) == []
     assert reported("GAZ007", BASE + block(f'<material value="{name}"/>')) == []
+
+
+ROBOT = BASE + block("<material>Gazebo/Red</material>") + block("<material>Gazebo/Wood</material>")
+RED = "material 'Gazebo/Red' has no effect in Gazebo Fortress"
+WOOD = "material 'Gazebo/Wood' has no effect in Gazebo Fortress"
+
+
+def heard(target: str) -> list[str]:
+    return [found.message for found in reported("GAZ007", ROBOT, targets=(target,))]
+
+
+def test_fortress_has_no_materials() -> None:
+    assert heard("gz-fortress") == [RED, WOOD]
+
+
+def test_gz_sim_has_no_textures() -> None:
+    assert heard("gz-harmonic") == ["gz-sim does not draw the texture of material 'Gazebo/Wood'"]
+
+
+def test_classic_has_both() -> None:
+    assert heard("classic-ros1") == []
+    assert reported("GAZ007", ROBOT) == [], "nothing tells which Gazebo is meant"
+
+
+def test_a_value_may_stand_in_an_attribute() -> None:
+    text = BASE + block('<material value="Gazebo/Wood"/>')
+    (found,) = reported("GAZ007", text, targets=("gz-fortress",))
+    assert found.message == WOOD

@@ -4,12 +4,16 @@ import pytest
 
 from tests.gazebos import BASE, plugin, sensor
 from tests.reported import reported
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 MESSAGE = (
-    "plugin 'p' (libgazebo_ros_laser.so) is a plugin of Gazebo Classic with ROS 1, and the robot "
+    "plugin 'p' (libgazebo_ros_laser.so) is for Gazebo Classic with ROS 1, and the robot "
     "is for Gazebo Classic with ROS 2"
 )
-HELP = "take libgazebo_ros_ray_sensor.so (with output_type sensor_msgs/LaserScan), and see its tags"
+HELP = (
+    "use libgazebo_ros_ray_sensor.so (with output_type sensor_msgs/LaserScan); its tags have "
+    "other names"
+)
 LASER = BASE + sensor("ray", '<plugin name="p" filename="libgazebo_ros_laser.so"/>')
 
 
@@ -34,21 +38,19 @@ def test_a_library_that_ros2_no_longer_has() -> None:
 def test_the_successor_of_the_successor(target: str) -> None:
     ((severity, _, help),) = heard(BASE + plugin("libgazebo_ros_skid_steer_drive.so"), target)
     assert severity == "error"
-    assert help == "take gz-sim-diff-drive-system, and see its tags"
+    assert help == "use gz-sim-diff-drive-system; its tags have other names"
 
 
 def test_gz_sim_in_classic() -> None:
     text = BASE + plugin("gz-sim-diff-drive-system", name="gz::sim::systems::DiffDrive")
-    assert [help for _, _, help in heard(text, "classic-ros1")] == [
-        "nothing is known to take its place there"
-    ]
+    assert [help for _, _, help in heard(text, "classic-ros1")] == ["no successor is known"]
     assert heard(text, "gz-harmonic") == []
 
 
 def test_the_classes_of_gz_sim_in_fortress() -> None:
     text = BASE + plugin("gz-sim-diff-drive-system", name="gz::sim::systems::DiffDrive")
     assert [help for _, _, help in heard(text, "gz-fortress")] == [
-        "take the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."
+        "use the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."
     ]
     old = plugin("ignition-gazebo-diff-drive-system", name="ignition::gazebo::systems::DiffDrive")
     assert heard(BASE + old, "gz-fortress") == []
@@ -86,3 +88,45 @@ def test_the_names_of_fortress_are_a_pure_rename() -> None:
     ]
     (found,) = reported("GAZ012", LASER, targets=("classic-ros2",))
     assert found.fix is None
+
+
+OLD, NEW = plugin("libgazebo_ros_laser.so"), plugin("libgazebo_ros_ray_sensor.so")
+BOTH, GZ = plugin("libgazebo_ros_p3d.so"), plugin("gz-sim-diff-drive-system")
+BARE = plugin("libLiftDragPlugin.so")
+
+
+def mixed(text: str, *targets: str) -> list[Diagnostic]:
+    found = reported("GAZ012", BASE + text, targets=targets)
+    return [one for one in found if one.severity is Severity.WARNING]
+
+
+@pytest.mark.parametrize("pair", [OLD + NEW, OLD + GZ, BOTH + GZ, OLD + BOTH + NEW])
+def test_no_gazebo_loads_both(pair: str) -> None:
+    (found,) = mixed(pair)
+    assert [note.span.line for note in found.related] == [4], "the first plugin"
+
+
+@pytest.mark.parametrize("pair", [OLD + BOTH, NEW + BOTH, BARE + OLD, BARE + NEW, GZ + GZ, ""])
+def test_one_gazebo_loads_all(pair: str) -> None:
+    assert reported("GAZ012", BASE + pair) == []
+
+
+def test_a_mixture_has_one_finding() -> None:
+    assert len(reported("GAZ012", BASE + BARE + GZ)) == 1
+
+
+def test_unknown_plugins_do_not_count() -> None:
+    assert reported("GAZ012", BASE + OLD + plugin("libvendor.so")) == []
+
+
+def test_a_given_target_decides() -> None:
+    assert mixed(OLD + GZ, "gz-harmonic") == []
+    assert len(mixed(OLD + GZ, "gz-harmonic", "classic-ros1")) == 1
+
+
+def test_the_message() -> None:
+    (found,) = reported("GAZ012", BASE + BOTH + GZ)
+    assert found.message == (
+        "plugin 'p' (gz-sim-diff-drive-system) is for gz-sim, plugin 'p' "
+        "(libgazebo_ros_p3d.so) for Gazebo Classic with ROS 1 or Gazebo Classic with ROS 2"
+    )

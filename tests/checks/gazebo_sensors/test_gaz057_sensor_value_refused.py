@@ -20,7 +20,7 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         (
             "imu",
             "<pose>0 0 1</pose>",
-            "<pose> is '0 0 1', and must be 6 numbers with blanks between them",
+            "<pose> is '0 0 1', and must be 6 numbers with spaces between them",
         ),
         (
             "camera",
@@ -30,7 +30,7 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         (
             "camera",
             "<camera><clip><far>50 cm</far></clip></camera>",
-            "<far> is '50 cm', and Gazebo reads 50 and passes over 'cm'",
+            "<far> is '50 cm', and Gazebo reads 50 and ignores 'cm'",
         ),
         (
             "camera",
@@ -45,7 +45,7 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         (
             "camera",
             CAMERA.format("1e3", "L8"),
-            "<width> is '1e3', and Gazebo reads 1 and passes over 'e3'",
+            "<width> is '1e3', and Gazebo reads 1 and ignores 'e3'",
         ),
         (
             "imu",
@@ -84,7 +84,7 @@ def test_what_gazebo_refuses(type: str, inner: str, wanted: str) -> None:
     [
         "<update_rate> 30 Hz </update_rate>",  # read as 30
         "<always_on>TRUE</always_on>",
-        "<camera><horizontal_fov>60</horizontal_fov></camera>",  # GAZ056
+        "<camera><horizontal_fov>60</horizontal_fov></camera>",  # GAZ047
         "<pose>0 0 0 0 0 0</pose>",
         "<ray><range><min>0.1</min><max>inf</max></range></ray>",
         CAMERA.format(640, "R8G8B8"),

@@ -1,4 +1,4 @@
-"""The ``<gazebo>`` elements: references, tags, materials."""
+"""The ``<gazebo>`` elements: references, tags, materials, frames."""
 
 from __future__ import annotations
 
@@ -6,6 +6,35 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+
+#: Codes and names of rules that others have absorbed.
+REDIRECTS = {
+    "GAZ002": "GAZ005",
+    "link-tag-without-reference": "GAZ005",
+    "tag-on-wrong-kind": "GAZ005",
+    "GAZ008": "GAZ007",
+    "material-without-effect": "GAZ007",
+    "plugin-without-name-or-filename": "GAZ010",
+    "GAZ034": "GAZ010",
+    "plugin-name-is-no-node-name": "GAZ010",
+    "GAZ060": "GAZ010",
+    "sensor-without-name": "GAZ010",
+    "duplicate-plugin-name": "GAZ027",
+    "GAZ061": "GAZ027",
+    "duplicate-sensor-name": "GAZ027",
+    "GAZ042": "GAZ003",
+    "sensor-child-unknown": "GAZ003",
+    "GAZ053": "GAZ058",
+    "frame-id-missing": "GAZ058",
+    "frame-unknown": "GAZ058",
+    "GAZ066": "GAZ067",
+    "preserved-link-without-mass": "GAZ067",
+    "flag-spreads-to-parent": "GAZ067",
+    "GAZ068": "GAZ067",
+    "tags-lost-on-shape": "GAZ067",
+    "GAZ069": "GAZ067",
+    "lumping-disabled-by-a-joint": "GAZ067",
+}
 
 
 def applies(subject: Subject) -> bool:

@@ -1,27 +1,32 @@
-"""Gazebo knows no such tag in a `<gazebo>` block.
+"""Gazebo does not know a tag in a `<gazebo>` block or in a sensor, and ignores it.
 
 Gazebo's converter handles some tags by name (`mu1`, `kp`, `material`...) and copies all others into
-the SDF, where the simulator warns about what it does not know and goes on without it. `<mu>` for
-`<mu1>` and the snake_case names of SDF (`max_vel`, `laser_retro`) are usual slips.
+the SDF, where the simulator warns about what it does not know and continues. `<mu>` for `<mu1>` and
+the snake_case names of SDF (`max_vel`, `laser_retro`) are usual mistakes. The intended setting
+keeps its default: a camera with a misspelt `<width>` has images 320 pixels wide.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Suggester
+from urdfkit.core.suggest import Suggester, did_you_mean, nearest
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.ros.catalog.extensions import copied, extensions, suggested
+from urdfkit.ros.catalog.sensors import children
+from urdfkit.ros.gazebo.sensors import sensors, written
 from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.editing.edits import rename_element
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import RobotModel
     from urdfkit.text.document import Element
 
 BAD = """\
@@ -38,8 +43,17 @@ GOOD = BAD.replace("mu>", "mu1>")
 FIXED = GOOD
 
 
-#: Elements of the robot, whose readers look for them in ``<robot>`` alone.
+#: Elements that their parsers look for in ``<robot>`` alone.
 _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
+
+#: What replaces a tag of a sensor that belongs elsewhere.
+_INSTEAD = {
+    "origin": "place it by <pose>x y z roll pitch yaw</pose>",
+    "noise": "move it into <ray> or <camera>, or into <imu><angular_velocity><x>",
+}
+
+#: The least similarity of a typo to a tag.
+_TYPO = 0.8
 
 
 @rule(
@@ -47,22 +61,23 @@ _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
     "unknown-tag",
     Severity.WARNING,
     fixable=True,
-    help="see the tags of the URDF page of Gazebo's tutorials, or remove it",
+    help="remove it, or write a tag of Gazebo's URDF extensions",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = {*extensions(), *(tag for kind in ("link", "joint", "model") for tag in copied(kind))}
-    strange: dict[str, list[Element]] = {}
+    unknown: dict[str, list[Element]] = {}
     for block in subject.model.gazebo:
         for child in block.children:
             if child.tag not in known and ":" not in child.tag:  # prefixes are for other programs
-                strange.setdefault(child.tag, []).append(child)
+                unknown.setdefault(child.tag, []).append(child)
     suggester = Suggester(known)
-    for tag, elements in strange.items():
+    for tag, elements in unknown.items():
         right = suggested().get(tag) or suggester.suggested(tag)
         if right:
-            yield from (_mistake(element, right) for element in elements)
+            yield from (_misspelt(element, right) for element in elements)
         else:
             yield _unknown(tag, elements)
+    yield from _in_sensors(subject.model)
 
 
 def _unknown(tag: str, elements: list[Element]) -> Finding:
@@ -70,15 +85,38 @@ def _unknown(tag: str, elements: list[Element]) -> Finding:
     count = f" ({len(elements)} times)" if len(elements) > 1 else ""
     others = tuple(Related(one.span, f"<{tag}>") for one in elements[1:5])
     help = f"move <{tag}> out of the <gazebo>, into <robot>" if tag in _OF_ROBOT else ""
-    message = f"Gazebo knows no <{tag}>, and ignores it{count}"
+    message = f"unknown element <{tag}> in <gazebo> (ignored){count}"
     return Finding(elements[0], message, help, related=others)
 
 
-def _mistake(element: Element, right: str) -> Finding:
+def _misspelt(element: Element, right: str) -> Finding:
     edits = rename_element(element, right)
     return Finding(
         element,
-        f"Gazebo knows no <{element.tag}>, and ignores it",
+        f"unknown element <{element.tag}> in <gazebo> (ignored)",
         f"did you mean <{right}>?",
         Fix.of(f"rename it to <{right}>", edits),
     )
+
+
+def _in_sensors(model: RobotModel) -> Iterator[Finding]:
+    known = children()
+    for sensor in sensors(model):
+        for child in sensor.at.children:
+            if child.tag not in known and ":" not in child.tag:
+                yield _in_sensor(child, sensor.who, "sensor", known)
+        for inner in written(sensor):
+            if inner.setting is None and ":" not in inner.at.tag:
+                yield _in_sensor(inner.at, sensor.who, inner.parent, inner.siblings)
+
+
+def _in_sensor(child: Element, who: str, parent: str, known: Iterable[str]) -> Finding:
+    message = f"{who}: unknown element <{child.tag}> in <{parent}> (ignored)"
+    if instead := _INSTEAD.get(child.tag):
+        return Finding(child, message, instead, alike=child.tag)
+    intended = nearest(child.tag, known, _TYPO)
+    fix = (
+        Fix.of(f"rename it to <{intended}>", rename_element(child, intended)) if intended else None
+    )
+    message += did_you_mean(child.tag, known)
+    return Finding(child, message, "fix the name of the element", fix, alike=child.tag)

@@ -58,7 +58,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                     yield from _handled(child, extension, text)
             elif child.tag in _COPIED and text.lower() not in ("true", "false", "1", "0"):
                 message = f"<{child.tag}> is {_shown(text)}: SDF wants true, false, 1 or 0"
-                yield Finding(child, f"{message}, and refuses the model", "write true or false")
+                yield Finding(child, f"{message}, and rejects the model", "write true or false")
 
 
 def _is_read(model: RobotModel, block: Element, extension: Extension) -> bool:
@@ -94,7 +94,7 @@ def _wrong_number(child: Element, text: str, name: str) -> Iterator[Finding]:
         fix = Fix.of(f"write {right}", edits)
         yield Finding(child, message, f"write {right}", fix)
     elif rest:
-        message = f"{name}: Gazebo reads {read} and passes over '{rest}'"
+        message = f"{name}: Gazebo reads {read} and ignores '{rest}'"
         yield Finding(child, message, "write the number alone")
     elif isnan(value(read)):
         yield Finding(child, f"{name}: the simulation spreads it to all links", "write a number")

@@ -1,12 +1,17 @@
-"""Gazebo has no material of that name.
+"""Gazebo does not have the material, or does not draw it.
 
 `<material>` in a `<gazebo>` block names a script of Gazebo, such as `Gazebo/Orange`: with the
 prefix, and with capitals where it has them. Gazebo Classic draws an unknown name white or as an
 error, and gz-sim falls back to the colour of the URDF.
 
+Gazebo Fortress has no material scripts at all, and from Garden on gz-sim substitutes the plain
+colours by name but draws no texture: an info. For these, give the colour in the URDF's `<material>`
+or as `<visual><material><diffuse>` in the `<gazebo>` block.
+
 Sources:
     Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
     gz-sim, migration of materials: https://github.com/gazebosim/gz-sim/blob/main/tutorials/migration_sdf.md
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations
@@ -43,18 +48,27 @@ FIXED = GOOD
     "unknown-material",
     Severity.WARNING,
     fixable=True,
-    help="take one of Gazebo's own materials, or give the colour in the URDF",
+    help="use one of Gazebo's materials, or give the colour in the URDF's <material>",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = materials()
     # By their last words: all begin with "Gazebo/", which would make them alike.
     bare = {name.rpartition("/")[2]: name for name in known if not known[name].internal}
     suggester = Suggester(bare)
+    is_fortress = subject.targets.any_of(("gz-fortress",))
+    is_gz = subject.targets.any_of(("gz-harmonic", "gz-jetty"))
     for block in subject.model.gazebo:
         for child in block.all("material") if block.get("reference") else ():
             name = child.get("value") or child.text.strip()
+            if name in known:
+                if is_fortress:
+                    message = f"material '{name}' has no effect in Gazebo Fortress"
+                    yield Finding(child, message, severity=Severity.INFO)
+                elif is_gz and known[name].textured:
+                    message = f"gz-sim does not draw the texture of material '{name}'"
+                    yield Finding(child, message, severity=Severity.INFO)
             # Another prefix is that of a vendor's own scripts.
-            if name not in known and ("/" not in name or name.lower().startswith("gazebo/")):
+            elif "/" not in name or name.lower().startswith("gazebo/"):
                 suggested = suggester.suggested(name.rpartition("/")[2])
                 yield _finding(child, name, bare.get(suggested, ""))
 
@@ -63,7 +77,7 @@ def _finding(child: Element, name: str, right: str) -> Finding:
     edits = replace_text(child, right) if right and not child.get("value") else None
     return Finding(
         child,
-        f"Gazebo has no material '{name}'" if name else "<material> names no material",
+        f"unknown Gazebo material '{name}'" if name else "<material> is empty",
         f"did you mean '{right}'?" if right else "",
         Fix.of(f"write {right}", edits),
         alike=name,

@@ -1,4 +1,4 @@
-"""Plugins of Gazebo: libraries, parameters, the links and joints that they name."""
+"""Gazebo plugins: libraries, parameters, the links and joints that they refer to."""
 
 from __future__ import annotations
 
@@ -6,6 +6,35 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+
+#: Codes and names of rules that others have absorbed.
+REDIRECTS = {
+    "GAZ013": "GAZ012",
+    "mixed-generations": "GAZ012",
+    "GAZ015": "GAZ014",
+    "plugin-in-wrong-sensor": "GAZ014",
+    "GAZ018": "GAZ016",
+    "parameter-of-other-generation": "GAZ016",
+    "GAZ020": "GAZ021",
+    "parameter-names-unknown-link": "GAZ021",
+    "GAZ022": "GAZ021",
+    "names-merged-link": "GAZ021",
+    "GAZ023": "GAZ021",
+    "names-dropped-link": "GAZ021",
+    "GAZ032": "GAZ016",
+    "misspelt-parameter": "GAZ016",
+    "GAZ033": "GAZ014",
+    "world-system-in-model": "GAZ014",
+    "GAZ035": "GAZ011",
+    "plugin-class-unknown": "GAZ011",
+    "GAZ064": "GAZ024",
+    "wheel-driven-twice": "GAZ024",
+    "GAZ070": "GAZ011",
+    "plugin-misspelt": "GAZ011",
+    "joint-kind-unfit": "GAZ024",
+    "parameter-names-unknown-joint": "GAZ021",
+    "unknown-parameter": "GAZ016",
+}
 
 
 def applies(subject: Subject) -> bool:

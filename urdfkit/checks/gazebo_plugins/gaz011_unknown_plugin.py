@@ -1,23 +1,36 @@
-"""The library of a plugin is in no catalogue of this program.
+"""Gazebo finds no plugin of this file name or class.
 
-It is a vendor's, and nothing more can be said about it; or it is not installed anywhere, and Gazebo
-goes on without it. What is nearly the name of a known one is GAZ070's.
+Gazebo looks for a library of exactly the name in `filename`, finds none, reports it among other
+messages of its start, and continues without the plugin: the robot does not drive, the sensor does
+not publish. A name close to that of a known library is a warning, with a fix. Any other name is
+taken for a vendor's library, of which nothing more is known: an info.
+
+In gz-sim the `name` of a plugin is not a free label, as it is in Gazebo Classic, but the class in
+the library. With another one Gazebo writes "library does not contain requested plugin" and
+continues without the plugin: an error.
 
 Sources:
+    gazebo-classic, Plugin.hh: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/Plugin.hh
+    gz-sim, SystemLoader.cc: https://github.com/gazebosim/gz-sim/blob/main/src/SystemLoader.cc
+    Gazebo, system plugins: https://github.com/gazebosim/gz-sim/blob/main/tutorials/adding_system_plugins.md
     measured: half of the 66 plugins that 213 public models use are a vendor's
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.ros.catalog.plugins import misspelt
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.plugins import Plugin
+    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -27,9 +40,10 @@ BAD = """\
   </inertial>
 </link>
 <gazebo>
-  <plugin name="drive" filename="libour_omni_drive.so"/>
+  <plugin name="drive" filename="libgazebo_ros_planar_mvoe.so"/>
 </gazebo>"""
-GOOD = BAD.replace("our_omni_drive", "gazebo_ros_planar_move")
+GOOD = BAD.replace("mvoe", "move")
+FIXED = GOOD
 
 
 @rule(
@@ -37,16 +51,58 @@ GOOD = BAD.replace("our_omni_drive", "gazebo_ros_planar_move")
     "unknown-plugin",
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
-    help="if it is a vendor's, see that its package is a dependency of yours",
+    help="if it is a vendor's, add its package to your dependencies",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     reported: set[str] = set()
     for use in subject.plugins:
-        name = use.filename
-        if use.known or not name or name in reported or misspelt(name):
-            continue
-        reported.add(name)  # one robot may use a library a hundred times
+        if use.known:
+            yield from _unknown_class(use)
+        elif not use.filename:
+            continue  # GAZ010
+        elif suggested := misspelt(use.filename):
+            yield _misspelt(use, suggested)
+        elif use.filename not in reported:
+            reported.add(use.filename)  # one robot may use a library a hundred times
+            yield Finding(
+                use.at.attributes["filename"],
+                f"'{use.filename}' is not a known plugin of Gazebo or ROS",
+            )
+
+
+def _misspelt(use: PluginUse, suggested: str) -> Finding:
+    at = use.at.attributes["filename"]
+    return Finding(
+        at,
+        f"{use.title}: unknown library '{use.filename}'",
+        f"did you mean '{suggested}'?",
+        Fix.of(f"write {suggested}", replace_value(at, suggested)),
+        alike=suggested,
+        severity=Severity.WARNING,
+    )
+
+
+def _unknown_class(use: PluginUse) -> Iterator[Finding]:
+    classes = [_class_of(plugin, use) for plugin in use.known if plugin.class_name]
+    name = use.at.attributes.get("name")
+    if not classes or not use.name or name is None:
+        return  # GAZ010
+    if _current_name(use.name) not in map(_current_name, classes):
         yield Finding(
-            use.at.attributes["filename"],
-            f"'{name}' is not a plugin of Gazebo or ROS that is known here",
+            name,
+            f"{use.title}: the library has no class '{use.name}', only {' and '.join(classes)}",
+            f'write name="{classes[0]}"',
+            Fix.of(f"name the class {classes[0]}", replace_value(name, classes[0])),
+            severity=Severity.ERROR,
         )
+
+
+def _class_of(plugin: Plugin, use: PluginUse) -> str:
+    """By the file name: a library of Fortress has a class of Fortress."""
+    return plugin.fortress_class if "ignition" in use.filename else plugin.class_name
+
+
+def _current_name(name: str) -> str:
+    """A class by its current name: Fortress had other words, and versions may be spelt out."""
+    return re.sub(r"::v\d+\b", "", name.replace("ignition::gazebo", "gz::sim"))

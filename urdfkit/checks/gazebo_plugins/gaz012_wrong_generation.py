@@ -1,11 +1,16 @@
-"""A plugin is of another generation of Gazebo than the one that the robot is for.
+"""A plugin is for another generation of Gazebo than the robot, or than another of its plugins.
 
-Gazebo Classic with ROS 1, Gazebo Classic with ROS 2, Fortress and gz-sim each have libraries of
-their own. One of another generation is not found: Gazebo writes an error, starts without it, and
-the robot does not move or sends no data. Take the successor; its tags have other names, too.
+Gazebo Classic with ROS 1, Gazebo Classic with ROS 2, Fortress and gz-sim have separate libraries.
+A library of another generation is not found: Gazebo writes an error and starts without it, and the
+robot does not move or sends no data. Use the successor, whose tags have other names, too.
+
+Where no target is given and the plugins themselves are for different generations, no Gazebo loads
+all of them: a warning. Choose one generation, or select the block with a xacro argument
+(`<xacro:if value="$(arg use_gz)">`).
 
 Sources:
     Gazebo, migration from Classic: https://gazebosim.org/docs/latest/migrating_gazebo_classic_ros2_packages/
+    gz-sim, SystemLoader.cc: https://github.com/gazebosim/gz-sim/blob/main/src/SystemLoader.cc
     gazebosim/ros_gz#362: https://github.com/gazebosim/ros_gz/issues/362
     jackal/jackal#129: https://github.com/jackal/jackal/issues/129
 """
@@ -19,7 +24,7 @@ from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, target_of_plugin
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.editing.edits import all_or_none, replace_value
 
 if TYPE_CHECKING:
@@ -40,7 +45,7 @@ BAD = """\
 GOOD = BAD.replace("gz::sim", "ignition::gazebo").replace("gz-sim", "ignition-gazebo")
 FIXED = GOOD
 
-_NONE = "nothing is known to take its place there"
+_NONE = "no successor is known"
 
 
 @rule(
@@ -53,20 +58,52 @@ _NONE = "nothing is known to take its place there"
 )
 def check(subject: Subject) -> Iterator[Finding]:
     targets = [name for name in subject.targets.names if name in GENERATIONS]
+    is_reported = False
     for use in subject.plugins:
         present = [plugin for plugin in use.known if not plugin.removed]
         if not targets or not present or any(_runs(use, name) for name in targets):
             continue
         if subject.targets.evidence and _is_of_another_family(use, subject.targets):
-            continue  # the robot itself is for two simulators: GAZ013
+            continue  # the robot itself is for two simulators
         found = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
         wanted = " or ".join(TITLES[target] for target in targets)
+        is_reported = True
         yield Finding(
             use.at.attributes["filename"],
-            f"{use.title} is a plugin of {found}, and the robot is for {wanted}",
+            f"{use.title} is for {found}, and the robot is for {wanted}",
             _successor(use, targets[0]),
             _fix(use) if targets[0] == "gz-fortress" else None,
         )
+    is_given = len({GENERATIONS[name][0] for name in targets}) == 1 and not subject.targets.evidence
+    if not is_reported and not is_given:
+        yield from _mixed(subject.plugins)
+
+
+def _mixed(plugins: tuple[PluginUse, ...]) -> Iterator[Finding]:
+    """The first plugin that no Gazebo loads together with those before it."""
+    first: PluginUse | None = None
+    common: set[str] = set()
+    for use in plugins:
+        possible = generations(use)
+        if not possible:
+            continue
+        if first is None:
+            first, common = use, possible
+        elif common & possible:
+            common = common & possible
+        else:
+            yield Finding(
+                use.at.attributes["filename"],
+                f"{use.title} is for {_named(possible)}, {first.title} for {_named(common)}",
+                "keep the plugins of one, or choose between them with a xacro argument",
+                related=(Related(first.at.span, f"for {_named(common)}"),),
+                severity=Severity.WARNING,
+            )
+            return
+
+
+def _named(possible: set[str]) -> str:
+    return " or ".join(TITLES[name] for name in sorted(possible))
 
 
 def _is_of_another_family(use: PluginUse, targets: Targets) -> bool:
@@ -89,22 +126,22 @@ def _fix(use: PluginUse) -> Fix | None:
         return None
     names = {"filename": plugin.fortress_files[0], "name": plugin.fortress_class}
     edits = all_or_none(replace_value(use.at.attributes[key], text) for key, text in names.items())
-    return Fix.of("take the names of Fortress", edits)
+    return Fix.of("use the names of Fortress", edits)
 
 
 def _successor(use: PluginUse, target: str) -> str:
     """What replaces it, one or two generations on."""
     if target == "gz-fortress" and any(plugin.generation == "gz" for plugin in use.known):
-        return "take the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."
+        return "use the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."
     old = use.known[0]
     for _ in range(len(use.known) + 1):
         if old.successor is None:
-            return f"take its successor: {old.advice}" if old.advice else _NONE
+            return f"use its successor: {old.advice}" if old.advice else _NONE
         found = [one for one in find(old.successor) if not one.removed]
         fits = [one for one in found if one.generation in GENERATIONS[target]]
         if fits:
             advice = f" ({old.advice})" if old.advice else ""
-            return f"take {old.successor}{advice}, and see its tags"
+            return f"use {old.successor}{advice}; its tags have other names"
         newer = [one for one in found if one.id != old.id and one.generation != old.generation]
         if not newer:
             return _NONE

@@ -1,12 +1,20 @@
-"""A plugin stands where Gazebo does not run it.
+"""A plugin is in a place where Gazebo does not run it, or runs it wrongly.
 
 A model plugin belongs in a `<gazebo>` block without a reference, a sensor plugin in a `<sensor>` in
-the block of a link. A plugin that stands directly in the block of a link or joint is copied into
-that link and never loaded; one of the wrong kind ends with an error about its type.
+the block of a link. A plugin that is directly in the block of a link or joint is copied into that
+link and never loaded; one of the wrong kind ends with an error about its type. A sensor plugin asks
+its sensor for data of one type, and fails, or ends the server, in a sensor of another type: a laser
+plugin needs a `ray` sensor, a GPU laser `gpu_ray`, a depth camera `depth`.
+
+World systems of gz-sim, such as sensors and physics, run in a model as well: an info. If the world
+has its own copy, every sensor is created twice and rendering crashes. Put them in the world file.
 
 Sources:
     Gazebo Classic, plugins: https://classic.gazebosim.org/tutorials?tut=ros_gzplugins
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebo_ros_laser.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_laser.cpp
+    Gazebo, system plugins: https://github.com/gazebosim/gz-sim/blob/main/tutorials/adding_system_plugins.md
+    gazebosim/gz-sensors#497: https://github.com/gazebosim/gz-sensors/issues/497
 """
 
 from __future__ import annotations
@@ -37,10 +45,20 @@ _WHERE = {
     "model": "in a <gazebo> block without a reference",
     "sensor": "in a <sensor> in the block of a link",
     "visual": "in a <visual> in the block of a link",
-    "world": "in the world, not in a robot",
+    "world": "in the world file, not in a robot",
     "system": "on the command line of the server, not in a robot",
     "actor": "in an actor, not in a robot",
 }
+
+#: Other names of a type in SDF, and the sensors that are cameras, too.
+_SAME = {
+    "lidar": "ray",
+    "gpu_lidar": "gpu_ray",
+    "depth_camera": "depth",
+    "navsat": "gps",
+    "wideanglecamera": "wide_angle_camera",
+}
+_CAMERAS = ("depth", "wide_angle_camera")
 
 
 @rule("GAZ014", "plugin-misplaced", Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
@@ -49,25 +67,44 @@ def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
         reference = use.block.get("reference")
         if use.place == "link" and reference not in known:
-            continue  # GAZ001 tells that the whole block is lost
+            continue  # GAZ001: the whole block is lost
         kinds = use.plugin.kinds if use.plugin else ()
         where = " or ".join(_WHERE[kind] for kind in kinds)
         if use.place == "link":
-            message = f"{use.title} stands in the block of '{reference}', where Gazebo never runs"
-            yield Finding(use.at, f"{message} it", f"put it {where or _WHERE['model']}")
+            message = f"{use.title} is directly in the block of '{reference}': Gazebo never runs it"
+            yield Finding(use.at, message, f"put it {where or _WHERE['model']}")
         elif _is_wrong(use, kinds):
-            message = f"{use.title} stands {_WHERE[use.place]}, and is for a {' or '.join(kinds)}"
+            message = f"{use.title} is {_WHERE[use.place]}, but is a {' or '.join(kinds)} plugin"
             yield Finding(use.at, message, f"put it {where}", alike=f"{use.place} {where}")
+        elif use.plugin and kinds == ("world",) and use.plugin.generation == "gz":
+            message = f"{use.title} is a world system, which a world has once for all robots"
+            yield Finding(use.at, message, "put it in the world file", severity=Severity.INFO)
+        yield from _in_wrong_sensor(use)
 
 
 def _is_wrong(use: PluginUse, kinds: tuple[str, ...]) -> bool:
-    """True for a kind that Gazebo refuses there.
+    """True for a kind that Gazebo does not accept there.
 
-    gz-sim runs a world's system in a model or sensor, too, which GAZ033 tells; others that stand
-    in a sensor find no model.
+    gz-sim runs a world's system in a model or sensor, too; others in a sensor find no model.
     """
     if not kinds or use.place in kinds or use.place not in ("model", "sensor", "visual"):
         return False
     assert use.plugin is not None
-    at_home = use.place == "model" or (use.place == "sensor" and "world" in kinds)
-    return not (use.plugin.generation == "gz" and at_home)
+    is_accepted = use.place == "model" or (use.place == "sensor" and "world" in kinds)
+    return not (use.plugin.generation == "gz" and is_accepted)
+
+
+def _in_wrong_sensor(use: PluginUse) -> Iterator[Finding]:
+    if use.place != "sensor" or use.plugin is None or not use.plugin.sensors:
+        return
+    assert use.at.parent is not None
+    attribute = use.at.parent.attributes.get("type")
+    if attribute is None:
+        return
+    accepted = {_SAME.get(kind, kind) for kind in use.plugin.sensors}
+    kind = _SAME.get(attribute.value, attribute.value)
+    if kind in accepted or (kind in _CAMERAS and "camera" in accepted):
+        return
+    wanted = " or ".join(f"'{one}'" for one in use.plugin.sensors)
+    message = f"{use.title} needs a sensor of type {wanted}, and this one is '{attribute.value}'"
+    yield Finding(attribute, message, f"write type {wanted}, or use another plugin")

@@ -64,7 +64,7 @@ def _missing(use: PluginUse, plugin: Plugin, subject: Subject) -> Iterator[Findi
 
 
 def _is_of_another(use: PluginUse) -> bool:
-    """True if it is written for another generation; GAZ018 then tells its tags."""
+    """True if it is written for another generation; GAZ016 then tells its tags."""
     assert use.plugin is not None
     others = [one for one in use.known if one.generation != use.plugin.generation]
     left = len(use.unread(use.plugin))

@@ -78,5 +78,5 @@ def _wrong(parameter: Parameter, text: str) -> tuple[str, str] | None:
     elif length := _LENGTHS.get(parameter.type):
         read_parts = [leading(part)[0] for part in text.split()]
         if len(read_parts) < length or "" in read_parts:
-            return f"not {length} numbers", f"write {length} numbers with blanks between them"
+            return f"not {length} numbers", f"write {length} numbers with spaces between them"
     return None

@@ -7,6 +7,22 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+#: Codes and names of rules that others have absorbed.
+REDIRECTS = {
+    "angle-in-degrees": "GAZ047",
+    "GAZ041": "GAZ040",
+    "sensor-not-in-target": "GAZ040",
+    "unknown-sensor-type": "GAZ040",
+    "GAZ044": "",
+    "conflicting-rates": "",
+    "GAZ056": "GAZ047",
+    "field-of-view-in-degrees": "GAZ047",
+    "GAZ062": "GAZ040",
+    "sensor-on-wrong-kind": "GAZ040",
+    "GAZ065": "GAZ040",
+    "noise-without-type": "GAZ040",
+}
+
 
 def applies(subject: Subject) -> bool:
     """True if a ``<gazebo>`` element holds a sensor."""

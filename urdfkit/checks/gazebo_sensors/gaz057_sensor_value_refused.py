@@ -50,7 +50,7 @@ GOOD = BAD.replace("RGB888", "R8G8B8")
 _NUMBERS = ("float", "int", "uint")
 #: Settings of which 0 and less make nothing.
 _POSITIVE = ("width", "height", "samples")
-#: Of the bounds of these GAZ048 and GAZ056 tell.
+#: Of the bounds of these GAZ048 and GAZ047 tell.
 _BOUNDED_ELSEWHERE = ("horizontal_fov", "near", "far")
 _LENGTHS = {"vector2": 2, "vector3": 3, "pose": 6}
 _BOOLEANS = ("true", "false", "1", "0")
@@ -98,7 +98,7 @@ def _wrong(name: str, setting: Setting, text: str) -> str:
     length = _LENGTHS.get(setting.type)
     parts = [number(part) for part in text.split()]
     if length and (len(parts) != length or None in parts):
-        return f"must be {length} numbers with blanks between them"
+        return f"must be {length} numbers with spaces between them"
     return ""
 
 
@@ -107,7 +107,7 @@ def _wrong_number(name: str, setting: Setting, text: str) -> str:
     if not read or rest.startswith(",") or isnan(found := value(read)):
         return "must be a number"
     if rest and not (setting.type != "float" and rest[0] == "." and rest[1:].isdecimal()):
-        return f"Gazebo reads {read} and passes over '{rest}'"
+        return f"Gazebo reads {read} and ignores '{rest}'"
     if name in _BOUNDED_ELSEWHERE:
         return ""
     if name in _POSITIVE and found < 1:

@@ -1,7 +1,7 @@
 """What Gazebo makes of a robot: which links merge, which are dropped, and what things are called.
 
 Gazebo converts URDF to SDF. On the way it merges the child of every fixed joint into the parent,
-drops links without mass together with everything that hangs on them, and gives collisions and
+drops links without mass together with everything below them, and gives collisions and
 visuals names of its own. Every plugin and sensor sees the result, not the URDF.
 
 Source: ``parser_urdf.cc`` of gazebosim/sdformat, versions 9 to 16; the tests compare with
@@ -183,17 +183,17 @@ class Conversion:
         return abs(mass) <= least if least else mass <= 0
 
     def _lost_with_parent(self, body: RigidBody) -> str | None:
-        """Why a body is lost with what it hangs on, or None."""
+        """Why a body is lost with its parent, or None."""
         if body.joint is None or body.joint.parent is None:
             return None
         parent = body.joint.parent.value
         if parent in self.dropped:
-            return f"hangs on '{parent}', which is dropped"
+            return f"child of '{parent}', which is dropped"
         if self.converter.stops_at_merged:
             for link in self._merged_above(parent):
                 if self._is_massless(self._mass_below(link)):
                     self.stranded.append(body)
-                    return f"hangs on '{link.name}', which is merged and has no mass"
+                    return f"child of '{link.name}', which is merged and has no mass"
         return None
 
     def _merged_above(self, name: str) -> Iterator[Link]:

@@ -14,7 +14,7 @@ class UnreadParameter(Record):
     Attributes:
         item: the tag.
         other: the plugin of another generation that reads it, or None.
-        suggested: the tag that it is a slip of, or None.
+        suggested: the tag that it is probably a typo of, or None.
     """
 
     item: PluginParameter

@@ -10,26 +10,32 @@ from collections.abc import Iterable
 
 from urdfkit.text.diagnostic import Diagnostic
 
+#: In the messages of rules that have milder findings, too.
+REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model"
+
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset(
-    "GAZ010 GAZ056 GAZ060 GAZ065 JNT001 JNT002 NAM001 NAM002 NAM006 REF001 "
+    "JNT001 JNT002 NAM001 NAM002 NAM006 REF001 "
     "TRE001 TRE002 TRE003 TRE006 URD010 URD011 URD015".split()
 )
-#: Likewise, where they are about a joint.
+#: Rules with findings that reject the robot, as their messages say.
+SOMETIMES = frozenset("GAZ010 GAZ027 GAZ040 GAZ047".split())
+#: Rules whose findings reject the robot where they are about a joint.
 IN_JOINTS = frozenset("URD003 URD004 URD005 URD006".split())
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
-BY_GZ = frozenset("GAZ040 GAZ057 GAZ061 JNT005".split())
+BY_GZ = frozenset("GAZ057 JNT005".split())
 
-CODES = ALWAYS | IN_JOINTS | BY_GZ
+CODES = ALWAYS | SOMETIMES | IN_JOINTS | BY_GZ
 
 
 def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]:
     """The findings for which a robot is rejected, each with who rejects it."""
     found = []
     for one in diagnostics:
+        says = one.message if one.code in SOMETIMES else ""
         in_joint = any(call.element.startswith("joint/") for call in one.calls)
-        if one.code in ALWAYS or (one.code in IN_JOINTS and in_joint):
+        if one.code in ALWAYS or (one.code in IN_JOINTS and in_joint) or REJECTED in says:
             found.append(("libsdformat", one))
-        elif one.code in BY_GZ:
+        elif one.code in BY_GZ or REJECTED_BY_GZ in says:
             found.append(("gz", one))
     return found

@@ -1,0 +1,94 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, plugin, sensor
+from tests.reported import fixed, messages, places, reported
+
+
+@pytest.mark.parametrize(
+    ("attributes", "expected"),
+    [
+        ('filename="libx.so"', ["plugin libx.so has no name: Gazebo rejects the model"]),
+        ('filename="libx.so" name=" "', ["plugin libx.so has no name: Gazebo rejects the model"]),
+        ('name="x"', ["plugin 'x' has no filename: Gazebo rejects the model"]),
+        (
+            "",
+            [
+                "a plugin has no filename: Gazebo rejects the model",
+                "a plugin has no name: Gazebo rejects the model",
+            ],
+        ),
+        ('name="x" filename="libx.so"', []),
+    ],
+)
+def test_both_are_required(attributes: str, expected: list[str]) -> None:
+    assert messages("GAZ010", BASE + f"<gazebo><plugin {attributes}/></gazebo>") == expected
+
+
+def test_the_hardware_plugin_of_ros2_control_has_neither() -> None:
+    hardware = "<hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>"
+    text = f'{BASE}<ros2_control name="c" type="system">{hardware}</ros2_control>'
+    assert reported("GAZ010", text) == []
+
+
+def test_a_plugin_is_named_after_its_library() -> None:
+    text = BASE + '<gazebo><plugin filename="libgazebo_ros_x.so"/></gazebo>'
+    assert '<plugin name="gazebo_ros_x" filename="libgazebo_ros_x.so"/>' in fixed("GAZ010", text)
+
+
+@pytest.mark.parametrize(
+    "plugins",
+    [
+        '<plugin name="" filename="libx.so"/>',  # a second attribute of that name would be no XML
+        '<plugin filename="libx.so"/><plugin name="x" filename="liby.so"/>',  # taken
+        '<plugin filename="gz-sim-imu-system"/>',  # no name of a ROS node
+        '<plugin name="x"/>',
+    ],
+)
+def test_no_fix(plugins: str) -> None:
+    assert [one.fix for one in reported("GAZ010", f"{BASE}<gazebo>{plugins}</gazebo>")] == [None]
+
+
+MOVE = "libgazebo_ros_planar_move.so"
+NEW = "<odometry_frame>odom</odometry_frame>"
+
+
+@pytest.mark.parametrize(
+    ("name", "good"),
+    [("a-b", "a_b"), ("a b", "a_b"), ("/a/b", "_a_b"), ("2wd", "_2wd"), ("räder", "r_der")],
+)
+def test_names_that_ros2_rejects(name: str, good: str) -> None:
+    text = BASE + plugin(MOVE, NEW, name)
+    (message,) = messages("GAZ010", text)
+    assert "not a valid ROS 2 node name" in message
+    assert places("GAZ010", text) == [(4, name)]
+    assert f'<plugin name="{good}"' in fixed("GAZ010", text)
+
+
+@pytest.mark.parametrize("name", ["a", "A_b2", "_2wd"])
+def test_names_that_ros2_takes(name: str) -> None:
+    assert reported("GAZ010", BASE + plugin(MOVE, NEW, name)) == []
+
+
+def test_other_plugins_are_no_nodes_of_that_name() -> None:
+    text = BASE + plugin(MOVE, "<odometryFrame>odom</odometryFrame>", "a-b")
+    assert reported("GAZ010", text) == []
+    assert (
+        reported("GAZ010", BASE + plugin("gz-sim-imu-system", name="gz::sim::systems::Imu")) == []
+    )
+    assert reported("GAZ010", BASE + plugin("libvendor.so", name="a-b")) == []
+
+
+def test_a_sensor_without_a_name() -> None:
+    for name in ("", ' name=""', ' name=" "'):
+        text = BASE + sensor("imu", "").replace(' name="s"', name)
+        assert messages("GAZ010", text) == [
+            "a sensor of type 'imu' of 'base' has no name: Gazebo rejects the model"
+        ]
+        ((_, at),) = places("GAZ010", text)
+        assert at.startswith("<sensor")
+
+
+def test_a_sensor_with_one_is_not_reported() -> None:
+    assert messages("GAZ010", BASE + sensor("imu", "")) == []

@@ -1,0 +1,112 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, plugin, sensor
+from tests.reported import fixed, messages
+from tests.sensing import findings
+from urdfkit.text.diagnostic import Severity
+
+LASER = '<plugin name="p" filename="libgazebo_ros_laser.so"><frameName>{}</frameName></plugin>'
+
+
+@pytest.mark.parametrize(
+    ("frame", "message"),
+    [
+        ("basis", "is not a link of the robot"),
+        ("robot/lidar", "is not a link of the robot"),
+        ("/base", "begins with a slash, which tf2 rejects"),
+    ],
+)
+def test_frames_without_a_link(frame: str, message: str) -> None:
+    (reported,) = messages("GAZ058", BASE + sensor("ray", LASER.format(frame)))
+    assert f"frame_id '{frame}'" in reported
+    assert reported.endswith(message)
+
+
+def test_the_frame_of_a_sensor_of_gz() -> None:
+    (reported,) = messages("GAZ058", BASE + sensor("imu", "<gz_frame_id>imu</gz_frame_id>"))
+    assert reported == "sensor 's': frame_id 'imu' is not a link of the robot"
+
+
+def test_a_typo_is_fixed() -> None:
+    text = BASE.replace('"base"', '"laser"') + sensor("ray", LASER.format("lasser"), "laser")
+    assert "<frameName>laser<" in fixed("GAZ058", text)
+
+
+@pytest.mark.parametrize("frame", ["base", "robot/base", "map", "odom_frame", "$(arg x)", ""])
+def test_links_and_frames_of_the_world_are_not_reported(frame: str) -> None:
+    assert messages("GAZ058", BASE + sensor("ray", LASER.format(frame))) == []
+
+
+def test_a_link_whose_name_has_a_slash() -> None:
+    text = BASE.replace('"base"', '"rov/imu"')
+    tag = "<gz_frame_id>rov/imu</gz_frame_id>"
+    assert messages("GAZ058", text + sensor("imu", tag, "rov/imu")) == []
+
+
+def test_the_frame_of_odometry_comes_from_elsewhere() -> None:
+    tags = "<odometryFrame>start</odometryFrame><robotBaseFrame>base</robotBaseFrame>"
+    assert messages("GAZ058", BASE + plugin("libgazebo_ros_planar_move.so", tags)) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "tag", "count"),
+    [
+        ("gz-sim-odometry-publisher-system", "odom_frame", 1),
+        ("libgazebo_ros_planar_move.so", "odometry_frame", 1),
+        ("libgazebo_ros_planar_move.so", "odometryFrame", 0),  # ROS 1 takes the slash away
+    ],
+)
+def test_the_slash_of_the_frame_of_odometry(file: str, tag: str, count: int) -> None:
+    robot = BASE + plugin(file, f"<{tag}>/odom</{tag}>")
+    assert len(messages("GAZ058", robot)) == count
+
+
+@pytest.mark.parametrize(
+    ("targets", "severities"),
+    [
+        (("ros2", "gz-harmonic"), [Severity.WARNING]),
+        (("gz-harmonic",), [Severity.INFO]),  # without ROS there is no TF
+        (("classic-ros1",), []),
+        (("ros1", "classic-ros1", "gz-jetty"), [Severity.WARNING]),
+    ],
+)
+def test_it_matters_in_gz_sim_only(targets, severities):
+    found = findings("GAZ058", "imu", targets=targets)
+    assert [finding.severity for finding in found] == severities
+
+
+@pytest.mark.parametrize(
+    ("target", "read"),
+    [
+        ("gz-fortress", {"gz_frame_id", "ignition_frame_id"}),
+        ("gz-harmonic", {"gz_frame_id"}),
+        ("gz-jetty", {"gz_frame_id", "frame_id"}),
+    ],
+)
+@pytest.mark.parametrize("tag", ["gz_frame_id", "frame_id", "ignition_frame_id"])
+def test_each_gazebo_reads_its_own_tags(tag, target, read):
+    found = findings("GAZ058", "imu", f"<{tag}>base</{tag}>", targets=(target,))
+    reported = [] if tag in read else [f"sensor 's' has only <{tag}> as its frame"]
+    assert [one.message for one in found] == reported
+
+
+@pytest.mark.parametrize("tag", ["gz_frame_id", "frame_id", "ignition_frame_id"])
+def test_without_a_known_target_any_name_will_do(tag):
+    assert findings("GAZ058", "imu", f"<{tag}>base</{tag}>") == []
+
+
+def test_one_of_several_targets_may_suffer():
+    both = ("gz-harmonic", "gz-jetty")
+    assert len(findings("GAZ058", "imu", "<frame_id>base</frame_id>", targets=both)) == 1
+
+
+def test_a_model_has_one_finding():
+    beside = '<sensor name="first" type="imu"/>'
+    (found,) = findings("GAZ058", "imu", beside=beside, targets=("gz-harmonic",))
+    assert found.message == ("sensor 'first' has no <gz_frame_id> (and 1 more like this)")
+
+
+def test_a_contact_sensor_needs_no_frame():
+    assert findings("GAZ058", "contact", targets=("gz-harmonic",)) == []

@@ -1,0 +1,151 @@
+"""A tag is in a `<gazebo>` block that it has no effect in.
+
+Gazebo's converter applies `mu1`, `kp`, `selfCollide` and the like to links, and
+`preserveFixedJoint`, `provideFeedback`, `springStiffness` and the like to joints; in a block that
+refers to the other kind they have no effect, and neither does `preserveFixedJoint` for a joint that
+is not fixed: a warning.
+
+A block without a reference belongs to the whole model, which has no friction, material or sensor of
+its own: the converter stores these tags and never uses them, without a message. That is an error.
+Write one block per link, with `reference="..."`.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import Joint
+from urdfkit.robot.rigid_bodies import KEEPING_TAGS
+from urdfkit.ros.catalog.extensions import copied, extensions
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import STEP, insert_after, lines_of, remove_element
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Link, RobotModel
+    from urdfkit.ros.catalog.extensions import Extension
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="camera"/>
+<joint name="camera_joint" type="fixed">
+  <parent link="base"/>
+  <child link="camera"/>
+</joint>
+<gazebo reference="camera">
+  <preserveFixedJoint>true</preserveFixedJoint>
+</gazebo>"""
+GOOD = BAD.replace('reference="camera"', 'reference="camera_joint"')
+FIXED = GOOD
+
+
+#: Tags of a block that a message names.
+_NAMED = 4
+
+
+@rule("GAZ005", "tag-in-wrong-block", Severity.WARNING, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    model = subject.model
+    handled = extensions()
+    owners = _owners(handled)
+    for block in model.gazebo:
+        name = block.get("reference") or ""
+        is_link, joint = name in model.links_by_name, model.joints_by_name.get(name)
+        if not name:
+            yield from _without_reference(model, block, owners)
+        elif is_link != (joint is not None):  # neither: GAZ001, both: NAM003
+            yield from _of_other_kind(subject, block, handled, joint)
+
+
+def _of_other_kind(
+    subject: Subject, block: Element, handled: Mapping[str, Extension], joint: Joint | None
+) -> Iterator[Finding]:
+    """The tags of joints in the block of a link, and those of links in the block of a joint."""
+    name, kind = block.get("reference") or "", "joint" if joint else "link"
+    for child in block.children:
+        extension = handled.get(child.tag)
+        if extension and extension.on in ("link", "joint") and extension.on != kind:
+            message = f"<{child.tag}> is for a {extension.on}, and '{name}' is a {kind}: Gazebo"
+            other = _other(subject, name, kind)
+            help = f'move it into <gazebo reference="{other.name if other else "..."}">'
+            fix = _moved(block, child, other) if other else None
+            yield Finding(child, f"{message} ignores it", help, fix, alike=child.tag)
+        elif joint and child.tag in KEEPING_TAGS and joint.kind not in ("fixed", ""):
+            message = f"<{child.tag}> has no effect: joint '{name}' is {joint.kind}, not fixed"
+            yield Finding(child, message, "remove it, or name a fixed joint", alike=child.tag)
+
+
+def _owners(handled: Mapping[str, Extension]) -> dict[str, str]:
+    """``link`` or ``joint`` for each tag that a model does not have."""
+    owners = {tag: one.on for tag, one in handled.items() if one.on in ("link", "joint")}
+    of_model = set(copied("model"))
+    for kind in ("joint", "link"):
+        owners.update((tag, kind) for tag in copied(kind) if tag not in of_model)
+    return owners
+
+
+def _without_reference(
+    model: RobotModel, block: Element, owners: Mapping[str, str]
+) -> Iterator[Finding]:
+    """At the misspelt attribute, at the tag, or at the block if it holds several."""
+    for attribute in block.attributes.values():
+        name, value = attribute.name, attribute.value
+        if name != "reference" and (value in model.links_by_name or value in model.joints_by_name):
+            message = f'unknown attribute {name}="{value}" in <gazebo> (ignored): the block has no'
+            help = f'write reference="{value}"'
+            yield Finding(attribute, f"{message} reference", help, severity=Severity.ERROR)
+            return
+    misplaced = [child for child in block.children if child.tag in owners]
+    if not misplaced:
+        return
+    child, owner = misplaced[0], owners[misplaced[0].tag]
+    names = [f"<{tag}>" for tag in dict.fromkeys(one.tag for one in misplaced)]
+    what = ", ".join(names[:_NAMED]) + (" and others" if len(names) > _NAMED else "")
+    yield Finding(
+        block if len(misplaced) > 1 else child,
+        f"{what} in a <gazebo> without a reference (ignored): for a {owner} only",
+        f'write <gazebo reference="...">, with the name of the {owner}',
+        alike=child.tag,
+        severity=Severity.ERROR,
+    )
+
+
+def _other(subject: Subject, name: str, kind: str) -> Link | Joint | None:
+    """The joint above a link, if there is one alone; the link below a joint."""
+    model = subject.model
+    if kind == "link":
+        above = subject.tree.parents.get(name, [])
+        return above[0] if len(above) == 1 else None
+    below = model.joints_by_name[name].child
+    return model.links_by_name.get(below.value) if below else None
+
+
+def _moved(block: Element, child: Element, other: Link | Joint) -> Fix | None:
+    """Another reference for a block that holds nothing else, else a block of its own."""
+    name, reference = other.at.attributes.get("name"), block.attributes["reference"]
+    is_same_macro = other.at.frame is block.frame is child.frame  # where expressions mean the same
+    if name is None or name.written_in or reference.written_in or not is_same_macro:
+        return None
+    if isinstance(other, Joint) and child.tag in KEEPING_TAGS and other.kind != "fixed":
+        return None
+    title = f'move it into <gazebo reference="{other.name}">'
+    if len(block.children) == 1:
+        return Fix(title, (Edit(reference.span, name.span.text),))
+    lines = (
+        f'<gazebo reference="{name.span.text}">',
+        *(STEP + line for line in lines_of(child)),
+        "</gazebo>",
+    )
+    return Fix(title, (*remove_element(child), *insert_after(block, lines)))

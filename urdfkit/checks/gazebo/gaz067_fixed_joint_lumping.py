@@ -1,0 +1,175 @@
+"""A `<gazebo>` tag has another effect, or none, because Gazebo lumps fixed joints.
+
+Gazebo merges the child of a fixed joint into its parent ("fixed joint lumping"):
+
+- `<turnGravityOff>`, `<gravity>`, `<selfCollide>` and `<self_collide>` of the child also apply to
+  the parent. A camera without gravity makes a robot without gravity.
+- `<preserveFixedJoint>` saves a link from being merged, but a link without mass is dropped all the
+  same, together with the joint and the links below it.
+- `<disableFixedJointLumping>` is older than `<preserveFixedJoint>`: Gazebo makes a revolute joint
+  of it, with limits of 0 and 0, which gives way under load and costs time in every step: an info.
+- Friction, contact parameters and material reach a collision or visual by its name. One whose own
+  name does not begin with that of its link does not get them: the wheel has a friction of 1,
+  whatever `<mu1>` says. A link that is merged loses them also where its name begins with that of
+  its parent.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebosim/sdformat#131: https://github.com/gazebosim/sdformat/issues/131
+    gazebosim/sdformat#333: https://github.com/gazebosim/sdformat/issues/333
+    gazebosim/gazebo-classic#2497: https://github.com/gazebosim/gazebo-classic/issues/2497
+    robotology/icub-models#25: https://github.com/robotology/icub-models/issues/25
+    measured: libsdformat 12.3 switches gravity off for the merged link, loses mu1 and material
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.rigid_bodies import KEEPING_TAGS
+from urdfkit.ros.gazebo.values import is_true, text_of
+from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.editing.edits import rename_element, replace_value
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.document import Element
+
+BAD = """\
+<link name="wheel">
+  <collision name="tyre">
+    <geometry><sphere radius="0.1"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="wheel">
+  <mu1>0.2</mu1>
+</gazebo>"""
+GOOD = BAD.replace(' name="tyre"', "")
+FIXED = BAD.replace('"tyre"', '"wheel_tyre"')
+
+#: Flags of a whole body, with the values that change nothing.
+_DEFAULTS = {
+    "turnGravityOff": ("false", "no", "0"),
+    "gravity": ("true", "1"),
+    "selfCollide": ("false", "no", "0"),
+    "self_collide": ("false", "0"),
+}
+
+#: The tags that go to each collision and to each visual.
+_TAGS = {
+    "collision": (
+        *("mu1", "mu2", "kp", "kd", "fdir1", "minDepth", "maxVel", "maxContacts", "laserRetro"),
+        "collision",
+    ),
+    "visual": ("material", "visual"),
+}
+_MERGED = "_fixed_joint_lump__"
+
+
+@rule(
+    "GAZ067",
+    "fixed-joint-lumping",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.GAZEBO),
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    yield from _flags(subject)
+    yield from _kept_joints(subject)
+    yield from _lost_on_shapes(subject)
+
+
+def _flags(subject: Subject) -> Iterator[Finding]:
+    flags = [
+        (block.get("reference") or "", tag)
+        for block in subject.model.gazebo
+        for tag in block.children
+        if tag.tag in _DEFAULTS and text_of(tag).lower() not in _DEFAULTS[tag.tag]
+    ]
+    names = {(name, tag.tag) for name, tag in flags}
+    for name, tag in flags:
+        into = subject.gazebo.merged.get(name)
+        if into and (into, tag.tag) not in names:
+            yield Finding(
+                tag,
+                f"<{tag.tag}> of '{name}' also applies to '{into}', the link it is merged into",
+                "keep the joint with <preserveFixedJoint>, or move the tag to the parent",
+                alike=f"{tag.tag} of {into}",
+            )
+
+
+def _kept_joints(subject: Subject) -> Iterator[Finding]:
+    joints = subject.model.joints_by_name
+    massless = {body.top.name for body in subject.gazebo.massless}
+    tags = [
+        (joint, tag)
+        for block in subject.model.gazebo
+        if (joint := joints.get(block.get("reference") or "")) and joint.kind == "fixed"
+        for tag in block.children
+        if tag.tag in KEEPING_TAGS and is_true(tag)
+    ]
+    preserved = {joint.name for joint, tag in tags if tag.tag == "preserveFixedJoint"}
+    for joint, tag in tags:
+        if joint.child and joint.child.value in massless:
+            link = joint.child.value
+            message = f"<{tag.tag}> keeps joint '{joint.name}', but its link '{link}' has no mass"
+            help = "give the link an <inertial>, or remove the tag"
+            yield Finding(tag, f"{message}: Gazebo drops both", help)
+        elif tag.tag == "disableFixedJointLumping" and joint.name not in preserved:
+            edits = rename_element(tag, "preserveFixedJoint")
+            yield Finding(
+                tag,
+                f"<{tag.tag}> makes joint '{joint.name}' a revolute joint in Gazebo",
+                "write <preserveFixedJoint>",
+                Fix.of("write <preserveFixedJoint>", edits),
+                alike="lumping",
+                severity=Severity.INFO,
+            )
+
+
+def _lost_on_shapes(subject: Subject) -> Iterator[Finding]:
+    for simulated in subject.gazebo.links:
+        for kind in ("collision", "visual"):
+            shapes = simulated.collisions if kind == "collision" else simulated.visuals
+            for name, shape in shapes:
+                link = (shape.parent and shape.parent.get("name")) or ""
+                tags = _tags(subject.model, link, _TAGS[kind])
+                if tags and not _gets_tags(name, link, kind, is_merged=link != simulated.name):
+                    yield _lost(shape, link, simulated.name, tags)
+
+
+def _tags(model: RobotModel, link: str, known: tuple[str, ...]) -> list[Element]:
+    """The tags of a link that its shapes should have."""
+    blocks = (block for block in model.gazebo if block.get("reference") == link)
+    return [child for block in blocks for child in block.children if child.tag in known]
+
+
+def _gets_tags(name: str, link: str, kind: str, *, is_merged: bool) -> bool:
+    """True if the converter takes a shape of this name for one of its link."""
+    return f"{_MERGED}{link}_{kind}" in name if is_merged else _MERGED not in name
+
+
+def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
+    listed = ", ".join(dict.fromkeys(f"<{tag.tag}>" for tag in tags))
+    lost = f"{listed} of link '{link}'"
+    name = shape.attributes.get("name")
+    if name is None:
+        message = f"{lost} is lost: the name begins with '{top}', the link it is merged into"
+        return Finding(tags[0], message, "give the link a name that begins otherwise")
+    edits = replace_value(name, f"{link}_{name.value}") if link == top else None
+    return Finding(
+        name,
+        f"{lost} does not apply to <{shape.tag}> '{name.value}', because of its name",
+        "remove the name, or let it begin with that of the link",
+        Fix.of(f"rename it to '{link}_{name.value}'", edits),
+        (Related(tags[0].span, "the tag"),),
+        alike="named",
+    )

@@ -1,0 +1,124 @@
+"""A plugin does not read a tag.
+
+Gazebo passes every tag to the plugin; what the plugin does not read has no effect and causes no
+message, and the plugin uses its default. There are three cases:
+
+- The tag is misspelt: a warning, with the intended tag.
+- The same plugin reads the tag in another generation of Gazebo and ROS: a warning. The plugins of
+  ROS 1 read `<robotBaseFrame>`, those of ROS 2 `<robot_base_frame>`, and topics and the namespace
+  moved into a `<ros>` block.
+- The tag is left over from another plugin or version: an info. A few tags that the shipped examples
+  contain without need, such as `alwaysOn`, are not reported.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    ros-simulation/gazebo_ros_pkgs#1377: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1377
+    tu-darmstadt-ros-pkg/hector_gazebo#65: https://github.com/tu-darmstadt-ros-pkg/hector_gazebo/issues/65
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.catalog.plugins import renames
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import rename_element
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.plugins import Plugin
+    from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
+    <robotBaseFrme>base</robotBaseFrme>
+    <odometryFrame>odom</odometryFrame>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("Frme", "Frame")
+FIXED = GOOD
+
+_NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "classic": "no ROS"}
+
+
+@rule(
+    "GAZ016",
+    "unread-parameter",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="remove it",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use, found in subject.unread:
+        if found.other is not None and use.plugin is not None:
+            yield _of_other_generation(use, use.plugin, found.other, found.item)
+        elif found.suggested is not None:
+            yield _misspelt(use, found.item, found.suggested)
+        else:
+            path = "> in <".join(reversed(found.item.path.split("/")))
+            yield Finding(found.item.at, f"{use.title} does not read <{path}>", alike=use.filename)
+
+
+def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
+    element = item.at
+    assert isinstance(element, Element)
+    return Finding(
+        element,
+        f"{use.title} does not read <{element.tag}>",
+        f"did you mean <{name}>?",
+        Fix.of(f"rename it to <{name}>", rename_element(element, name)),
+        alike=f"{use.filename} misspelt",
+        severity=Severity.WARNING,
+    )
+
+
+def _of_other_generation(
+    use: PluginUse, plugin: Plugin, other: Plugin, item: PluginParameter
+) -> Finding:
+    element = item.at
+    assert isinstance(element, Element)
+    new = _renamed(item, plugin)
+    edits = rename_element(element, new) if new and not use.values(new) else None
+    return Finding(
+        element,
+        f"{use.title} reads <{element.tag}> in {_NAMES[other.generation]}, but not in "
+        f"{_NAMES[plugin.generation]}",
+        f"write <{new}>" if new else _advice(item, plugin),
+        Fix.of(f"rename it to <{new}>", edits),
+        alike=f"{use.filename} {'renamed' if edits else 'other'}",
+        severity=Severity.WARNING,
+    )
+
+
+def _renamed(item: PluginParameter, plugin: Plugin) -> str | None:
+    """The name that the same parameter has in this generation."""
+    table = renames()
+    if plugin.generation == "classic-ros1":
+        table = {new: old for old, new in table.items()}
+    name = table.get(item.path)
+    found = plugin.parameters.get(name) if name else None
+    return name if found and name and "/" not in name else None
+
+
+def _advice(item: PluginParameter, plugin: Plugin) -> str:
+    if plugin.generation != "classic-ros2":
+        return "write the tags that it reads there, or use the plugin of that generation"
+    if item.path == "robotNamespace":
+        return "write <ros><namespace>...</namespace></ros>"
+    if item.path in ("updateRate", "updateRateHZ"):
+        return "write the rate as <update_rate> of the sensor"
+    if "topic" in item.path.lower():
+        return "write <ros><remapping>FROM:=TO</remapping></ros>"
+    return "remove it, or write what the plugin reads there"

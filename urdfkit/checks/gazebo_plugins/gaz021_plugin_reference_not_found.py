@@ -1,0 +1,166 @@
+"""A plugin names a link or joint that does not exist in the simulation.
+
+The plugin looks the name up in the simulated model; if it is not found, the plugin writes an error
+and stays idle, and some plugins end the simulator. There are three causes:
+
+- The robot has no such link or joint. Xacro prefixes are a usual reason.
+- Gazebo merged it: all links that fixed joints connect become one, and only the topmost keeps its
+  name. Name the link that remains, or keep the joint with
+  `<preserveFixedJoint>true</preserveFixedJoint>` in a `<gazebo>` block that refers to it; the link
+  then needs a mass of its own.
+- Gazebo dropped it: a link without mass that no fixed joint merges into another is not simulated,
+  and neither are the links below it. Give the link an `<inertial>`.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebosim/sdformat#199: https://github.com/gazebosim/sdformat/issues/199
+    gazebosim/gazebo-classic#2732: https://github.com/gazebosim/gazebo-classic/issues/2732
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    ros-simulation/gazebo_ros_pkgs#609: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/609
+    ros-simulation/gazebo_ros_pkgs#843: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/843
+    osrf/vrx#867: https://github.com/osrf/vrx/issues/867
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import Suggester
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.catalog.extensions import rewritten
+from urdfkit.ros.gazebo.plugins import PluginUse, Reference, conversion_result
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import from_macro, insert_before, rewrite
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<joint name="wheel_joint" type="continuous">
+  <parent link="base"/>
+  <child link="wheel"/>
+  <axis xyz="0 1 0"/>
+</joint>
+<gazebo>
+  <plugin name="states" filename="libgazebo_ros_joint_state_publisher.so">
+    <jointName>wheel_jont</jointName>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("wheel_jont", "wheel_joint")
+FIXED = GOOD
+
+#: Ignores a joint that is not there, and robot_state_publisher needs no state of a fixed one.
+_STATES = "gazebo_ros_joint_state_publisher@classic-ros2"
+
+
+@rule(
+    "GAZ021",
+    "plugin-reference-not-found",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="name a link or joint of this robot",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    conversion = subject.gazebo
+    suggesters = {
+        "link": Suggester(subject.model.links_by_name),
+        "joint": Suggester(subject.model.joints_by_name),
+    }
+    for use in subject.plugins:
+        for reference in use.references():
+            result = conversion_result(conversion, reference.kind, reference.name)
+            is_world = reference.kind == "link" and reference.name == "world"
+            if result == "unknown" and not is_world and not subject.is_part:
+                yield _unknown(use, reference, suggesters[reference.kind])
+            elif result == "merged" and not _is_rewritten(use, reference):
+                yield _merged(subject, use, reference)
+            elif result == "dropped" and not subject.is_part:
+                yield _dropped(subject, use, reference)
+
+
+def _unknown(use: PluginUse, reference: Reference, suggester: Suggester) -> Finding:
+    item, name = reference.item, reference.name
+    suggested = suggester.suggested(name)
+    fix = None
+    if suggested and item.text == name:
+        fix = Fix.of(f"rename '{name}' to '{suggested}'", rewrite(item.at, suggested))
+    return Finding(
+        item.at,
+        f"{use.title} refers to {reference.kind} '{name}', which does not exist{use.outcome}",
+        f"did you mean '{suggested}'?" if suggested else f"name a {reference.kind} of this robot",
+        fix,
+    )
+
+
+def _is_rewritten(use: PluginUse, reference: Reference) -> bool:
+    """True if the converter writes the remaining link there, or the plugin does not need it."""
+    if use.place == "model" and reference.parameter.name in rewritten():
+        return True
+    return use.plugin is not None and use.plugin.id == _STATES
+
+
+def _merged(subject: Subject, use: PluginUse, reference: Reference) -> Finding:
+    joint = _fixed_joint(subject, reference)
+    child = joint.child.value if joint and joint.child else reference.name
+    survivor = subject.gazebo.survivor.get(child, "")
+    can_keep = joint is not None and subject.model.links_by_name[child].mass > 0
+    help = f"name '{survivor}'" if reference.kind == "link" else "make it a joint that moves"
+    if joint and can_keep:
+        help += f", or keep joint '{joint.name}' with <preserveFixedJoint>"
+    return Finding(
+        reference.item.at,
+        f"{use.title} refers to {reference.kind} '{reference.name}', which Gazebo merges into "
+        f"link '{survivor}'{use.outcome}",
+        help,
+        _kept(use, joint) if joint and can_keep else None,
+        alike=use.filename,
+    )
+
+
+def _fixed_joint(subject: Subject, reference: Reference) -> Joint | None:
+    if reference.kind == "joint":
+        return subject.model.joints_by_name[reference.name]
+    above = subject.tree.parents[reference.name]
+    return above[0] if len(above) == 1 else None
+
+
+def _kept(use: PluginUse, joint: Joint) -> Fix | None:
+    if from_macro(use.block):  # the name would be that of one call
+        return None
+    lines = (
+        f'<gazebo reference="{joint.name}">',
+        "  <preserveFixedJoint>true</preserveFixedJoint>",
+        "</gazebo>",
+    )
+    return Fix(f"keep joint '{joint.name}' in Gazebo", insert_before(use.block, lines))
+
+
+def _dropped(subject: Subject, use: PluginUse, reference: Reference) -> Finding:
+    link = reference.name
+    if reference.kind == "joint":
+        child = subject.model.joints_by_name[reference.name].child
+        link = child.value if child else link
+    reason = subject.gazebo.dropped[link]
+    return Finding(
+        reference.item.at,
+        f"{use.title} refers to {reference.kind} '{reference.name}', which Gazebo drops "
+        f"(link '{link}': {reason}){use.outcome}",
+        f"give link '{link}' an <inertial> with its mass",
+        alike=reason,
+    )

@@ -1,0 +1,160 @@
+"""Gazebo does not create a sensor: its type, its place or its noise is wrong.
+
+- The type is misspelt, or that of a product instead of a kind of sensor. An unknown type of a
+  sensor whose plugin is unknown, too, is taken for one that the plugin's package defines.
+- The type is of another generation of Gazebo than the target: `ray` and `gpu_ray` became
+  `gpu_lidar`, `depth` became `depth_camera`, `gps` became `navsat`. An info where no Gazebo is
+  among the targets.
+- Force and torque are measured in a joint: `<gazebo reference="JOINT">`. On a link gz-sim creates a
+  sensor that never sends, and Gazebo Classic none. Cameras, lidars and the like belong to links.
+- The noise of an IMU, a GPS, a magnetometer, an altimeter, a pressure or force sensor has its type
+  in an attribute, `<noise type="gaussian">`, and SDF requires it; only that of images and scans has
+  a child `<type>`. It happens where the block of a lidar is copied into an IMU.
+
+Sources:
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
+    sdformat, Sensor.cc: https://github.com/gazebosim/sdformat/blob/main/src/Sensor.cc
+    gz-sim, SdfEntityCreator.cc: https://github.com/gazebosim/gz-sim/blob/main/src/SdfEntityCreator.cc
+    Gazebo Classic, SensorFactory.cc: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/sensors/SensorFactory.cc
+    gazebosim/gz-sensors#26: https://github.com/gazebosim/gz-sensors/issues/26
+    gazebosim/docs#331: https://github.com/gazebosim/docs/issues/331
+    measured: libsdformat 12.3 rejects a model with a noise without a type
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.sensors import types
+from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
+from urdfkit.ros.gazebo.sensors import sensors, written
+from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.source import Span
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.sensors import SensorType
+    from urdfkit.ros.gazebo.sensors import Sensor
+    from urdfkit.ros.targets import Targets
+    from urdfkit.text.document import Element
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="base">
+  <sensor name="lidar" type="gpu_lidr">
+    <update_rate>10</update_rate>
+  </sensor>
+</gazebo>"""
+FIXED = GOOD = BAD.replace("gpu_lidr", "gpu_lidar")
+
+#: The least similarity of a typo to a type.
+_TYPO = 0.8
+
+
+_ON_JOINTS = {"force_torque"}
+
+
+@rule(
+    "GAZ040",
+    "sensor-not-created",
+    Severity.ERROR,
+    help="use a type that Gazebo knows, such as ray, gpu_lidar, camera, imu or contact",
+    by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = types()
+    for sensor in sensors(subject.model):
+        if kind := known.get(sensor.type):
+            yield from _not_in_target(sensor, kind, subject.targets)
+            yield from _of_wrong_element(subject, sensor)
+        elif not _brings_its_type(sensor, known):
+            yield _unknown(sensor, known, subject.targets)
+        for inner in written(sensor):
+            if inner.holds_type_as_attribute and "type" not in inner.at.attributes:
+                yield _noise_without_type(sensor, inner.at)
+
+
+def _unknown(sensor: Sensor, known: Mapping[str, SensorType], targets: Targets) -> Finding:
+    at = sensor.at.attributes.get("type", sensor.at)
+    what = f"unknown type '{sensor.type}'" if sensor.type else "no type"
+    made = [name for name, one in known.items() if _is_made(one, targets)]
+    hint = did_you_mean(sensor.type, made)
+    return Finding(at, f"{sensor.who}: {what}: {REJECTED_BY_GZ}{hint}", fix=_fix(sensor, made))
+
+
+def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Iterator[Finding]:
+    wants_gz, wants_classic = targets.any_of(GZ), targets.any_of(CLASSIC)
+    if not kind.gz and (wants_gz or not wants_classic):
+        reader, other = "gz-sim", kind.gz_name
+    elif not kind.classic and wants_classic:
+        reader, other = "Gazebo Classic", kind.classic_name
+    else:
+        return
+    yield Finding(
+        sensor.at.attributes["type"],
+        f"{sensor.who}: {reader} has no sensor type '{sensor.type}'",
+        f"write type '{other}'" if other else f"use a type that {reader} has",
+        severity=None if wants_gz or wants_classic else Severity.INFO,
+    )
+
+
+def _of_wrong_element(subject: Subject, sensor: Sensor) -> Iterator[Finding]:
+    is_link = sensor.reference in subject.model.links_by_name
+    is_joint = sensor.reference in subject.model.joints_by_name
+    if is_joint in (is_link, sensor.type in _ON_JOINTS):
+        return
+    who = f"{sensor.who} of type '{sensor.type}'"
+    if is_link:
+        above = subject.tree.parents.get(sensor.reference, [])
+        help = f'write reference="{above[0].name}"' if above else "name a joint"
+        message = f"{who} is on link '{sensor.reference}', but measures in a joint"
+        yield Finding(sensor.at, message, help)
+    else:
+        message = f"{who} is on joint '{sensor.reference}', but belongs to a link"
+        yield Finding(sensor.at, message, "name a link")
+
+
+def _noise_without_type(sensor: Sensor, noise: Element) -> Finding:
+    child = noise.child("type")
+    type = child.text.strip() if child else "gaussian"
+    source, _, end = noise.tag_at.name_span
+    title = f'write <noise type="{type}">'
+    return Finding(
+        noise,
+        f"{sensor.who}: <noise> has no attribute type: {REJECTED}",
+        title,
+        Fix(title, (Edit(Span(source, end, end), f' type="{type}"'),)),
+    )
+
+
+def _is_made(type: SensorType, targets: Targets) -> bool:
+    """True if a Gazebo that the robot is for makes such sensors, or none is known."""
+    gz = any(name.startswith("gz") for name in targets.names)
+    classic = any(name.startswith("classic") for name in targets.names)
+    return (type.gz and gz) or (type.classic and classic) or not (gz or classic)
+
+
+def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:
+    """True for a type of a foreign package, whose plugin stands in the sensor."""
+    from urdfkit.ros.catalog.plugins import find  # loads the catalogue
+
+    files = [(plugin.get("filename") or "").strip() for plugin in sensor.plugins]
+    foreign = bool(files) and not any(map(find, files))
+    return foreign and bool(sensor.type) and not nearest(sensor.type, known, _TYPO)
+
+
+def _fix(sensor: Sensor, known: Iterable[str]) -> Fix | None:
+    kind, suggested = sensor.at.attributes.get("type"), nearest(sensor.type, known, _TYPO)
+    edits = replace_value(kind, suggested) if kind and suggested else None
+    return Fix.of(f"write {suggested}", edits)

@@ -1,0 +1,100 @@
+"""An angle of a sensor is in degrees.
+
+SDF expects radians. A lidar of 180 degrees then spans 180 radians, 28 full turns, and a sensor that
+is turned by 90 in its `<pose>` looks 117 degrees to the side. For the `<horizontal_fov>` of a
+camera it is an error: Gazebo rejects the model ("horizontal fov must be greater than zero and less
+than or equal to two pi").
+
+Sources:
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
+    SDF, camera.sdf: https://github.com/gazebosim/sdformat/blob/main/sdf/1.9/camera.sdf
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi, radians
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import number, numbers
+from urdfkit.ros.gazebo.rejection import REJECTED
+from urdfkit.ros.gazebo.samples import LIDAR
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.editing.edits import rewrite
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+BAD = LIDAR.replace(">-1<", ">-90<").replace(">1<", ">90<")
+GOOD = FIXED = BAD.replace("90<", "1.5708<")
+
+_ANGLES = (
+    "scan/horizontal/min_angle",
+    "scan/horizontal/max_angle",
+    "scan/vertical/min_angle",
+    "scan/vertical/max_angle",
+)
+
+
+@rule(
+    "GAZ047",
+    "sensor-angle-in-degrees",
+    Severity.WARNING,
+    help="write the angle in radians",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        for path in _ANGLES:
+            angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
+            if angle is not None and abs(angle.value) > 2 * pi + 1e-3:
+                text = f"{radians(angle.value):.6g}"
+                edits = rewrite(angle.at, text)
+                yield Finding(
+                    angle,
+                    f"{sensor.who}: {angle.value:g} rad is more than a full turn",
+                    f"if it is in degrees, write {text}",
+                    Fix.of(f"write {text}", edits),
+                    confidence=Confidence.INFERRED,
+                )
+        yield from _turned_far(sensor)
+        yield from _field_of_view(sensor)
+
+
+def _turned_far(sensor: Sensor) -> Iterator[Finding]:
+    """A sensor whose pose turns it by more than a full turn."""
+    for pose in sensor.at.all("pose"):
+        values = numbers(pose.text)
+        if not values or len(values) != 6 or (pose.get("degrees") or "").lower() in ("true", "1"):
+            continue
+        most = max(values[3:], key=abs)
+        if abs(most) > 2 * pi + 1e-3:
+            right = " ".join(f"{part:.6g}" for part in (*values[:3], *map(radians, values[3:])))
+            edits = rewrite(pose, right)
+            yield Finding(
+                pose,
+                f"{sensor.who}: <pose> turns it by {most:g} rad, more than a full turn",
+                f"if it is in degrees, write {right}",
+                Fix.of(f"write {right}", edits),
+                confidence=Confidence.INFERRED,
+            )
+
+
+def _field_of_view(sensor: Sensor) -> Iterator[Finding]:
+    for camera in sensor.at.all("camera"):
+        element = camera.child("horizontal_fov")
+        value = number(element.text.strip()) if element else None
+        if element is None or value is None or 0 < value <= 2 * pi:
+            continue
+        text = f"{radians(value):.6g}"
+        edits = rewrite(element, text) if value > 0 else None
+        yield Finding(
+            element,
+            f"{sensor.who}: <horizontal_fov> is {value:g} rad, not within 0 to 2 pi: {REJECTED}",
+            f"if it is in degrees, write {text}" if value > 0 else "",
+            Fix.of(f"write {text}", edits),
+            severity=Severity.ERROR,
+        )
