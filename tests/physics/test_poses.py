@@ -65,7 +65,7 @@ def test_a_position(robot: Subject, joint: str, text: str | float, position: flo
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "reported"),
     [
         ({"tunr": "1"}, "there is no joint 'tunr'; did you mean 'turn'?"),
         ({"turn": "fast"}, "joint 'turn': 'fast' is no position; write 1.57, 90deg or 0.1"),
@@ -102,7 +102,7 @@ def test_a_file(robot: Subject, tmp_path: Path, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "reported"),
     [
         ("", "it must hold one 'joint: position' a line, as YAML or JSON"),
         ("- 1\n", "it must hold one 'joint: position' a line, as YAML or JSON"),

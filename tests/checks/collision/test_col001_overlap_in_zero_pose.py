@@ -103,7 +103,7 @@ def test_the_arm_of_moveit_is_folded_into_itself_at_zero(corpus: Path) -> None:
     ]
 
 
-@pytest.mark.parametrize(("limits", "told"), [(revolute(1, 2), 0), (revolute(-1, 2), 1)])
+@pytest.mark.parametrize(("limits", "reported"), [(revolute(1, 2), 0), (revolute(-1, 2), 1)])
 def test_a_joint_above_both_that_cannot_be_at_zero(limits: str, reported: int) -> None:
     below = bent(0.004) + link("stand") + joint("stand", "base", "revolute", more=limits)
     assert len(messages("COL001", below)) == reported

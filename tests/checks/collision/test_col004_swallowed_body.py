@@ -35,7 +35,7 @@ def test_a_part_that_reaches_out_saves_the_link() -> None:
     assert messages("COL004", CHASSIS + parts + joint("chassis", "wheel", "continuous")) == []
 
 
-@pytest.mark.parametrize(("away", "told"), [("0.3 0 0", 0), ("0.05 0 0", 1)])
+@pytest.mark.parametrize(("away", "reported"), [("0.3 0 0", 0), ("0.05 0 0", 1)])
 def test_a_rotor_in_its_motor_turns_what_is_fixed_to_it(away: str, reported: int) -> None:
     rotor = wheel(sphere(0.05), "0 0 0") + link("horn", sphere(0.02))
     assert len(messages("COL004", rotor + joint("wheel", "horn", "fixed", away))) == reported
@@ -61,7 +61,7 @@ def test_links_that_are_no_neighbours_count_too() -> None:
     assert messages("COL002", CHASSIS + arm + joints) == []
 
 
-@pytest.mark.parametrize(("reach", "told"), [(0.1, 1), (0.9, 0)])
+@pytest.mark.parametrize(("reach", "reported"), [(0.1, 1), (0.9, 0)])
 def test_a_part_that_comes_out_is_not_swallowed(reach: float, reported: int) -> None:
     slide = joint("chassis", "wheel", "prismatic", more=revolute(0, reach))
     assert len(messages("COL004", CHASSIS + link("wheel", sphere(0.05)) + slide)) == reported

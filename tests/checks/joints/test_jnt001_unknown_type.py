@@ -13,7 +13,7 @@ LIMIT = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
 
 
 @pytest.mark.parametrize(
-    ("kind", "meant"),
+    ("kind", "suggested"),
     [
         ("Revolute", "revolute"),
         (" fixed", "fixed"),

@@ -50,7 +50,7 @@ def test_what_rolls_or_is_steered_is_calm(sound: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("edges", "axis", "told"),
+    ("edges", "axis", "reported"),
     [
         ((0.2, 0.05, 0.2), "1 0 0", True),
         ((0.2, 0.05, 0.2), "0 1 0", False),

@@ -30,5 +30,5 @@ def test_the_nearest_joint_is_offered() -> None:
 
 
 def test_a_joint_that_is_there_is_left_to_other_rules() -> None:
-    assert reported("REF004", ROBOT.format("finger_joint")) == []  # itself: JNT014
+    assert reported("REF004", ROBOT.format("finger_joint")) == []  # itself: JNT015
     assert reported("REF004", ROBOT.replace(' joint="{}"', "")) == []  # URD003

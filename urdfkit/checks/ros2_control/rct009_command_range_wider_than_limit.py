@@ -114,7 +114,7 @@ def _limits(joint: Joint, interface: str) -> tuple[float, float, str] | None:
         return (*found, unit(joint))
     limit = joint.limit
     placed = {"velocity": limit.velocity, "effort": limit.effort}.get(interface) if limit else None
-    if placed is None or placed.value <= 0:  # JNT008, JNT009
+    if placed is None or placed.value <= 0:  # JNT008
         return None
     return -placed.value, placed.value, _unit_of(joint, interface)
 

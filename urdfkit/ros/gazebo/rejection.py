@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset(
@@ -17,8 +17,10 @@ ALWAYS = frozenset(
 )
 #: Likewise, where they are about a joint.
 IN_JOINTS = frozenset("URD003 URD004 URD005 URD006".split())
+#: Rules that also report what rejects nothing: only their errors count.
+_ONLY_ERRORS = frozenset(("JNT002", "JNT006"))
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
-BY_GZ = frozenset("GAZ040 GAZ057 GAZ061 JNT005".split())
+BY_GZ = frozenset("GAZ040 GAZ057 GAZ061 JNT006".split())
 
 CODES = ALWAYS | IN_JOINTS | BY_GZ
 
@@ -27,6 +29,8 @@ def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]
     """The findings for which a robot is rejected, each with who rejects it."""
     found = []
     for one in diagnostics:
+        if one.code in _ONLY_ERRORS and one.severity is not Severity.ERROR:
+            continue
         in_joint = any(call.element.startswith("joint/") for call in one.calls)
         if one.code in ALWAYS or (one.code in IN_JOINTS and in_joint):
             found.append(("libsdformat", one))

@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.conftest import MODELS
+from tests.jointed import joint, limit, robot
 from tests.reported import fixed, messages, places, reported
 from urdfkit.lint import engine
 
@@ -14,9 +15,9 @@ AXIS = '<axis xyz="0 1 0"/>'
 
 
 def test_the_axis_is_the_place() -> None:
-    robot = JOINT.format("fixed", f"\n  {AXIS}\n")
-    assert messages("JNT020", robot) == ["joint 'j' is fixed; its axis has no effect"]
-    assert places("JNT020", robot) == [(5, AXIS)]
+    text = JOINT.format("fixed", f"\n  {AXIS}\n")
+    assert messages("JNT020", text) == ["joint 'j' is fixed; its <axis> has no effect"]
+    assert places("JNT020", text) == [(5, AXIS)]
 
 
 @pytest.mark.parametrize("kind", ["revolute", "continuous", "prismatic", "planar", "screw"])
@@ -48,7 +49,7 @@ def test_the_fix_is_safe() -> None:
 
 
 def test_a_macro_whose_other_calls_may_need_it_is_not_edited() -> None:
-    robot = f"""\
+    text = f"""\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:macro name="j" params="type n">
     <link name="l${{n}}"/>
@@ -59,7 +60,7 @@ def test_a_macro_whose_other_calls_may_need_it_is_not_edited() -> None:
   <xacro:j type="continuous" n="2"/>
 </robot>
 """
-    (found,) = reported("JNT020", robot, "robot.xacro")
+    (found,) = reported("JNT020", text, "robot.xacro")
     assert (found.span.line, found.span.text) == (4, AXIS)
     assert found.fix is None
 
@@ -74,3 +75,23 @@ def test_the_three_of_the_mission_s_model() -> None:
         "hokuyo_joint",
     ]
     assert {found.span.text for found in report.diagnostics} == {AXIS}
+
+
+def test_position_limits_without_effect() -> None:
+    text = robot(joint("j", "fixed", limit("-1", "1", "1", "1")))
+    (found,) = reported("JNT020", text)
+    assert "[-1, 1]" in found.message
+    assert found.span.text == limit("-1", "1", "1", "1")
+    assert found.fix is None
+
+
+@pytest.mark.parametrize(
+    ("kind", "content"),
+    [
+        ("fixed", limit("0", "0", "0", "0")),  # zeros of an exporter
+        ("fixed", ""),
+        ("revolute", limit("-1", "1", "1", "1")),
+    ],
+)
+def test_no_limits_or_a_joint_that_moves(kind: str, content: str) -> None:
+    assert reported("JNT020", robot(joint("j", kind, content))) == []
