@@ -45,7 +45,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for joint in joints[1:]:
             first = joints[0]
             if joint.name == first.name:
-                continue  # the same joint twice is NAM002's
+                continue  # the same joint twice is NAM001's
             yield Finding(
                 joint.child or joint.at,
                 f"link '{name}' is the child of joint '{joint.name}' and of joint '{first.name}'",

@@ -12,7 +12,7 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset(
-    "GAZ010 GAZ056 GAZ060 GAZ065 JNT001 JNT002 NAM001 NAM002 NAM006 REF001 "
+    "GAZ010 GAZ056 GAZ060 GAZ065 JNT001 JNT002 NAM001 REF001 "
     "TRE001 TRE002 TRE003 TRE006 URD010 URD011 URD015".split()
 )
 #: Likewise, where they are about a joint.

@@ -82,3 +82,35 @@ def test_suggestions_have_a_bound() -> None:
     found = reported("REF001", f'<robot name="r">{links}{joints}</robot>')
     assert len(found) == 1000
     assert [one for one in found if one.fix] == []
+
+
+MIMIC = """\
+<link name="hand"/>
+<link name="finger"/>
+<joint name="finger_joint" type="continuous">
+  <parent link="hand"/>
+  <child link="finger"/>
+  <mimic joint="{}"/>
+</joint>"""
+
+
+def test_an_unknown_leader_is_reported() -> None:
+    robot = MIMIC.format("thumb")
+    assert messages("REF001", robot) == [
+        "joint 'finger_joint' mimics 'thumb', which is not in the model"
+    ]
+    assert places("REF001", robot) == [(7, "thumb")]
+    assert reported("REF001", robot)[0].fix is None
+
+
+def test_a_link_is_no_joint() -> None:
+    assert len(reported("REF001", MIMIC.format("hand"))) == 1
+
+
+def test_the_nearest_joint_is_offered() -> None:
+    assert '<mimic joint="finger_joint"/>' in fixed("REF001", MIMIC.format("finger_jiont"))
+
+
+def test_a_joint_that_is_there_is_left_to_other_rules() -> None:
+    assert reported("REF001", MIMIC.format("finger_joint")) == []  # itself: JNT015
+    assert reported("REF001", MIMIC.replace(' joint="{}"', "")) == []  # URD003

@@ -21,7 +21,7 @@ def wheel(shape: str, origin: str, kind: str = "continuous") -> str:
 @pytest.mark.parametrize("shape", [sphere(0.05), cylinder(0.05, 0.1), box(0.1, 0.1, 0.1)])
 def test_within_and_reaching_out(shape: str) -> None:
     assert messages("COL004", wheel(shape, "0.2 0.1 0.05")) == [
-        "link 'wheel' is inside the collision geometry of 'chassis': nothing can touch it"
+        "link 'wheel' is inside the collision geometry of 'chassis' and cannot make contact"
     ]
     assert messages("COL004", wheel(shape, "0.2 0.1 0.11")) == []
 
@@ -58,7 +58,6 @@ def test_links_that_are_no_neighbours_count_too() -> None:
     (message,) = messages("COL004", CHASSIS + arm + joints)
     assert message.startswith("link 'tip' is inside")
     assert messages("COL001", CHASSIS + arm + joints) == []
-    assert messages("COL002", CHASSIS + arm + joints) == []
 
 
 @pytest.mark.parametrize(("reach", "reported"), [(0.1, 1), (0.9, 0)])
@@ -76,7 +75,7 @@ def test_what_holds_several_is_told_once() -> None:
     ]
     assert messages("COL004", "".join((CHASSIS, *parts, *joints))) == [
         (
-            "the collision geometry of link 'chassis' holds 7 other links, and nothing can touch "
-            "them: ball_0, ball_1, ball_2, ball_3, ball_4 and 2 more"
+            "the collision geometry of link 'chassis' contains 7 other links, which cannot make "
+            "contact: ball_0, ball_1, ball_2, ball_3, ball_4 and 2 more"
         )
     ]

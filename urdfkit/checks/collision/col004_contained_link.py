@@ -1,12 +1,12 @@
 """All collision geometry of a moving link is inside that of another link.
 
-Nothing can ever touch it from outside: a wheel within the chassis does not reach the floor, a
-bumper or a finger feels nothing. In a simulator with self-collision on, the two push against each
-other without end. Make the outer geometry smaller, or move the inner one to where the part is. A
-link that holds several others is reported once. Not reported is one with links fixed to it that
-reach out, such as the rotor of a motor; nor what is inside of an envelope: a link that is not
-drawn, or drawn transparent, fixed to one that is, as the capsules for self-collision of Franka's
-arms and safety boxes around tools are.
+Nothing can make contact with it from outside: a wheel inside the chassis does not reach the floor,
+a bumper or a finger detects nothing. With self-collision enabled, a simulator pushes the two apart
+in every step. Make the outer geometry smaller, or move the inner one to where the part is. A link
+that contains several others is reported once. Not reported is a link with links fixed to it that
+extend outside, such as the rotor of a motor; nor what is inside an envelope: a link without visual,
+or with a transparent one, fixed to one that has it, such as the capsules for self-collision of
+Franka's arms and safety boxes around tools.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -50,7 +50,7 @@ _NOTES = 5
 
 @rule(
     "COL004",
-    "swallowed-body",
+    "contained-link",
     Severity.WARNING,
     needs=(Need.MODEL, Need.COLLISIONS),
     help="make the outer geometry smaller, or move the inner one to where the part is",
@@ -96,21 +96,21 @@ def _single(model: RobotModel, one: Contact) -> Finding:
     small, large = (model.collision(*body) for body in one.bodies)
     return Finding(
         small,
-        f"link '{one.small.link}' is inside the collision geometry of '{one.large.link}': nothing "
-        "can touch it",
+        f"link '{one.small.link}' is inside the collision geometry of '{one.large.link}' and "
+        "cannot make contact",
         related=(Related(large.span, f"link '{one.large.link}'"),),
     )
 
 
 def _several(model: RobotModel, meetings: list[Contact]) -> Finding:
-    """Of one link that swallows several others, which are sooner right than it is."""
+    """Of one link that contains several others, which are more likely right than it is."""
     names = [one.small.link for one in meetings]
     more = f" and {len(names) - _NOTES} more" if len(names) > _NOTES else ""
     large = meetings[0].bodies[1]
     return Finding(
         model.collision(*large),
-        f"the collision geometry of link '{large[0]}' holds {len(names)} other links, and nothing "
-        f"can touch them: {', '.join(names[:_NOTES])}{more}",
+        f"the collision geometry of link '{large[0]}' contains {len(names)} other links, which "
+        f"cannot make contact: {', '.join(names[:_NOTES])}{more}",
         related=tuple(
             Related(model.collision(*one.bodies[0]).span, f"link '{one.small.link}'")
             for one in meetings[:_NOTES]

@@ -1,13 +1,18 @@
-"""A joint names a link that the model does not have.
+"""A joint refers to a link, or a `<mimic>` to a joint, that is not in the model.
 
-Then there is no tree: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and PyBullet refuse
-the robot. The name is misspelt, a prefix is missing, or the macro that makes the link was not
-called. `world` is no exception: it needs a `<link name="world"/>` like every other link, but for
-Drake, which has that link itself.
+Without the link there is no tree: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and
+PyBullet reject the robot. The name is misspelt, a prefix is missing, or the macro that makes the
+link was not called. `world` is no exception: it needs a `<link name="world"/>` like every other
+link, except for Drake, which has that link itself.
+
+urdfdom does not check the joint of a `<mimic>`: Drake rejects the robot, MoveIt drops the coupling,
+joint_state_publisher stops with an exception.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+    joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
 """
 
 from __future__ import annotations
@@ -23,7 +28,7 @@ from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
+    from urdfkit.robot.model import Joint, RobotModel
     from urdfkit.text.document import Attribute
 
 BAD = """\
@@ -39,16 +44,20 @@ FIXED = GOOD
 
 @rule(
     "REF001",
-    "unknown-link",
+    "unknown-link-or-joint",
     Severity.ERROR,
-    help="correct the name, or add the link",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
+    yield from _links(subject)
+    yield from _leaders(subject.model)
+
+
+def _links(subject: Subject) -> Iterator[Finding]:
     known = subject.model.links_by_name
     children = {joint.child.value for joint in subject.model.joints if joint.child}
     # A second parent would be another error.
-    spellers = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
+    suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
     for joint in subject.model.joints:
         for role in ("parent", "child"):
             element = joint.at.child(role)
@@ -59,15 +68,32 @@ def check(subject: Subject) -> Iterator[Finding]:
                 continue
             if subject.is_part:  # the file that includes it has the link
                 return
-            suggested = spellers[role].suggested(link.value)
+            suggested = suggesters[role].suggested(link.value)
             if suggested in _ends(joint):
                 suggested = ""
             hint = f"; did you mean '{suggested}'?" if suggested else ""
             yield Finding(
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
-                fix=_fix(joint, link, suggested),
+                "correct the name, or add the link",
+                _renamed(link, suggested) or _added_world(joint, link),
             )
+
+
+def _leaders(model: RobotModel) -> Iterator[Finding]:
+    known = model.joints_by_name
+    suggester = Suggester(known)
+    for joint in model.joints:
+        leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
+        if leader is None or leader.value in known or is_expression(leader.value):
+            continue
+        hint = suggester.hint(leader.value)
+        yield Finding(
+            leader,
+            f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}",
+            "correct the name, or add the joint",
+            _renamed(leader, suggester.suggested(leader.value)),
+        )
 
 
 def _ends(joint: Joint) -> list[str]:
@@ -75,11 +101,12 @@ def _ends(joint: Joint) -> list[str]:
     return [end.value for end in (joint.parent, joint.child) if end]
 
 
-def _fix(joint: Joint, link: Attribute, suggested: str) -> Fix | None:
-    """The remedy: another name, or the link that is always the same."""
-    if suggested:
-        edits = replace_value(link, suggested)
-        return Fix.of(f"rename '{link.value}' to '{suggested}'", edits)
+def _renamed(name: Attribute, suggested: str) -> Fix | None:
+    edits = replace_value(name, suggested) if suggested else None
+    return Fix.of(f"rename '{name.value}' to '{suggested}'", edits)
+
+
+def _added_world(joint: Joint, link: Attribute) -> Fix | None:
     if link.value != "world" or from_macro(joint.at):
         return None
     return Fix('add <link name="world"/>', insert_before(joint.at, ('<link name="world"/>',)))
