@@ -21,6 +21,11 @@ REDIRECTS = {
     "JNT029": "JNT019", "empty-soft-range": "JNT019",
     "JNT035": "JNT020", "limit-on-fixed": "JNT020", "axis-on-fixed": "JNT020",
     "JNT036": "JNT015", "mimic-without-effect": "JNT015",
+    "origin-looks-like-millimetres": "JNT012",
+    "JNT038": "JNT012", "travel-looks-like-millimetres": "JNT012",
+    "wheel-axis-across": "JNT033", "JNT034": "JNT033", "wheel-with-ends": "JNT033",
+    "wheel-against-the-others": "JNT043",
+    "JNT044": "JNT043", "wheels-against-each-other": "JNT043",
 }  # fmt: skip
 
 

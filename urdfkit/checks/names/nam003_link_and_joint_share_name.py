@@ -18,7 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
@@ -39,6 +39,7 @@ GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
     "NAM003",
     "link-and-joint-share-name",
     Severity.INFO,
+    needs=(Need.MODEL, Need.GAZEBO),
     help="rename the joint, and its name in controllers and launch files",
     by_target={
         **dict.fromkeys(("classic-ros1", "classic-ros2"), Severity.WARNING),

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests import meshed
-from tests.reported import messages
+from tests.reported import messages, places
 from urdfkit.mesh import samples
 
 WHEEL = """\
@@ -27,7 +27,7 @@ def robot(
 
 def test_the_axis_or_the_shape_lies_across() -> None:
     assert messages("JNT033", robot("1 0 0")) == [
-        "joint 'j' turns wheel 'wheel' about 1 0 0, and the axis of its cylinder is 0 -1 0"
+        "joint 'j' turns wheel 'wheel' about 1 0 0, but the axis of its cylinder is 0 -1 0"
     ]
     assert messages("JNT033", robot("0 0 1"))
     assert messages("JNT033", robot(rpy="0 0 0"))
@@ -40,6 +40,8 @@ def test_the_axis_or_the_shape_lies_across() -> None:
         robot("0 -1 0"),
         robot("0 0 1", "0 0 0"),
         robot("0 0 1", kind="revolute"),  # it is steered
+        robot(kind="revolute", name="arm"),
+        robot(kind="revolute").replace('lower="-1" upper="1"', 'lower="-1e3" upper="1e3"'),
         robot("0 0 1", name="caster_wheel"),
         robot("1 0 0", name="arm"),
         robot("1 0 0", length="0.5"),  # a roller, or a leg
@@ -72,5 +74,12 @@ def test_the_short_edge_of_a_mesh_is_its_axle(
     )
     files = {"wheel.stl": samples.stl(samples.box(low, high))}
     said = meshed.messages(tmp_path, "JNT033", wheel + joint, files)
-    about = "turns wheel 'wheel' about 1 0 0, and the axis of its mesh is 0 1 0"
+    about = "turns wheel 'wheel' about 1 0 0, but the axis of its mesh is 0 1 0"
     assert said == ([f"joint 'j' {about}"] if reported else [])
+
+
+def test_a_wheel_with_position_limits() -> None:
+    text = robot(kind="revolute")
+    (message,) = messages("JNT033", text)
+    assert message.endswith("is revolute, with limits [-1, 1] rad")
+    assert [at for _, at in places("JNT033", text)] == ["revolute"]

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, robot
-from tests.reported import messages, places, reported
+from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Confidence
 
 
@@ -61,3 +61,35 @@ def test_shapes_tell_the_size_of_the_robot(size: str, count: int) -> None:
 )
 def test_no_evidence(joints: list[str]) -> None:
     assert reported("JNT012", robot(*joints)) == []
+
+
+ROBOT = """\
+<link name="a"><visual><geometry><box size="{size} 0.1 0.1"/></geometry></visual></link>
+<link name="b"/>
+<joint name="j" type="prismatic"><parent link="a"/><child link="b"/>
+<limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/></joint>"""
+
+
+def gripper(lower: str, upper: str, size: str = "0.1") -> str:
+    return ROBOT.format(lower=lower, upper=upper, size=size)
+
+
+def test_thirty_metres_of_a_gripper() -> None:
+    assert messages("JNT012", gripper("0", "30")) == [
+        "joint 'j' has limits [0, 30] m, but no part of the robot is longer than 0.1 m"
+    ]
+    text = fixed("JNT012", gripper("-5", "30"))
+    assert 'lower="-0.005" upper="0.03"' in text
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "size"),
+    [
+        ("0", "0.03", "0.1"),
+        ("0", "30", "2"),  # a gantry
+        ("0", "30.5", "0.1"),  # nobody measures half millimetres
+        ("-1000000", "1000000", "0.1"),  # free
+    ],
+)
+def test_a_plausible_travel(lower: str, upper: str, size: str) -> None:
+    assert messages("JNT012", gripper(lower, upper, size)) == []
