@@ -26,9 +26,11 @@ REDIRECTS = {
     "wheel-axis-across": "JNT033", "JNT034": "JNT033", "wheel-with-ends": "JNT033",
     "wheel-against-the-others": "JNT043",
     "JNT044": "JNT043", "wheels-against-each-other": "JNT043",
+    "limits-look-like-degrees": "JNT010", "JNT011": "JNT010", "rpy-looks-like-degrees": "JNT010",
+    "JNT040": "JNT010", "velocity-looks-like-degrees": "JNT010",
 }  # fmt: skip
 
 
 def applies(subject: Subject) -> bool:
-    """True if there are joints."""
-    return bool(subject.model.joints)
+    """True if there are joints, or links, whose origins are checked too."""
+    return bool(subject.model.joints or subject.model.links)
