@@ -88,7 +88,7 @@ REAR = wheel("rear_left_wheel", LEFT) + wheel("rear_right_wheel", RIGHT.format(-
         cart(RIGHT.format(-1), names="{}_caster_wheel"),
         cart(RIGHT.format(-1), names="{}_arm"),
         cart(RIGHT.format(-1)).replace("continuous", "revolute"),
-        cart('<origin xyz="0 -0.2 0"/><axis xyz="1 0 0"/>'),  # JNT042
+        cart('<origin xyz="0 -0.2 0"/><axis xyz="1 0 0"/>'),  # JNT025
     ],
 )
 def test_no_opposite_pair(text: str) -> None:

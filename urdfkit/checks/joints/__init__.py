@@ -28,6 +28,8 @@ REDIRECTS = {
     "JNT044": "JNT043", "wheels-against-each-other": "JNT043",
     "limits-look-like-degrees": "JNT010", "JNT011": "JNT010", "rpy-looks-like-degrees": "JNT010",
     "JNT040": "JNT010", "velocity-looks-like-degrees": "JNT010",
+    "twins-differ": "JNT025", "JNT031": "JNT025", "twin-misplaced": "JNT025",
+    "JNT042": "JNT025", "twin-axis-differs": "JNT025",
 }  # fmt: skip
 
 

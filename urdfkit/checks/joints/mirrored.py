@@ -1,16 +1,4 @@
-"""A joint is not where its twin on the other side would put it.
-
-Left and right are mirror images: their origins on the body differ in the sign of one coordinate.
-Two twins at one place, or one that is also forward or higher than the other, are a sign that was
-forgotten or copied too often: the robot stands on three wheels, and drives in circles. Which of the
-two is misplaced is told by the other joints on that link, and else by left being +y. Seen from
-the root, in the zero pose, a twin that is only further forward or higher than the other is told,
-too, and one of many pairs that alone is no mirror image.
-
-Sources:
-    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
-    measured: of 671 public robots one has such a pair, of wheels.
-"""
+"""Where a joint is, compared with its left or right counterpart."""
 
 from __future__ import annotations
 
@@ -19,29 +7,11 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
-from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.symmetry import pairs
-from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
     from urdfkit.robot.model import Joint, RobotModel
-
-_WHEEL = """\
-<link name="{side}_wheel"/>
-<joint name="{side}_wheel_joint" type="continuous">
-  <parent link="base"/>
-  <child link="{side}_wheel"/>
-  <origin xyz="0.1 {y} -0.05"/>
-  <axis xyz="0 1 0"/>
-</joint>
-"""
-BAD = f"""\
-<link name="base"/>
-{_WHEEL.format(side="left", y=0.2)}{_WHEEL.format(side="right", y=0.2)}"""
-GOOD = f"""\
-<link name="base"/>
-{_WHEEL.format(side="left", y=0.2)}{_WHEEL.format(side="right", y=-0.2)}"""
 
 #: In m; people round.
 _NEAR = 1e-4
@@ -52,7 +22,7 @@ _OFF, _OTHERS = 0.004, 2
 
 
 class _Pair(Record):
-    """Twins that move, and how far the second is from the first's mirror image, seen from the root.
+    """Counterparts that move, and the offset of the second from the first's mirror image.
 
     The second one is the right one, unless the left one is misplaced.
     """
@@ -66,39 +36,25 @@ class _Pair(Record):
         return max(map(abs, self.off))
 
 
-@rule(
-    "JNT031",
-    "twin-misplaced",
-    Severity.WARNING,
-    help="mirror its origin in the plane between the two",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+def misplaced(subject: Subject) -> Iterator[tuple[Joint, Joint, str]]:
+    """Counterparts that are not mirror images: the right one, the misplaced one, and the reason."""
     reported = set()
     for one, other, reason in _of_one_link(subject.model):
         reported |= {one.name, other.name}
-        yield _finding(one, other, f"{_at(other)} {reason} its twin '{one.name}' {_at(one)}")
+        yield one, other, f"{_at(other)} {reason} its counterpart '{one.name}' {_at(one)}"
     for pair in _out_of_line(list(_pairs(subject))):
         if pair.right.name in reported:
             continue
         if _is_odd(subject.model, pair.left, pair.right):
             x, y, z = pair.off
             swapped = _Pair(pair.right, pair.left, (-x, y, -z))
-            yield _finding(pair.right, pair.left, _shift(swapped))
+            yield swapped.left, swapped.right, _shift(swapped)
         else:
-            yield _finding(pair.left, pair.right, _shift(pair))
-
-
-def _finding(one: Joint, other: Joint, what: str) -> Finding:
-    return Finding(
-        other.at.child("origin") or other.at,
-        f"joint '{other.name}' {what}",
-        related=(Related(one.at.span, f"the twin '{one.name}'"),),
-        confidence=Confidence.INFERRED,
-    )
+            yield pair.left, pair.right, _shift(pair)
 
 
 def _of_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
-    """Twins on one link of which one has a sign too many or too few."""
+    """Counterparts on one link of which one has a sign too many or too few."""
     joints = {joint.name: joint for joint in model.joints if joint.name}
     for left, right in pairs(joints):
         one, other = joints[left], joints[right]
@@ -109,7 +65,7 @@ def _of_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
 
 
 def _is_odd(model: RobotModel, left: Joint, right: Joint) -> bool:
-    """True if of two twins the left one is misplaced, as the other joints on their link show."""
+    """True if the left one of two is misplaced, as the other joints on their link show."""
     assert left.parent is not None
     others = [
         joint
@@ -151,7 +107,7 @@ def _pairs(subject: Subject) -> Iterator[_Pair]:
 
 
 def _out_of_line(found: list[_Pair]) -> list[_Pair]:
-    """The pairs that are no mirror images, though what they hang on is one, or two that are."""
+    """The pairs that are no mirror images, though their parents are, or two that are."""
     known = {pair.right.child.value: pair.distance for pair in found if pair.right.child}
     odd, inherited = [], 0
     for pair in found:
@@ -166,12 +122,12 @@ def _out_of_line(found: list[_Pair]) -> list[_Pair]:
     exact = sum(pair.distance <= _NEAR for pair in found)
     if len(odd) == 1 and exact >= _OTHERS and exact + inherited + 1 == len(found):
         x, _, z = odd[0].off
-        return odd if max(abs(x), abs(z)) > _OFF else []  # nobody knows where the middle is
+        return odd if max(abs(x), abs(z)) > _OFF else []  # the plane of symmetry is unknown
     return [pair for pair in odd if _is_shifted(pair)]
 
 
 def _is_shifted(pair: _Pair) -> bool:
-    """True for twins on one link that differ in x alone, or in z."""
+    """True for counterparts on one link that differ in x alone, or in z."""
     left, right = pair.left, pair.right
     if left.origin.rotation != right.origin.rotation or left.parent is None or right.parent is None:
         return False
@@ -180,7 +136,7 @@ def _is_shifted(pair: _Pair) -> bool:
 
 
 def _shift(pair: _Pair) -> str:
-    """Such as ``is 0.03 m further forward than its twin 'left_hip' would put it``."""
+    """Such as ``is 0.03 m forward of the mirror image of 'left_hip'``."""
     x, y, z = pair.off
     ways = ((x, "forward", "backward"), (y, "to the left", "to the right"), (z, "up", "down"))
     shifts = [
@@ -188,7 +144,7 @@ def _shift(pair: _Pair) -> str:
         for part, plus, minus in ways
         if abs(part) > _NEAR
     ]
-    return f"is {' and '.join(shifts)} of where its twin '{pair.left.name}' would put it"
+    return f"is {' and '.join(shifts)} of the mirror image of '{pair.left.name}'"
 
 
 def _reason(one: Joint, other: Joint) -> str:
@@ -199,11 +155,15 @@ def _reason(one: Joint, other: Joint) -> str:
     equal = [abs(a - b) < _NEAR for a, b in zip(first, second, strict=True)]
     flipped = [abs(a + b) < _NEAR <= abs(a) for a, b in zip(first, second, strict=True)]
     if all(equal):
-        return "is at the place of" if abs(first[1]) >= _NEAR and _axis(one) == _axis(other) else ""
+        return (
+            "is at the same place as"
+            if abs(first[1]) >= _NEAR and _axis(one) == _axis(other)
+            else ""
+        )
     if not all(e or f for e, f in zip(equal, flipped, strict=True)) or not flipped[1]:
         return ""
     others = [axis for axis, turned in zip(_AXES, flipped, strict=True) if turned and axis != "y"]
-    return f"is on the other side in y and in {others[0]}, too, of" if len(others) == 1 else ""
+    return f"is mirrored in y and also in {others[0]} from" if len(others) == 1 else ""
 
 
 def _axis(joint: Joint) -> Vector | None:
