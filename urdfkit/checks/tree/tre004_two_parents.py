@@ -1,8 +1,8 @@
 """A link is the child of two joints.
 
-URDF describes trees: every link hangs on one joint. MuJoCo refuses the robot, PyBullet crashes,
-urdfdom (RViz, MoveIt, Gazebo) keeps both, and the frame of the link jumps between two places.
-Mostly one `<child>` is a slip; a closed mechanism needs one joint left out.
+URDF describes trees: every link is the child of one joint. MuJoCo rejects the robot, PyBullet
+crashes, urdfdom (RViz, MoveIt, Gazebo) keeps both, and the frame of the link jumps between two
+places. Mostly one `<child>` is a mistake; a closed mechanism needs one joint left out.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
