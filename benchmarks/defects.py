@@ -36,8 +36,8 @@ DEFECTS = {
     "lower limit above upper": ("JNT003", 'lower="-1" upper="1"', 'lower="1" upper="-1"'),
     "limits in degrees": ("JNT010", 'lower="-1" upper="1"', 'lower="-90" upper="90"'),
     "a misspelt attribute": ("URD002", "velocity=", "velocty="),
-    "mimic of an unknown joint": ("REF004", "</joint>", '<mimic joint="x"/></joint>'),
-    "an axis of length zero": ("JNT005", 'axis xyz="0 0 1"', 'axis xyz="0 0 0"'),
+    "mimic of an unknown joint": ("REF001", "</joint>", '<mimic joint="x"/></joint>'),
+    "an axis of length zero": ("JNT006", 'axis xyz="0 0 1"', 'axis xyz="0 0 0"'),
     "links in a circle": (
         "TRE003",
         "</robot>",

@@ -38,7 +38,7 @@ def test_the_summary_says_what_was_fixed_what_is_left_and_why(
         "  info     INE008  inertia-differs-from-geometry: line 15\n"
         "  info     INE008  inertia-differs-from-geometry (its fix is unsafe:\n"
         "      --unsafe-fixes): lines 214, 243, 269\n"
-        "  info     JNT021  no-limit-on-continuous: lines 158, 174, 181\n"
+        "  info     JNT002  missing-limit: lines 158, 174, 181\n"
         "  info     XAC007  own-pi (its fix is unsafe: --unsafe-fixes): line 9\n"
         "\n"
         "3 fixed in 1 file, 9 left, 5 of them with an unsafe fix\n"
@@ -55,8 +55,8 @@ def test_an_info_is_fixed_only_where_its_code_is_given(
     for words in ([], ["--select", "JNT"], ["--select", "JNT,INE", "--unsafe-fixes"]):
         assert main(["fix", str(robot), "--check", *words]) == 0
         out = " ".join(capsys.readouterr().out.split())
-        assert "JNT020 axis-on-fixed (fixed with --select JNT020): lines 190, 220, 252" in out
-    for name in ("JNT020", "jnt020", "axis-on-fixed"):
+        assert "JNT020 axis-or-limit-on-fixed (fixed with --select JNT020): lines 190" in out
+    for name in ("JNT020", "jnt020", "axis-or-limit-on-fixed"):
         assert main(["fix", str(robot), "--check", "--select", name]) == 1
         assert "3 would be fixed in 1 file, 0 left" in capsys.readouterr().out
     assert main(["check", str(robot), "--select", "JNT020"]) == 0
@@ -98,7 +98,7 @@ def test_check_fixes_and_reports_what_is_left(
     assert main(["check", "--fix", str(robot), *words]) == 0
     captured = capsys.readouterr()
     assert captured.err == f"fixed {robot}\n"
-    assert "JNT021" in captured.out
+    assert "JNT002" in captured.out
     assert "JNT020" not in captured.out
     assert robot.read_text().count("<axis") == before.count("<axis") - 3
 

@@ -59,12 +59,12 @@ def test_a_link_that_is_not_drawn_and_stands_alone_is_reported() -> None:
 
 
 def test_no_overlap_is_over_100_percent() -> None:
-    """COL006: a rod of 20 mm that stands through a plate, pushed out along it."""
+    """COL001: a rod of 20 mm that stands through a plate, pushed out along it."""
     parts = (
         f'<link name="plate">{collision(box(0.5, 0.5, 0.5))}</link>',
         f'<link name="rod">{collision(box(0.02, 0.02, 0.8))}</link>',
         joint("plate", "rod", "continuous"),
     )
-    assert messages("COL006", "".join(parts)) == [
-        "link 'rod' overlaps its neighbour 'plate' by 260 mm, all of its thickness"
+    assert messages("COL001", "".join(parts)) == [
+        "link 'rod' overlaps adjacent link 'plate' by 260 mm, all of its thickness"
     ]

@@ -1,4 +1,4 @@
-"""JNT031 points at the wheel that is misplaced: the others tell which of the two it is."""
+"""JNT025 points at the wheel that is misplaced: the others tell which of the two it is."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def robot(*places: str) -> str:
 
 
 def test_four_wheels_in_their_corners() -> None:
-    assert messages("JNT031", robot(*PLACES)) == []
+    assert messages("JNT025", robot(*PLACES)) == []
 
 
 @pytest.mark.parametrize("odd", range(4))
@@ -37,21 +37,21 @@ def test_the_odd_one_is_told(odd: int, mistake: str) -> None:
     }[mistake]
     places = [*PLACES]
     places[odd] = " ".join(map(str, wrong))
-    (message,) = messages("JNT031", robot(*places))
+    (message,) = messages("JNT025", robot(*places))
     assert message.startswith(f"joint '{NAMES[odd]}' ")
 
 
 def test_one_of_two_wheels_left_of_the_middle_is_the_right_one() -> None:
     """Left is +y (REP 103), where no other joint says otherwise."""
     text = robot("0 0.15 0", "0 0.15 0", "-0.2 0 0", "-0.3 0 0")
-    assert messages("JNT031", text)[0].startswith("joint 'front_right' ")
+    assert messages("JNT025", text)[0].startswith("joint 'front_right' ")
     text = robot("0 -0.15 0", "0 -0.15 0", "-0.2 0 0", "-0.3 0 0")
-    assert messages("JNT031", text)[0].startswith("joint 'front_left' ")
+    assert messages("JNT025", text)[0].startswith("joint 'front_left' ")
 
 
 def test_a_robot_whose_left_is_minus_y() -> None:
     mirrored = [place.replace(" 0.15", " +").replace(" -0.15", " 0.15") for place in PLACES]
     mirrored = [place.replace(" +", " -0.15") for place in mirrored]
-    assert messages("JNT031", robot(*mirrored)) == []
+    assert messages("JNT025", robot(*mirrored)) == []
     mirrored[3] = mirrored[2]
-    assert messages("JNT031", robot(*mirrored))[0].startswith("joint 'rear_right' ")
+    assert messages("JNT025", robot(*mirrored))[0].startswith("joint 'rear_right' ")

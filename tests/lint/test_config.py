@@ -39,7 +39,7 @@ def test_everything_that_can_be_set(tmp_path):
             tmp_path,
             """
             select = ["JNT", "TRE001"]
-            ignore = ["axis-on-fixed"]
+            ignore = ["axis-or-limit-on-fixed"]
             fail-on = "error"
             targets = ["gz-harmonic", "ros2"]
             exclude = ["old"]

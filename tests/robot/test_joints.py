@@ -6,7 +6,7 @@ from math import pi
 
 import pytest
 
-from tests.jointed import joint, limit, mimic, robot
+from tests.jointed import joint, limit, robot
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot import joints
 from urdfkit.robot.model import Joint, RobotModel
@@ -89,55 +89,6 @@ def test_driven() -> None:
         '</joint><joint name="c"><state_interface name="position"/></joint></ros2_control>'
     )
     assert joints.driven(model(text + transmission + control)) == {"a", "b"}
-
-
-def zero(of: str, text: str) -> str:
-    """A limit in which effort or velocity is as given."""
-    return limit("-1", "1", **{of: text})
-
-
-def limited(of: str, text: str) -> list[str]:
-    """The joints whose effort or velocity is limited to zero."""
-    return [found.name for found, _ in joints.limited_to_zero(model(text), of)]
-
-
-@pytest.mark.parametrize("of", ["effort", "velocity"])
-@pytest.mark.parametrize(
-    ("kind", "text", "rest", "count"),
-    [
-        ("revolute", "0", "", 1),
-        ("prismatic", "0.0", "", 1),
-        ("continuous", "0", "", 1),
-        ("revolute", "5", "", 0),
-        ("revolute", "-1", "", 0),  # JNT028
-        ("revolute", "x", "", 0),  # URD005
-        ("fixed", "0", "", 0),
-        ("revolute", "0", mimic("b"), 0),  # nothing drives it
-    ],
-)
-def test_limited_to_zero(of: str, kind: str, text: str, rest: str, count: int) -> None:
-    other = "velocity" if of == "effort" else "effort"
-    joined = joint("a", kind, zero(of, text) + rest), joint("b", "revolute", zero(other, "0"))
-    assert limited(of, robot(*joined)) == ["a"] * count
-    assert limited(of, robot(joint("a", "continuous"))) == []
-
-
-TRANSMISSION = '<transmission name="t"><joint name="{}"/></transmission>'
-CONTROL = (
-    '<ros2_control name="c" type="system"><joint name="{}">'
-    '<command_interface name="position"/></joint>'
-    '<joint name="a"><state_interface name="position"/></joint></ros2_control>'
-)
-
-
-@pytest.mark.parametrize("of", ["effort", "velocity"])
-@pytest.mark.parametrize("drive", [TRANSMISSION, CONTROL])
-def test_a_joint_that_nothing_drives_is_passive_where_others_are_driven(
-    of: str, drive: str
-) -> None:
-    text = robot(joint("a", "revolute", zero(of, "0")), joint("b", "revolute", zero(of, "5")))
-    assert limited(of, text + drive.format("b")) == []
-    assert limited(of, text + drive.format("a")) == ["a"]
 
 
 def test_where_a_joint_moves() -> None:

@@ -35,7 +35,7 @@ Place = tuple[str, int, int, str]
 Robots = Callable[[], Iterable[Subject | None]]
 
 #: Rules that simulate the robot and so take long; they know no error, and have no fix.
-SLOW = rules.of_family("collision") | frozenset("SRD009 SRD010 DYN002 DYN003 DYN004 DYN005".split())
+SLOW = rules.of_family("collision") | frozenset("SRD009 SRD010 DYN003 DYN004 DYN005".split())
 
 
 def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:

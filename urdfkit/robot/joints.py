@@ -117,22 +117,10 @@ def driven(model: RobotModel) -> frozenset[str]:
     return frozenset(names)
 
 
-def limited_to_zero(model: RobotModel, of: str) -> list[tuple[Joint, Placed[float]]]:
-    """The joints whose limit of ``effort`` or ``velocity`` is 0, each with that limit.
-
-    Not those that cannot move or that follow another joint. Where some joints have a transmission
-    or ros2_control, those that have none are taken for passive and left out, too.
-    """
-    active = driven(model)
-    limits = [
-        (joint, getattr(joint.limit, of))
-        for joint in model.joints
-        if can_move(joint)
-        and joint.mimic is None
-        and joint.limit
-        and (not active or joint.name in active)
-    ]
-    return [(joint, limit) for joint, limit in limits if limit and limit.value == 0]
+def limits_of(joints: Iterable[Joint], key: str) -> list[tuple[Joint, Placed[float]]]:
+    """The joints that have a limit of ``effort`` or ``velocity``, each with that limit."""
+    found = [(joint, getattr(joint.limit, key)) for joint in joints if joint.limit]
+    return [(joint, limit) for joint, limit in found if limit]
 
 
 def several(joints: Sequence[Joint]) -> str:

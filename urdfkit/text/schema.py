@@ -161,7 +161,7 @@ JOINT_GRAMMAR = Grammar(
             {},
             any_of=("damping", "friction"),
         ),
-        # effort and velocity: JNT002 and JNT021 know for which types they are required.
+        # effort and velocity: JNT002 knows for which types they are required.
         "limit": Grammar(
             dict.fromkeys(("lower", "upper", "effort", "velocity"), _OPTIONAL_FLOAT)
             # URDF 1.2, and passed over in older versions

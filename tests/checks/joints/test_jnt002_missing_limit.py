@@ -4,9 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.jointed import joint, robot
+from tests.conftest import MODELS
+from tests.jointed import joint, mimic, robot
 from tests.reported import messages, places, reported
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Severity
 
 CASES = {
     ("revolute", ""): ["joint 'j' is revolute and has no <limit>"],
@@ -60,3 +63,37 @@ def test_the_help_has_the_units(kind: str, help: str) -> None:
     short = robot(joint("j", kind, "<limit/>"))
     effort, velocity = ("N m", "rad/s") if kind == "revolute" else ("N", "m/s")
     assert reported("JNT002", short)[0].help == f"add effort in {effort} and velocity in {velocity}"
+
+
+LIMIT = '<limit effort="100" velocity="20"/>'
+
+
+def test_a_wheel_next_to_one_with_limits() -> None:
+    text = robot(joint("a", "continuous"), joint("b", "continuous", LIMIT))
+    (found,) = reported("JNT002", text)
+    assert found.severity is Severity.INFO
+    assert "'b' on the same link has both" in found.message
+    assert places("JNT002", text) == [(4, '<joint name="a" type="continuous">')]
+    assert [other.span.text for other in found.related] == [LIMIT]
+
+
+@pytest.mark.parametrize(
+    "joints",
+    [
+        [joint("a", "continuous"), joint("b", "continuous")],
+        [joint("a", "continuous", LIMIT), joint("b", "continuous", LIMIT)],
+        [joint("a", "continuous", LIMIT), joint("b", "continuous", parent="a_link")],
+        [joint("a", "continuous", LIMIT), joint("b", "continuous", mimic("a"))],
+        [joint("a", "continuous", LIMIT), joint("b", "fixed")],
+        [joint("a", "fixed", LIMIT), joint("b", "continuous")],
+    ],
+)
+def test_joints_that_are_not_compared(joints: list[str]) -> None:
+    assert reported("JNT002", robot(*joints)) == []
+
+
+def test_the_wheels_of_the_mission() -> None:
+    model = MODELS / "gazebo_pkg/urdf/waking_robot_new.xacro"
+    report = engine.check(model, select=["JNT"], ignore=["JNT020"])
+    found = [(one.code, one.element, one.severity.value) for one in report.diagnostics]
+    assert found == [("JNT002", f"joint/base_to_wheel{number}", "info") for number in (1, 3, 4)]

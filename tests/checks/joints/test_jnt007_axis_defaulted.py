@@ -25,7 +25,7 @@ def test_a_joint_that_moves_without_an_axis(kind: str, does: str) -> None:
     ("kind", "content"),
     [
         ("continuous", '<axis xyz="1 0 0"/>'),
-        ("continuous", "<axis/>"),  # JNT005
+        ("continuous", "<axis/>"),  # JNT006
         ("fixed", ""),
         ("floating", ""),
     ],

@@ -55,7 +55,7 @@ def test_it_is_told_where_the_number_stands() -> None:
     [
         (*REST, ("15000", "70")),  # a strong lift, and a fast hand
         (*REST, ("1000000", "3"), ("1000000", "3")),  # two that are meant
-        (*REST, ("0", "0")),  # JNT008 and JNT009
+        (*REST, ("0", "0")),  # JNT008
         (*REST[:2], ("1000000", "1000")),  # three make no rule
         (*REST, ("0.1", "0.02")),
     ],

@@ -24,7 +24,7 @@ def test_two_joints_between_the_same_links() -> None:
 def test_the_same_joint_twice_is_another_finding() -> None:
     robot = LINKS + JOINT.format("j", "a", "b") * 2
     assert reported("TRE004", robot) == []
-    assert len(reported("NAM002", robot)) == 1
+    assert len(reported("NAM001", robot)) == 1
 
 
 def test_one_joint_for_each_child() -> None:

@@ -10,6 +10,14 @@ from urdfkit.lint.context import WITHOUT_COAL, Unavailable
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+#: Codes and names of former rules, and the rules that report their findings now.
+REDIRECTS = {
+    "overlap-in-zero-pose": "COL001", "COL002": "COL001", "always-colliding-pair": "COL001",
+    "COL006": "COL001", "adjacent-overlap": "COL001",
+    "swallowed-body": "COL004",
+    "COL003": "", "near-miss": "",
+}  # fmt: skip
+
 
 def applies(subject: Subject) -> bool:
     """True if collision geometries of two links may overlap.

@@ -9,6 +9,9 @@ from urdfkit.robot.model import DEGREES_OF_FREEDOM
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+#: Codes and names of former rules, and the rules that report their findings now.
+REDIRECTS = {"DYN002": "", "total-mass-disagrees": ""}  # fmt: skip
+
 
 def applies(subject: Subject) -> bool:
     """True if a joint moves and a link has a mass, or Pinocchio is a target."""

@@ -1,8 +1,8 @@
 """Pinocchio makes no model of the robot.
 
 Asked for with `--target pinocchio`: Pinocchio itself reads the expanded URDF, in a process of its
-own. Where it refuses, `buildModelFromUrdf` raises a ValueError that tells no reason; the reason
-goes to the standard error of the C++ library, and is repeated here. It refuses several roots,
+own. Where it rejects, `buildModelFromUrdf` raises a ValueError that tells no reason; the reason
+goes to the standard error of the C++ library, and is repeated here. It rejects several roots,
 loops, names that are used twice or not at all, and joints whose `<limit>` lacks an effort.
 
 Sources:

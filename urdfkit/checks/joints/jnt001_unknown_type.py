@@ -1,7 +1,7 @@
 """A joint has a type that URDF does not know.
 
 The types are revolute, continuous, prismatic, fixed, floating and planar, in small letters.
-urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio, refuses the whole robot; so does Drake.
+urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio, rejects the whole robot; so does Drake.
 `spherical` is known to PyBullet and MuJoCo alone: elsewhere a ball joint is three revolute joints
 in a row, with links of almost no size between them. It is not reported where MuJoCo is the only
 target.

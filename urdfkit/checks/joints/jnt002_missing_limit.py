@@ -1,10 +1,13 @@
-"""A joint lacks a limit that readers require.
+"""A joint has no `<limit>`, or its `<limit>` no effort or velocity.
 
 A revolute or prismatic joint needs a `<limit>`, and every `<limit>`, of whatever joint, needs
 `effort` and `velocity`. Without them urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio,
-refuses the whole robot. `lower` and `upper` may be left out and are then 0. A joint that turns
-without end is continuous and needs no `<limit>`. MuJoCo and Drake take what is missing for no
-limit: where they are the only targets nothing is reported.
+rejects the robot. `lower` and `upper` may be missing and are then 0. A joint that turns
+without end is continuous and needs no `<limit>`. MuJoCo and Drake read a missing limit as
+unlimited: where they are the only targets, nothing is reported.
+
+A continuous joint without `<limit>` next to one that has it on the same link, such as one wheel of
+four, is an info: a simulation drives them differently once a controller exceeds the limit.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -19,10 +22,11 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.joints import BOUNDED, effort_unit, unit
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, Limit, RobotModel
 
 BAD = """\
 <link name="base"/>
@@ -37,6 +41,7 @@ GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')
 
 @rule("JNT002", "missing-limit", Severity.ERROR)
 def check(subject: Subject) -> Iterator[Finding]:
+    yield from _unequal(subject.model)
     if subject.targets.are_only("mujoco", "drake"):
         return
     for joint in subject.model.joints:
@@ -57,3 +62,26 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"joint '{joint.name}': <limit> has no {' and no '.join(missing)}",
                 "add " + " and ".join(f"{key} in {units[key]}" for key in missing),
             )
+
+
+def _unequal(model: RobotModel) -> Iterator[Finding]:
+    """Continuous joints without limit on a link on which another one has effort and velocity."""
+    limited: dict[str, tuple[Joint, Limit]] = {}
+    joints = [joint for joint in model.joints if joint.kind == "continuous" and joint.parent]
+    for joint in joints:
+        if joint.parent and joint.limit and joint.limit.effort and joint.limit.velocity:
+            limited.setdefault(joint.parent.value, (joint, joint.limit))
+    for joint in joints:
+        parent = joint.parent.value if joint.parent else ""
+        if joint.limit or joint.mimic or parent not in limited:
+            continue
+        other, limit = limited[parent]
+        yield Finding(
+            joint.at,
+            f"joint '{joint.name}' has no effort and velocity limit; '{other.name}' on the same "
+            "link has both",
+            "give all continuous joints a <limit> with effort and velocity, or none",
+            related=(Related(limit.at.span, f"limit of '{other.name}'"),),
+            alike=other.name,
+            severity=Severity.INFO,
+        )

@@ -1,17 +1,28 @@
-"""The axis of a joint is not one long.
+"""The axis of a joint is not a unit vector.
 
-URDF wants a unit vector. Gazebo, MuJoCo, Drake, MoveIt and KDL make it one and go on; viewers that
-do not, move a prismatic joint too far by the same factor. More often it shows a slip: angles or a
-position where a direction was meant, or a component too many.
+- Length 0 is an error: MuJoCo and Drake reject the robot, Gazebo drops the model, Pinocchio
+  computes with an invalid rotation. An `<axis>` without `xyz` is 0 0 0 for urdfdom, not the default
+  axis.
+- Another length: Gazebo, MuJoCo, Drake, MoveIt and KDL normalise it; viewers that do not, move a
+  prismatic joint too far by the same factor. Often angles or a position were written instead of a
+  direction.
+- Nearly, but not exactly, x, y or z is an info: noise of CAD exporters. An error of 0.002 rad moves
+  a hand at one metre by 2 mm, closed-form inverse kinematics, which needs axes that are exactly
+  parallel or perpendicular, fails, and Pinocchio uses its slower joint for arbitrary axes.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
     kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp
+    Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import hypot
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
@@ -24,7 +35,7 @@ from urdfkit.text.editing.edits import replace_value
 if TYPE_CHECKING:
     from urdfkit.core.spatial import Vector
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Placed
+    from urdfkit.robot.model import Joint, Placed
 
 BAD = """\
 <link name="base"/>
@@ -38,36 +49,74 @@ BAD = """\
 GOOD = BAD.replace("0 3 4", "0 0.6 0.8")
 FIXED = GOOD
 
+#: sdformat's bound for no direction; MuJoCo's is smaller.
+_ZERO = 1e-6
+
 #: A direction rounded to two decimals, such as 0.71 0.71 0, is nearer to 1 than this.
 _TOLERANCE = 0.01
 
-#: Shorter axes are JNT005's.
-_TINY = 1e-6
+#: In rad: a third of a degree. A larger angle is likely intended.
+_MAX_NOISE = 5e-3
+#: In rad; less is the rounding of a number with sixteen digits.
+_MIN_NOISE = 1e-9
 
 
-@rule(
-    "JNT006",
-    "axis-not-unit",
-    Severity.WARNING,
-    help="write a vector of length 1 in the direction of the axis",
-    fixable=True,
-)
+@rule("JNT006", "axis-not-unit", Severity.WARNING, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
     for joint in subject.model.joints:
-        if joint.axis is None or joint.kind not in (*MOVING, "planar"):
+        at = joint.at.child("axis")
+        if at is None or joint.kind not in (*MOVING, "planar"):
             continue
-        norm = length(joint.axis.value)
-        if norm >= _TINY and abs(norm - 1) > _TOLERANCE:
-            text = " ".join(f"{value:g}" for value in joint.axis.value)
+        if "xyz" not in at.attributes:
             yield Finding(
-                joint.axis,
-                f"joint '{joint.name}': the axis {text} has length {norm:.4g}, not 1",
-                fix=_normalized(joint.axis, norm),
+                at,
+                f"joint '{joint.name}': <axis> has no xyz and is read as 0 0 0",
+                "write the direction of the axis",
+                severity=Severity.ERROR,
             )
+        elif joint.axis:
+            yield from _findings(joint, joint.axis)
 
 
-def _normalized(axis: Placed[Vector], norm: float) -> Fix | None:
+def _findings(joint: Joint, axis: Placed[Vector]) -> Iterator[Finding]:
+    norm = length(axis.value)
+    who = f"joint '{joint.name}': axis {' '.join(f'{value:g}' for value in axis.value)}"
+    if norm < _ZERO:
+        yield Finding(
+            axis,
+            f"{who} has no direction",
+            "write the direction of the axis",
+            severity=Severity.ERROR,
+        )
+    elif abs(norm - 1) > _TOLERANCE:
+        normalized = " ".join(f"{part / norm + 0.0:.10g}" for part in axis.value)  # + 0.0: no -0
+        yield Finding(
+            axis,
+            f"{who} has length {norm:.4g}, not 1",
+            "write a vector of length 1 in the direction of the axis",
+            _fix(axis, normalized),
+        )
+    elif joint.kind in MOVING:
+        yield from _noise(joint, axis)
+
+
+def _noise(joint: Joint, axis: Placed[Vector]) -> Iterator[Finding]:
+    """A unit vector that deviates a little from x, y or z."""
+    sizes = [abs(part) for part in axis.value]
+    main = sizes.index(max(sizes))
+    off = hypot(*sizes[:main], *sizes[main + 1 :])
+    if _MIN_NOISE < off < _MAX_NOISE:
+        sign = "-" if axis.value[main] < 0 else ""
+        suggested = " ".join(f"{sign}1" if index == main else "0" for index in range(3))
+        yield Finding(
+            axis,
+            f"joint '{joint.name}': axis deviates from {sign}{'xyz'[main]} by {off:.2g} rad",
+            "write the intended axis",
+            _fix(axis, suggested),
+            severity=Severity.INFO,
+        )
+
+
+def _fix(axis: Placed[Vector], value: str) -> Fix | None:
     assert isinstance(axis.at, Attribute)
-    value = " ".join(f"{part / norm + 0.0:.10g}" for part in axis.value)  # + 0.0: no -0
-    edits = replace_value(axis.at, value)
-    return Fix.of(f'write xyz="{value}"', edits)
+    return Fix.of(f'write xyz="{value}"', replace_value(axis.at, value))

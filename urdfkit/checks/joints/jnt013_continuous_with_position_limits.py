@@ -1,6 +1,6 @@
 """A continuous joint has position limits.
 
-A continuous joint turns without end. Gazebo, MoveIt, ros2_control, MuJoCo and Pinocchio pass over
+A continuous joint turns without end. Gazebo, MoveIt, ros2_control, MuJoCo and Pinocchio ignore
 `lower` and `upper`; Drake obeys them, so that the same robot moves differently there, and not at
 all with 0 and 0. Remove them, or make the joint revolute if it has an end.
 

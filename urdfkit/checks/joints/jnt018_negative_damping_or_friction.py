@@ -1,7 +1,7 @@
 """The damping or the friction of a joint is negative.
 
 Both take energy out of the motion, so a negative one puts energy in: in MuJoCo the joint moves
-faster and faster by itself. Drake refuses a negative damping, Pinocchio a negative friction.
+faster and faster by itself. Drake rejects a negative damping, Pinocchio a negative friction.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint

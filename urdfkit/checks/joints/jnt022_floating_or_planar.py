@@ -1,10 +1,10 @@
 """A joint is floating or planar.
 
-Few readers can do it. Gazebo makes no joint of it at all: the link and what hangs on it become a
+Few readers can do it. Gazebo makes no joint of it at all: the link and its child links become a
 body of their own, which falls, and a planar joint keeps nothing in its plane. KDL, and with it
 robot_state_publisher, takes both for fixed. Drake sets a floating link free. MuJoCo, Pinocchio and
 MoveIt understand both, but the last two move a planar joint across z, whatever its axis. Three
-prismatic and revolute joints in a row say planar for everyone; a robot that may go anywhere needs
+prismatic and revolute joints in a row say planar foreveryone; a robot that may go anywhere needs
 no joint at its root.
 
 Sources:

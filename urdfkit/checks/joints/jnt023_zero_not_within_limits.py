@@ -1,7 +1,7 @@
 """The position 0 lies outside of the limits of joints.
 
 0 is where simulators and inverse kinematics put a joint at first. Gazebo throws such a joint to its
-stop in the first step, and other programs start with a posture that they then refuse. It is often
+stop in the first step, and other programs start with a posture that they then reject. It is often
 meant, as for an elbow that does not stretch: then give the simulation an initial position. Or turn
 the origin of the joint, so that 0 is a posture that the robot can take.
 

@@ -1,6 +1,6 @@
 """Joints mimic others in a program that does not know mimic.
 
-RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress pass over
+RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress ignore
 `<mimic>`: the followers swing freely. From Harmonic on, only the physics engine
 bullet-featherstone couples them; the default one says so once and lets them swing. A joint that
 is listed in `<ros2_control>` follows by the control plugin, and for Classic there are mimic

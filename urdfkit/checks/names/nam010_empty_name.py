@@ -1,6 +1,6 @@
 """A link or a joint has an empty name.
 
-urdfdom reads it, the next program does not: TF ignores a frame without a name, Drake refuses such a
+urdfdom reads it, the next program does not: TF ignores a frame without a name, Drake rejects such a
 link and PyBullet crashes. In a xacro the name is mostly a prefix with nothing behind it.
 
 Sources:

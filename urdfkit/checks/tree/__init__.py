@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+#: Codes and names of former rules, and the rules that report their findings now.
+REDIRECTS = {"TRE009": "", "deep-chain": ""}  # fmt: skip
+
 
 def applies(subject: Subject) -> bool:
     """True for a document with a robot in it."""

@@ -1,6 +1,6 @@
 """The robot has no link.
 
-urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and PyBullet refuse it. In a xacro the macro that makes
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and PyBullet reject it. In a xacro the macro that makes
 the links is mostly defined, but never called.
 
 Sources:

@@ -1,7 +1,7 @@
 """More than one link has no parent.
 
 A robot is one tree: of all links only the root is nobody's child. urdfdom (RViz, MoveIt, Gazebo,
-Pinocchio) refuses a robot with two roots; MuJoCo and Drake load the parts loose. Connect each of
+Pinocchio) rejects a robot with two roots; MuJoCo and Drake load the parts loose. Connect each of
 the others with a joint, or remove it.
 
 Sources:

@@ -1,7 +1,7 @@
 """Joints form a closed loop.
 
-URDF describes trees. urdfdom searches for the root of a loop for ever, or drops a loop that
-hangs on nothing without a word; MuJoCo, Drake and PyBullet refuse it. A closed mechanism is
+URDF describes trees. urdfdom searches for the root of a loop forever, or drops a loop that
+has no parent silently; MuJoCo, Drake and PyBullet reject it. A closed mechanism is
 written as a tree: leave one joint of the loop out, and close it in the simulator.
 
 Sources:

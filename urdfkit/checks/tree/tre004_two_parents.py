@@ -1,8 +1,8 @@
 """A link is the child of two joints.
 
-URDF describes trees: every link hangs on one joint. MuJoCo refuses the robot, PyBullet crashes,
-urdfdom (RViz, MoveIt, Gazebo) keeps both, and the frame of the link jumps between two places.
-Mostly one `<child>` is a slip; a closed mechanism needs one joint left out.
+URDF describes trees: every link is the child of one joint. MuJoCo rejects the robot, PyBullet
+crashes, urdfdom (RViz, MoveIt, Gazebo) keeps both, and the frame of the link jumps between two
+places. Mostly one `<child>` is a mistake; a closed mechanism needs one joint left out.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
@@ -45,7 +45,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for joint in joints[1:]:
             first = joints[0]
             if joint.name == first.name:
-                continue  # the same joint twice is NAM002's
+                continue  # the same joint twice is NAM001's
             yield Finding(
                 joint.child or joint.at,
                 f"link '{name}' is the child of joint '{joint.name}' and of joint '{first.name}'",

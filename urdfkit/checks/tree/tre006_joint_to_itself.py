@@ -1,7 +1,7 @@
 """A joint has the same link as parent and child.
 
-urdfdom loops for ever on it, Pinocchio crashes, and sdformat refuses the model. One of the two
-names is a slip: the child is the link that moves.
+urdfdom loops forever on it, Pinocchio crashes, and sdformat rejects the model. One of the two
+names is a mistake: the child is the link that moves.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp

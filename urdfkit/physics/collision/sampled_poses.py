@@ -38,9 +38,6 @@ from urdfkit.robot.tree import KinematicTree
 _SAMPLES = 50
 #: Colliding samples of a pair in which the other pairs are looked at.
 _POSES = 20
-#: Pairs of links in poses that are looked at for near misses: all, up to some 200 links.
-_WORK = 20_000_000
-
 
 _CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
 _POINT = form(CollisionArrays("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES))
@@ -75,15 +72,6 @@ class Contact(NamedTuple):
     def bodies(self) -> tuple[tuple[str, int], tuple[str, int]]:
         """Link and number of the small and of the large body."""
         return (self.small.link, self.small.number), (self.large.link, self.large.number)
-
-
-class NearMiss(NamedTuple):
-    """Two links that come close: the distance in m, and the joints between them."""
-
-    first: str
-    second: str
-    distance: float
-    pose: dict[str, float]
 
 
 class Collision(NamedTuple):
@@ -144,20 +132,6 @@ class SampledPoses:
                     return False
                 at = step.parent
         return True
-
-    @cached_property
-    def near_misses(self) -> tuple[NearMiss, ...]:
-        """Links that come within a hair's breadth of one another, and collide in no pose."""
-        links = max(1, len(self._examiner.links))
-        rows = self.chain.extremes()[: 1 + _WORK // links**2]
-        frames = self._examiner.frames(rows, self._examiner.links)
-        pairs = [pair for pair in self._close(frames) if not self._is_held(pair)]
-        look = self._examiner.look(pairs, [NEAR] * len(pairs))
-        return tuple(
-            NearMiss(*self._names(pair), seen.distance, self.chain.pose(rows[seen.row], *pair))
-            for pair, seen in zip(pairs, look.at(rows, count=True), strict=True)
-            if not seen.hits and TOUCH < seen.distance < NEAR
-        )
 
     def colliding(
         self,
@@ -220,10 +194,6 @@ class SampledPoses:
     def _is_bound(self, pair: Pair) -> bool:
         """True if joints with limits say how two links stand to one another."""
         return self.chain.parts[pair[0]] == self.chain.parts[pair[1]]
-
-    def _is_held(self, pair: Pair) -> bool:
-        names = self._names(pair)
-        return self._adjacency.is_adjacent(*names) or self._adjacency.is_rigid(*names)
 
     def _meetings(self) -> Iterator[Contact]:
         row = self.chain.default[None]

@@ -8,22 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 #: In the messages of rules that have milder findings, too.
 REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model"
 
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset(
-    "JNT001 JNT002 NAM001 NAM002 NAM006 REF001 "
+    "JNT001 JNT002 NAM001 REF001 "
     "TRE001 TRE002 TRE003 TRE006 URD010 URD011 URD015".split()
 )
 #: Rules with findings that reject the robot, as their messages say.
 SOMETIMES = frozenset("GAZ010 GAZ027 GAZ040 GAZ047".split())
 #: Rules whose findings reject the robot where they are about a joint.
 IN_JOINTS = frozenset("URD003 URD004 URD005 URD006".split())
+#: Rules that also report what rejects nothing: only their errors count.
+_ONLY_ERRORS = frozenset(("JNT002", "JNT006"))
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
-BY_GZ = frozenset("GAZ057 JNT005".split())
+BY_GZ = frozenset("GAZ057 JNT006".split())
 
 CODES = ALWAYS | SOMETIMES | IN_JOINTS | BY_GZ
 
@@ -32,6 +34,8 @@ def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]
     """The findings for which a robot is rejected, each with who rejects it."""
     found = []
     for one in diagnostics:
+        if one.code in _ONLY_ERRORS and one.severity is not Severity.ERROR:
+            continue
         says = one.message if one.code in SOMETIMES else ""
         in_joint = any(call.element.startswith("joint/") for call in one.calls)
         if one.code in ALWAYS or (one.code in IN_JOINTS and in_joint) or REJECTED in says:

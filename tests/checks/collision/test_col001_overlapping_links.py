@@ -1,0 +1,188 @@
+"""COL001: see the rule."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.physics.collision.robots import box, cube, cylinder, joint, link, mesh, revolute, sphere
+from tests.reported import messages, places, reported
+from urdfkit.core import libraries
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
+
+
+def severities(text: str) -> list[str]:
+    return [found.severity.value for found in reported("COL001", text)]
+
+
+SWING = revolute(-2, 2, "0 1 0")
+
+
+def bent(depth: float, limits: str = SWING, between: str = box(0.05, 0.05, 0.4)) -> str:
+    """A ball on an arm that reaches so deep into the base where it hangs down."""
+    return "\n".join(
+        (
+            link("base", box(0.2, 0.2, 0.2)),
+            link("upper", f"{between}@0 0 0.35"),
+            link("tool", f"{sphere(0.05)}@0 0 {-0.35 - depth}"),
+            joint("base", "upper", "revolute", "0 0 0.1", revolute(-1, 1, "0 1 0")),
+            joint("upper", "tool", "revolute", "0 0 0.4", limits),
+        )
+    )
+
+
+@pytest.fixture(autouse=True)
+def _needs_coal(request: pytest.FixtureRequest) -> None:
+    if "without" not in request.node.name:
+        pytest.importorskip("coal")
+
+
+@pytest.mark.parametrize("kind", ["floating", "planar"])
+def test_what_no_joint_binds_is_nowhere(kind: str) -> None:
+    """Neither the trees of two roots nor what floats stands at the origin of the other."""
+    arm = bent(0.004)
+    assert messages("COL001", arm)
+    assert not messages("COL001", arm.replace("revolute", kind, 1))
+    assert not messages("COL001", arm.partition("<joint")[0])
+
+
+def test_the_depth_and_the_smaller_body() -> None:
+    text = bent(0.004)
+    assert messages("COL001", text) == [
+        "links 'tool' and 'base' overlap by 4 mm where all joints are at zero"
+    ]
+    assert severities(text) == ["warning"]
+    ((line, what),) = places("COL001", text)
+    assert (line, what) == (4, "<collision>")
+
+
+@pytest.mark.parametrize("depth", [-0.1, 0, 0.0005])
+def test_less_than_a_millimetre_is_no_matter(depth: float) -> None:
+    assert messages("COL001", bent(depth)) == []
+
+
+def test_a_joint_that_begins_elsewhere() -> None:
+    assert messages("COL001", bent(0.02, revolute(1, 2, "0 1 0"))) == []
+
+
+def test_links_that_collide_in_every_pose_are_an_info() -> None:
+    stiff = bent(0.02).replace('lower="-2" upper="2"', 'lower="0" upper="0"')
+    assert severities(stiff) == ["info"]
+
+
+def test_rigidly_connected_links_are_not_reported() -> None:
+    arm = link("base", box(0.2, 0.2, 0.2)) + link("arm", box(0.2, 0.2, 0.2))
+    assert severities(arm + joint("base", "arm", "continuous")) == ["info"]
+    sensor = link("mid", box(0.1, 0.1, 0.1)) + link("eye", box(0.1, 0.1, 0.1))
+    fixed = joint("base", "arm", origin="9 0 0") + joint("arm", "mid") + joint("mid", "eye")
+    assert messages("COL001", arm + sensor + fixed) == []
+
+
+def test_without_coal_it_is_skipped_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
+    original = libraries.find
+    monkeypatch.setattr(libraries, "find", lambda name: None if name == "coal" else original(name))
+    for module in [name for name in sys.modules if name.startswith("urdfkit.physics.collision")]:
+        monkeypatch.delitem(sys.modules, module)
+    source = Source("r.urdf", whole_robot(bent(0.02)).encode())
+    report = engine.check(source, select=["COL"])
+    assert report.diagnostics == ()
+    assert {skip.code for skip in report.skipped} == {"COL001", "COL004"}
+    assert {skip.reason for skip in report.skipped} == {
+        "coal is not installed: pip install 'urdfkit[dynamics]'"
+    }
+    assert not any(name.startswith("urdfkit.physics.collision") for name in sys.modules)
+
+
+def test_the_arm_of_moveit_is_folded_into_itself_at_zero(corpus: Path) -> None:
+    panda = corpus / "moveit_resources" / "panda_description" / "urdf" / "panda.urdf"
+    found = engine.check(panda, select=["COL001"]).diagnostics
+    assert [
+        one.message.split(" overlap")[0] for one in found if one.severity is Severity.WARNING
+    ] == [
+        "links 'panda_link7' and 'panda_link5'",
+        "links 'panda_hand' and 'panda_link5'",
+    ]
+
+
+@pytest.mark.parametrize(("limits", "count"), [(revolute(1, 2), 0), (revolute(-1, 2), 1)])
+def test_a_joint_above_both_that_cannot_be_at_zero(limits: str, count: int) -> None:
+    below = bent(0.004) + link("stand") + joint("stand", "base", "revolute", more=limits)
+    assert len(messages("COL001", below)) == count
+
+
+NECK = '<axis xyz="0 0 1"/>'
+
+
+def body(head: str, more: str = NECK, kind: str = "continuous") -> str:
+    """A leg that begins 0.12 m from the axis of the head and ends 0.15 m above its middle."""
+    return "\n".join(
+        (
+            link("body", cylinder(0.2, 0.6)),
+            link("leg", box(0.1, 0.2, 0.6)),
+            link("head", head),
+            joint("body", "leg", origin="0 0.22 0.15"),
+            joint("body", "head", kind, "0 0 0.3", more),
+        )
+    )
+
+
+def test_a_ball_that_turns_in_place_overlaps_in_every_pose() -> None:
+    (message,) = (one for one in messages("COL001", body(sphere(0.2))) if "'leg'" in one)
+    assert message.startswith("links 'head' and 'leg' overlap in every pose, by ")
+    assert float(message.split()[9]) == pytest.approx(80, abs=0.1)
+    assert set(severities(body(sphere(0.2)))) == {"info"}
+
+
+@pytest.mark.parametrize(
+    ("head", "more", "kind", "is_always"),
+    [
+        (box(0.1, 0.3, 0.2), NECK, "continuous", False),
+        (sphere(0.2), revolute(0, 0.5), "prismatic", False),
+        (sphere(0.2), revolute(0, 0.05), "prismatic", True),
+    ],
+)
+def test_a_pose_that_separates_them(head: str, more: str, kind: str, is_always: bool) -> None:
+    found = messages("COL001", body(head, more, kind))
+    assert ["every pose" in message for message in found if "'leg'" in message].count(True) == (
+        is_always
+    )
+
+
+def wheel(inside: float, shape: str = box(0.2, 0.04, 0.2), kind: str = "continuous") -> str:
+    """A wheel 0.04 m wide, as far inside a chassis 0.4 m wide, and lower than it."""
+    return "\n".join(
+        (
+            link("chassis", box(0.6, 0.4, 0.1)),
+            link("wheel", shape),
+            joint("chassis", "wheel", kind, f"0.2 {0.22 - inside} -0.05"),
+        )
+    )
+
+
+def test_a_wheel_deep_in_its_chassis() -> None:
+    assert messages("COL001", wheel(0.035)) == [
+        "link 'wheel' overlaps adjacent link 'chassis' by 35 mm, 88% of its thickness"
+    ]
+    assert severities(wheel(0.035)) == ["info"]
+    assert places("COL001", wheel(0.035)) == [(3, "<collision>")]
+
+
+@pytest.mark.parametrize("inside", [-0.01, 0.0, 0.01, 0.02])
+def test_half_a_wheel_in_the_chassis_is_not_reported(inside: float) -> None:
+    assert messages("COL001", wheel(inside)) == []
+
+
+def test_a_fixed_wheel_is_not_reported() -> None:
+    assert messages("COL001", wheel(0.035, kind="fixed")) == []
+
+
+def test_the_depth_of_surfaces_is_not_trusted(tmp_path: Path) -> None:
+    solid = mesh(cube(tmp_path / "solid.stl", 0.02))
+    assert len(messages("COL001", wheel(0.035, solid).replace("-0.05", "-0.04"))) == 1
+    hollow = mesh(cube(tmp_path / "hollow.stl", 0.02, 5))
+    assert messages("COL001", wheel(0.035, hollow).replace("-0.05", "-0.04")) == []

@@ -1,0 +1,232 @@
+from __future__ import annotations
+
+from math import radians
+
+import pytest
+
+from tests.jointed import joint, limit, of_xacro, robot
+from tests.reported import fixed, messages, places, reported
+from urdfkit.text.diagnostic import Confidence
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "turns"),
+    [
+        ("-180", "180", "28.6"),
+        ("-90", "90", "14.3"),
+        ("0", "45.0", "7.2"),
+        ("-1", "135", "21.5"),
+        ("-360", "360", "57.3"),
+    ],
+)
+def test_an_angle_that_has_a_name(lower: str, upper: str, turns: str) -> None:
+    text = robot(joint("j", "revolute", limit(lower, upper)))
+    (found,) = reported("JNT010", text)
+    assert f"[{float(lower):g}, {float(upper):g}] rad, {turns} turns" in found.message
+    assert found.confidence is Confidence.INFERRED
+    assert places("JNT010", text) == [(4, limit(lower, upper))]
+    text = fixed("JNT010", text)
+    ends = [f"{radians(float(end)):.10g}" for end in (lower, upper)]
+    assert limit(*(end if end != "0" else "0" for end in ends)) in text
+    assert reported("JNT010", text) == []
+
+
+def test_ranges_that_differ_from_joint_to_joint() -> None:
+    text = robot(
+        joint("a", "revolute", limit("-170", "170")), joint("b", "revolute", limit("-120", "65"))
+    )
+    assert [message.partition(" has")[0] for message in messages("JNT010", text)] == [
+        "joint 'a'",
+        "joint 'b'",
+    ]
+
+
+def test_one_end_in_degrees() -> None:
+    others = [joint(name, "revolute", limit("-1.7", "2.4")) for name in "ab"]
+    for lower, upper in (("-94", "4.69"), ("-3.1", "180")):
+        text = robot(*others, joint("j", "revolute", limit(lower, upper)))
+        (message,) = messages("JNT010", text)
+        assert message.endswith("which looks like degrees or a missing decimal point")
+        assert limit(lower, upper) in fixed("JNT010", text)
+    assert messages("JNT010", robot(*others, joint("j", "revolute", limit("-3.1", "100")))) == []
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper"),
+    [
+        ("-6.28", "6.28"),
+        ("-6.9813", "6.9813"),  # an IRB 1600
+        ("-7", "7"),
+        ("-9.42477796077", "9.42477796077"),  # an ANYmal
+        ("-10", "10"),  # a Solo
+        ("-12", "12"),
+        ("-100", "100"),
+        ("-50", "50"),
+        ("0", "1000"),
+        ("-999999", "999999"),  # a Fetch
+        ("-1e+16", "1e+16"),  # an Iris
+        ("-174.532925", "174.532925"),  # a Jaco
+        ("-31.4", "31.4"),
+        ("90", "-90"),  # JNT003
+        ("90", "90"),  # JNT004
+    ],
+)
+def test_limits_of_real_robots_in_radians(lower: str, upper: str) -> None:
+    assert reported("JNT010", robot(joint("j", "revolute", limit(lower, upper)))) == []
+
+
+def test_round_numbers_alone_are_no_evidence() -> None:
+    free = [joint(f"j{size}", "revolute", limit(f"-{size}", f"{size}")) for size in (50, 100, 300)]
+    assert reported("JNT010", robot(*free)) == []
+    assert reported("JNT010", robot(*free, joint("a", "revolute", limit("-33", "33")))) == []
+    assert len(reported("JNT010", robot(*free, joint("a", "revolute", limit("-65", "20"))))) == 4
+
+
+@pytest.mark.parametrize("kind", ["prismatic", "continuous", "fixed"])
+def test_only_revolute_joints_have_angles_for_limits(kind: str) -> None:
+    assert reported("JNT010", robot(joint("j", kind, limit("-90", "90")))) == []
+
+
+def test_what_an_expression_gave_is_not_edited() -> None:
+    text = of_xacro(robot(joint("j", "revolute", limit("${-90}", "90"))))
+    assert [found.fix for found in reported("JNT010", text, "robot.xacro")] == [None]
+    right = of_xacro(robot(joint("j", "revolute", limit("${radians(-90)}", "${pi/2}"))))
+    assert reported("JNT010", right, "robot.xacro") == []
+
+
+def test_one_joint_in_degrees_among_others_in_radians() -> None:
+    small = [joint(f"j{n}", "revolute", limit("-2", "2")) for n in range(2)]
+    odd = joint("odd", "revolute", limit("-137", "137"))
+    assert len(messages("JNT010", robot(*small, odd))) == 1
+    assert messages("JNT010", robot(odd)) == []
+    free = joint("free", "revolute", limit("-100", "100"))
+    assert messages("JNT010", robot(*small, free)) == []
+
+
+def turned(rpy: str) -> str:
+    return robot(joint("j", "fixed", f'<origin xyz="0 0 0" rpy="{rpy}"/>'))
+
+
+@pytest.mark.parametrize(
+    ("rpy", "worst", "better"),
+    [
+        ("90 0 0", "90 rad, 14.3", "1.570796327 0 0"),
+        ("0 0 -180", "-180 rad, 28.6", "0 0 -3.141592654"),
+        ("0 22.5 0", "22.5 rad, 3.6", "0 0.3926990817 0"),
+        ("0 7 0", "7 rad, 1.1", "0 0.1221730476 0"),
+        ("90 5 -30", "90 rad, 14.3", "1.570796327 0.0872664626 -0.5235987756"),
+        ("90 0 1.57", "90 rad, 14.3", "1.570796327 0 1.57"),
+        ("360 0 0.0", "360 rad, 57.3", "6.283185307 0 0.0"),
+    ],
+)
+def test_more_than_a_turn_in_whole_degrees(rpy: str, worst: str, better: str) -> None:
+    (found,) = reported("JNT010", turned(rpy))
+    assert f"an rpy of {worst} turns" in found.message
+    assert found.confidence is Confidence.INFERRED
+    assert places("JNT010", turned(rpy)) == [(4, rpy)]
+    assert f'rpy="{better}"' in fixed("JNT010", turned(rpy))
+
+
+@pytest.mark.parametrize(
+    "rpy",
+    [
+        "0 0 0",
+        "1.5708 0 3.14159",
+        "0 0 6.283185307179586",
+        "0 0 6.2832",
+        "-6 5 4",
+        "0 0 4.71238898038469",
+        "7.853981633974483 0 0",  # 5/2 pi
+        "0 0 1000",
+        "90 0",  # URD006
+        "90 0 x",  # URD005
+    ],
+)
+def test_angles_in_radians(rpy: str) -> None:
+    assert reported("JNT010", turned(rpy)) == []
+
+
+@pytest.mark.parametrize("part", ["visual", "collision", "inertial"])
+def test_the_origins_in_links(part: str) -> None:
+    text = f'<link name="a"><{part}><origin rpy="0 90 0"/></{part}></link>' + robot(
+        joint("j", "fixed")
+    )
+    (message,) = messages("JNT010", text)
+    assert message.startswith(f"link 'a': <{part}> has an rpy of 90 rad")
+
+
+def test_an_origin_elsewhere_is_not_urdf() -> None:
+    text = robot(joint("j", "fixed")) + '<gazebo><origin rpy="0 90 0"/></gazebo>'
+    assert reported("JNT010", text) == []
+
+
+def test_an_rpy_of_an_expression_is_not_edited() -> None:
+    text = of_xacro(turned("${90} 0 0"))
+    assert [found.fix for found in reported("JNT010", text, "robot.xacro")] == [None]
+    assert reported("JNT010", of_xacro(turned("${radians(90)} 0 0")), "robot.xacro") == []
+
+
+def arm(*velocities: str, kind: str = "revolute") -> str:
+    """Joints ``j0``, ``j1`` ... of some velocities."""
+    return robot(
+        *(
+            joint(f"j{number}", kind, limit("-1", "1", velocity=velocity))
+            for number, velocity in enumerate(velocities)
+        )
+    )
+
+
+@pytest.mark.parametrize(
+    ("velocities", "suspects"),
+    [
+        (("180",), ["j0"]),
+        (("90", "90", "90"), ["j0", "j1", "j2"]),
+        (("155", "155", "230"), ["j0", "j1", "j2"]),  # a data sheet
+        (("3.1", "2.5", "183"), ["j2"]),  # 3.2 rad/s
+    ],
+)
+def test_degrees(velocities: tuple[str, ...], suspects: list[str]) -> None:
+    found = [message.partition(" has")[0] for message in messages("JNT010", arm(*velocities))]
+    assert found == [f"joint '{name}'" for name in suspects]
+
+
+def test_a_wheel_whose_ends_are_none_may_be_fast() -> None:
+    wheels = [joint(f"j{i}", "revolute", limit("-1e9", "1e9", velocity=v)) for i, v in
+              enumerate(("73", "92"))]  # fmt: skip
+    assert reported("JNT010", robot(*wheels)) == []
+
+
+def test_the_fix_is_the_same_speed_in_radians() -> None:
+    (found,) = reported("JNT010", arm("225"))
+    assert "225 rad/s" in found.message
+    assert "(3.93 rad/s)" in found.message
+    text = fixed("JNT010", arm("225"))
+    assert f'velocity="{radians(225):.10g}"' in text
+    assert reported("JNT010", text) == []
+
+
+@pytest.mark.parametrize(
+    "velocities",
+    [
+        ("100", "100"),
+        ("1000",),
+        ("50", "3"),
+        ("20", "30", "37"),  # a G1
+        ("30.1", "28.6"),
+        ("111", "28.8"),  # the wheels of an Upkie
+        ("100", "100.7"),
+        ("50000", "1.79769e+308"),
+        ("155",),
+    ],
+)
+def test_fast_motors_and_placeholders(velocities: tuple[str, ...]) -> None:
+    assert messages("JNT010", arm(*velocities)) == []
+
+
+def test_wheels_are_fast() -> None:
+    assert messages("JNT010", arm("180", kind="continuous")) == []
+
+
+def test_a_robot_of_one_link() -> None:
+    shape = '<origin rpy="90 0 0"/><geometry><sphere radius="1"/></geometry>'
+    assert len(messages("JNT010", f'<link name="a"><visual>{shape}</visual></link>')) == 1

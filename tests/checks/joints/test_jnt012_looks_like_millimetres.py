@@ -1,0 +1,95 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, robot
+from tests.reported import fixed, messages, places, reported
+from urdfkit.text.diagnostic import Confidence
+
+
+def at(name: str, xyz: str) -> str:
+    return joint(name, "fixed", f'<origin xyz="{xyz}"/>')
+
+
+def shown(geometry: str) -> str:
+    return f'<link name="s"><visual><geometry>{geometry}</geometry></visual></link>'
+
+
+NEAR = [at("a", "0 0 0.1"), at("b", "0 0.2 0"), at("c", "0.3 0 0"), at("d", "0 0 0")]
+MESH = '<mesh filename="arm.stl" scale="{0} {0} {0}"/>'
+
+
+def test_one_origin_far_from_all_others() -> None:
+    text = robot(*NEAR, at("j", "0 0 -150"))
+    (found,) = reported("JNT012", text)
+    assert found.message == (
+        "joint 'j': the origin is 150 m away, but half of the other 3 joints lie less than 0.2 m "
+        "apart; that looks like millimetres"
+    )
+    assert found.confidence is Confidence.INFERRED
+    assert places("JNT012", text) == [(12, '<origin xyz="0 0 -150"/>')]
+
+
+def test_a_robot_in_millimetres_with_meshes_that_are_scaled() -> None:
+    far = robot(at("a", "0 0 120"), at("b", "0 250 0"))
+    (message,) = messages("JNT012", shown(MESH.format("0.001")) + far)
+    assert message == (
+        "joints 'a' and 'b': the origin is 120 m away, but meshes are scaled by 0.001; that looks "
+        "like millimetres"
+    )
+    assert reported("JNT012", shown(MESH.format("1")) + far) == []
+
+
+@pytest.mark.parametrize(
+    ("size", "count"), [("0.4 0.4 0.4", 1), ("0.1 1.19 0.1", 1), ("0.1 1.21 0.1", 0)]
+)
+def test_shapes_tell_the_size_of_the_robot(size: str, count: int) -> None:
+    text = shown(f'<box size="{size}"/>') + robot(at("a", "0 0 120"), at("b", "0 250 0"))
+    assert len(reported("JNT012", text)) == count
+
+
+@pytest.mark.parametrize(
+    "joints",
+    [
+        [*NEAR],
+        [*NEAR, at("j", "0 0 9.9")],
+        [*NEAR, at("j", "0 0 15")],  # a frame in the room, 75 times as far
+        [at("a", "0 0 2"), at("b", "0 5 0"), at("c", "4 0 0"), at("j", "0 0 600")],  # a crane
+        [at("a", "0 0 0.1"), at("b", "0 0.2 0"), at("j", "0 0 150")],  # too few to compare with
+        [at("a", "0 0 120"), at("b", "0 250 0")],
+    ],
+)
+def test_no_evidence(joints: list[str]) -> None:
+    assert reported("JNT012", robot(*joints)) == []
+
+
+ROBOT = """\
+<link name="a"><visual><geometry><box size="{size} 0.1 0.1"/></geometry></visual></link>
+<link name="b"/>
+<joint name="j" type="prismatic"><parent link="a"/><child link="b"/>
+<limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/></joint>"""
+
+
+def gripper(lower: str, upper: str, size: str = "0.1") -> str:
+    return ROBOT.format(lower=lower, upper=upper, size=size)
+
+
+def test_thirty_metres_of_a_gripper() -> None:
+    assert messages("JNT012", gripper("0", "30")) == [
+        "joint 'j' has limits [0, 30] m, but no part of the robot is longer than 0.1 m"
+    ]
+    text = fixed("JNT012", gripper("-5", "30"))
+    assert 'lower="-0.005" upper="0.03"' in text
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "size"),
+    [
+        ("0", "0.03", "0.1"),
+        ("0", "30", "2"),  # a gantry
+        ("0", "30.5", "0.1"),  # nobody measures half millimetres
+        ("-1000000", "1000000", "0.1"),  # free
+    ],
+)
+def test_a_plausible_travel(lower: str, upper: str, size: str) -> None:
+    assert messages("JNT012", gripper(lower, upper, size)) == []

@@ -1,0 +1,97 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.jointed import joint, limit, robot
+from tests.reported import fixed, messages, places, reported
+from urdfkit.lint import engine
+
+JOINT = (
+    '<link name="a"/><link name="b"/>\n<joint name="j" type="{}">\n'
+    '  <parent link="a"/><child link="b"/>{}</joint>'
+)
+AXIS = '<axis xyz="0 1 0"/>'
+
+
+def test_the_axis_is_the_place() -> None:
+    text = JOINT.format("fixed", f"\n  {AXIS}\n")
+    assert messages("JNT020", text) == ["joint 'j' is fixed; its <axis> has no effect"]
+    assert places("JNT020", text) == [(5, AXIS)]
+
+
+@pytest.mark.parametrize("kind", ["revolute", "continuous", "prismatic", "planar", "screw"])
+def test_joints_that_move_need_it(kind: str) -> None:
+    assert reported("JNT020", JOINT.format(kind, AXIS)) == []
+
+
+@pytest.mark.parametrize(
+    ("written", "left"),
+    [
+        (f"\n  {AXIS}\n", "\n"),
+        (f"\r\n\t{AXIS} \r\n", "\r\n"),
+        (f"{AXIS}", ""),
+        (f"\n  {AXIS}<!-- y -->\n", "\n  <!-- y -->\n"),
+        (f"\n  <!-- y -->{AXIS}\n", "\n  <!-- y -->\n"),
+        ("\n  <axis\n    xyz='0 1 0'>\n  </axis>\n", "\n"),
+    ],
+)
+def test_it_goes_with_its_line_and_takes_nothing_else(written: str, left: str) -> None:
+    assert fixed("JNT020", JOINT.format("fixed", written)) == (
+        f'<robot name="example">\n{JOINT.format("fixed", left)}\n</robot>\n'
+    )
+
+
+def test_the_fix_is_safe() -> None:
+    (found,) = reported("JNT020", JOINT.format("fixed", AXIS))
+    assert found.fix is not None
+    assert found.fix.safe
+
+
+def test_a_macro_whose_other_calls_may_need_it_is_not_edited() -> None:
+    text = f"""\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="j" params="type n">
+    <link name="l${{n}}"/>
+    <joint name="j${{n}}" type="${{type}}"><parent link="a"/><child link="l${{n}}"/>{AXIS}</joint>
+  </xacro:macro>
+  <link name="a"/>
+  <xacro:j type="fixed" n="1"/>
+  <xacro:j type="continuous" n="2"/>
+</robot>
+"""
+    (found,) = reported("JNT020", text, "robot.xacro")
+    assert (found.span.line, found.span.text) == (4, AXIS)
+    assert found.fix is None
+
+
+def test_the_three_of_the_mission_s_model() -> None:
+    report = engine.check(
+        MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["JNT020"]
+    )
+    assert [found.message.split("'")[1] for found in report.diagnostics] == [
+        "imu_joint",
+        "camera_joint",
+        "hokuyo_joint",
+    ]
+    assert {found.span.text for found in report.diagnostics} == {AXIS}
+
+
+def test_position_limits_without_effect() -> None:
+    text = robot(joint("j", "fixed", limit("-1", "1", "1", "1")))
+    (found,) = reported("JNT020", text)
+    assert "[-1, 1]" in found.message
+    assert found.span.text == limit("-1", "1", "1", "1")
+    assert found.fix is None
+
+
+@pytest.mark.parametrize(
+    ("kind", "content"),
+    [
+        ("fixed", limit("0", "0", "0", "0")),  # zeros of an exporter
+        ("fixed", ""),
+        ("revolute", limit("-1", "1", "1", "1")),
+    ],
+)
+def test_no_limits_or_a_joint_that_moves(kind: str, content: str) -> None:
+    assert reported("JNT020", robot(joint("j", kind, content))) == []

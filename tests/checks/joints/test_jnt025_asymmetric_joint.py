@@ -1,0 +1,277 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, limit, robot
+from tests.reported import messages, places, reported
+from urdfkit.text.diagnostic import Confidence
+
+REVOLUTE = limit("-1", "2", "80", "11")
+
+
+def symmetric_pairs(left: str, right: str, kind: str = "revolute", other: str = "revolute") -> str:
+    return robot(joint("left_arm", kind, left), joint("right_arm", other, right))
+
+
+@pytest.mark.parametrize(
+    ("right", "difference"),
+    [
+        (limit("-1", "2", "1000", "11"), "effort 1000, not 80 N m"),
+        (limit("-1", "2", "82", "11"), "effort 82, not 80 N m"),
+        (limit("-1", "2", "80", "5"), "velocity 5, not 11 rad/s"),
+        (limit("-1", "1.5", "80", "11"), "limits -1 to 1.5, not -1 to 2 rad"),
+        (limit("-1.2", "2.2", "80", "11"), "limits -1.2 to 2.2, not -1 to 2 rad"),
+        (
+            limit("0", "2", "1", "2"),
+            "effort 1, not 80 N m, velocity 2, not 11 rad/s, limits 0 to 2, not -1 to 2 rad",
+        ),
+    ],
+)
+def test_what_differs(right: str, difference: str) -> None:
+    text = symmetric_pairs(REVOLUTE, right)
+    (found,) = reported("JNT025", text)
+    assert (
+        found.message == f"joint 'right_arm' differs from its counterpart 'left_arm': {difference}"
+    )
+    assert found.confidence is Confidence.INFERRED
+    assert places("JNT025", text) == [(6, right)]
+    assert [other.message for other in found.related] == ["counterpart 'left_arm'"]
+
+
+def test_another_type() -> None:
+    text = symmetric_pairs(REVOLUTE, limit("-1", "2"), other="continuous")
+    assert messages("JNT025", text) == [
+        "joint 'right_arm' differs from its counterpart 'left_arm': continuous, not revolute"
+    ]
+    assert places("JNT025", text) == [(6, '<joint name="right_arm" type="continuous">')]
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (REVOLUTE, REVOLUTE),
+        (REVOLUTE, limit("-2", "1", "80", "11")),  # mirrored
+        (REVOLUTE, limit("-1.1", "2.1", "80.4", "11.05")),
+        # the ankle of a NAO
+        (
+            limit("-1.189442", "0.922581", "3.023", "6.4"),
+            limit("-1.1863", "0.932006", "3.0226", "6.4"),
+        ),
+        (REVOLUTE, limit("-1", "2", "0", "0")),  # JNT008
+        (REVOLUTE, limit("0", "0", "80", "11")),  # JNT004
+        (REVOLUTE, limit("-1", "2", "-80", "11")),  # JNT008
+        (REVOLUTE, ""),  # JNT002
+        (REVOLUTE, limit("x", "2", "x", "11")),  # URD005
+    ],
+)
+def test_no_finding(left: str, right: str) -> None:
+    assert reported("JNT025", symmetric_pairs(left, right)) == []
+
+
+def test_wheels_of_which_one_has_no_limit_are_left_to_another_rule() -> None:
+    wheel = '<limit effort="100" velocity="100"/>'
+    assert reported("JNT025", symmetric_pairs("", wheel, "continuous", "continuous")) == []
+
+
+def test_axes_of_one_arm_are_no_counterparts() -> None:
+    first = joint("joint_l", "revolute", limit("-1", "2", "6000", "2"))
+    second = joint("joint_r", "revolute", limit("-3", "3", "700", "3"), parent="joint_l_link")
+    assert reported("JNT025", robot(first, second)) == []
+
+
+def numbered(*origins: str) -> str:
+    return robot(
+        *(
+            joint(
+                f"wheel_{number}",
+                "continuous",
+                f'<origin xyz="{xyz}"/><limit effort="{number}" velocity="1"/>',
+            )
+            for number, xyz in enumerate(origins, 1)
+        )
+    )
+
+
+def test_numbered_joints_are_counterparts_if_they_lie_mirrored() -> None:
+    assert messages("JNT025", numbered("0.1 0.2 0", "0.1 -0.2 0")) == [
+        "joint 'wheel_2' differs from its counterpart 'wheel_1': effort 2, not 1 N m"
+    ]
+    assert reported("JNT025", numbered("0.1 0.2 0", "0.1 -0.25 0")) == []
+    assert reported("JNT025", numbered("0 0 0.1", "0 0 0.2")) == []
+
+
+def test_no_tree() -> None:
+    text = symmetric_pairs(REVOLUTE, limit("-1", "2", "1", "11"))
+    assert reported("JNT025", text.replace('<parent link="base"/>', '<parent link="z"/>')) == []
+    assert reported("JNT025", text.replace('<parent link="base"/>', "")) == []
+    loop = text.replace('<parent link="base"/>', '<parent link="left_arm_link"/>')
+    assert reported("JNT025", loop) == []
+
+
+LOSSES = '<dynamics damping="{}" friction="{}"/>'
+
+
+@pytest.mark.parametrize(
+    ("losses", "difference"),
+    [
+        ((5, 0.2), "damping 5, not 0.5 N m s/rad"),
+        ((0.5, 0.02), "friction 0.02, not 0.2 N m"),
+        ((0.4, 0.3), ""),  # they are measured
+        ((0, 0.2), ""),
+    ],
+)
+def test_damping_and_friction(losses: tuple[float, float], difference: str) -> None:
+    robot = symmetric_pairs(REVOLUTE + LOSSES.format(0.5, 0.2), REVOLUTE + LOSSES.format(*losses))
+    expected = f"joint 'right_arm' differs from its counterpart 'left_arm': {difference}"
+    assert messages("JNT025", robot) == ([expected] if difference else [])
+
+
+PART = """\
+<link name="{side}"/><joint name="{side}_joint" type="continuous"><parent link="base"/>
+<child link="{side}"/><origin xyz="{xyz}" rpy="{rpy}"/><axis xyz="0 1 0"/></joint>
+"""
+
+
+def wheels(left: str, right: str, rpy: str = "0 0 0") -> str:
+    one = PART.format(side="left", xyz=left, rpy="0 0 0")
+    return f'<link name="base"/>{one}{PART.format(side="right", xyz=right, rpy=rpy)}'
+
+
+@pytest.mark.parametrize(
+    ("right", "reason"),
+    [
+        ("0.1 0.2 -0.05", "is at the same place as"),
+        ("-0.1 -0.2 -0.05", "is mirrored in y and also in x from"),
+        ("0.1 -0.2 0.05", "is mirrored in y and also in z from"),
+    ],
+)
+def test_a_slip_of_a_sign(right: str, reason: str) -> None:
+    assert messages("JNT025", wheels("0.1 0.2 -0.05", right)) == [
+        f"joint 'right_joint' at {right} m {reason} its counterpart 'left_joint' at 0.1 0.2 -0.05 m"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "rpy"),
+    [
+        ("0.1 0.2 0", "0.1 -0.2 0", "0 0 0"),
+        ("0.1 0.2 0", "0.103 -0.2 0", "0 0 0"),  # robots are not quite symmetric
+        ("0.1 0.2 0", "0.1 -0.23 0", "0 0 0"),  # one pair tells nothing of the middle
+        ("0.1 0.2 0", "0.13 -0.2 0.02", "0 0 0"),
+        ("0.1 0 0", "0.1 0 0", "0 0 0"),  # two axes of one neck
+        ("0.1 0.2 0", "-0.1 -0.2 0", "0 0 3.14159"),  # turned about z
+    ],
+)
+def test_plausible_places(left: str, right: str, rpy: str) -> None:
+    assert messages("JNT025", wheels(left, right, rpy)) == []
+
+
+def test_cameras_that_do_not_move() -> None:
+    fixed = wheels("0.1 0.2 0", "0.1 0.2 0").replace("continuous", "fixed")
+    assert messages("JNT025", fixed) == [
+        (
+            "joint 'right_joint' at 0.1 0.2 0 m is at the same place as its counterpart "
+            "'left_joint' at 0.1 0.2 0 m"
+        )
+    ]
+
+
+@pytest.mark.parametrize(
+    ("right", "shift"),
+    [("0.13 -0.2 -0.05", "0.03 m forward"), ("0.1 -0.2 -0.15", "0.1 m down")],
+)
+def test_one_that_is_only_shifted(right: str, shift: str) -> None:
+    assert messages("JNT025", wheels("0.1 0.2 -0.05", right)) == [
+        f"joint 'right_joint' is {shift} of the mirror image of 'left_joint'"
+    ]
+
+
+def legs(*rights: str) -> str:
+    """Three pairs of joints: two on the base, and a knee below the hip."""
+    places = [("hip", "0.3 0.1 0", "base"), ("knee", "0 0.05 -0.2", "SIDE_hip")]
+    text = '<link name="base"/>'
+    places.append(("arm", "0 0.2 0.4", "base"))
+    for (name, left, parent), right in zip(places, rights, strict=True):
+        for side, xyz in (("left", left), ("right", right)):
+            inside = (
+                f'<origin xyz="{xyz}"/><limit lower="-1" upper="1" effort="1" velocity="1"/>'
+                f'<parent link="{parent.replace("SIDE", side)}"/><child link="{side}_{name}"/>'
+            )
+            text += f'<link name="{side}_{name}"/>'
+            text += f'<joint name="{side}_{name}_joint" type="revolute">{inside}</joint>'
+    return text
+
+
+HIP, KNEE, ARM = "0.3 -0.1 0", "0 -0.05 -0.2", "0 -0.2 0.4"
+
+
+@pytest.mark.parametrize(
+    ("rights", "found"),
+    [
+        ((HIP, KNEE, ARM), []),
+        ((HIP, KNEE, "0 -0.25 0.4"), []),  # an arm that is longer
+        ((HIP, KNEE, "0 -0.25 0.3"), ["arm_joint' is 0.05 m to the right and 0.1 m down"]),
+        ((HIP, "0.02 -0.05 -0.25", ARM), ["knee_joint' is 0.02 m forward and 0.05 m down"]),
+        (("0.3 -0.15 0", KNEE, ARM), []),  # only the arms are left to compare with
+        (("0.35 -0.1 0", KNEE, ARM), ["hip_joint' is 0.05 m forward"]),  # and not the knee
+        ((HIP, "0.02 -0.05 -0.25", "0 -0.25 0.4"), []),  # a robot that is no mirror image
+    ],
+)
+def test_one_pair_of_several(rights: tuple[str, ...], found: list[str]) -> None:
+    reported = [
+        message.partition(" of the mirror")[0] for message in messages("JNT025", legs(*rights))
+    ]
+    assert reported == [f"joint 'right_{one}" for one in found]
+
+
+PLACES = ("0.1 0.2 0", "0.1 -0.2 0")
+
+
+def hip(side: str, xyz: str, axis: str, kind: str = "revolute", rpy: str = "0 0 0") -> str:
+    content = f'<origin xyz="{xyz}" rpy="{rpy}"/><axis xyz="{axis}"/>{limit("-1", "1")}'
+    return joint(f"{side}_hip", kind, content)
+
+
+def hips(left: str, right: str, kind: str = "revolute", places: tuple[str, str] = PLACES) -> str:
+    return robot(hip("left", places[0], left, kind), hip("right", places[1], right, kind))
+
+
+def test_one_letter() -> None:
+    text = hips("0 1 0", "1 0 0")
+    (message,) = messages("JNT025", text)
+    assert "about 1 0 0 in the root frame" in message
+    assert message.endswith("'left_hip' about 0 1 0")
+    assert places("JNT025", text) == [(6, '<axis xyz="1 0 0"/>')]
+
+
+def test_the_frames_count() -> None:
+    turned = hip("right", PLACES[1], "1 0 0", rpy="0 0 1.5708")
+    assert messages("JNT025", robot(hip("left", PLACES[0], "0 1 0"), turned)) == []
+    assert len(messages("JNT025", robot(hip("left", PLACES[0], "1 0 0"), turned))) == 1
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("0 1 0", "0 1 0"),
+        ("0 1 0", "0 -1 0"),
+        ("1 0 0", "-1 0 0"),
+        ("0.6 0.8 0", "0.6 -0.8 0"),
+        ("0.6 0.8 0", "-0.6 0.8 0"),
+    ],
+)
+def test_mirror_images_to_either_side(left: str, right: str) -> None:
+    assert messages("JNT025", hips(left, right)) == []
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        hips("0 1 0", "1 0 0", "prismatic"),
+        hips("0 1 0", "1 0 0", places=("0.1 0.2 0", "0.3 -0.2 0")),  # two arms on a table
+        hips("0 1 0", "1 0 0", places=("0.1 0 0", "0.1 0 0")),
+        robot(hip("upper", PLACES[0], "0 1 0"), hip("lower", PLACES[1], "1 0 0")),
+    ],
+)
+def test_what_is_no_mirror_image(other: str) -> None:
+    assert not any("turns about" in message for message in messages("JNT025", other))

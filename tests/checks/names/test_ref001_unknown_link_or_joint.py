@@ -1,0 +1,116 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.reported import fixed, messages, places, reported
+
+ROBOT = """\
+<link name="base_link"/>
+<link name="arm_link"/>
+<joint name="j" type="fixed">
+  <parent link="{}"/>
+  <child link="{}"/>
+</joint>"""
+
+
+def test_both_ends_are_looked_at() -> None:
+    robot = ROBOT.format("wheel", "gripper")
+    assert messages("REF001", robot) == [
+        "joint 'j': parent link 'wheel' is not in the model",
+        "joint 'j': child link 'gripper' is not in the model",
+    ]
+    assert places("REF001", robot) == [(5, "wheel"), (6, "gripper")]
+
+
+def test_the_nearest_link_is_offered() -> None:
+    robot = ROBOT.format("base_lnk", "arm_link")
+    assert messages("REF001", robot) == [
+        "joint 'j': parent link 'base_lnk' is not in the model; did you mean 'base_link'?"
+    ]
+    assert fixed("REF001", robot) == (
+        f'<robot name="example">\n{ROBOT.format("base_link", "arm_link")}\n</robot>\n'
+    )
+
+
+@pytest.mark.parametrize(
+    ("written", "known"),
+    [("wheel_3", "wheel_2"), ("left_wheel", "right_wheel"), ("fl_leg", "fr_leg")],
+)
+def test_a_sibling_is_not_meant(written: str, known: str) -> None:
+    robot = f'<link name="{known}"/><joint name="j" type="fixed"><child link="{written}"/></joint>'
+    (found,) = reported("REF001", robot)
+    assert "did you mean" not in found.message
+    assert found.fix is None
+
+
+def test_the_world_can_be_added() -> None:
+    robot = ROBOT.format("world", "arm_link")
+    assert fixed("REF001", robot) == (
+        '<robot name="example">\n<link name="base_link"/>\n<link name="arm_link"/>\n'
+        '<link name="world"/>\n'
+        '<joint name="j" type="fixed">\n  <parent link="world"/>\n  <child link="arm_link"/>\n'
+        "</joint>\n</robot>\n"
+    )
+
+
+def test_an_expression_is_another_finding() -> None:
+    assert messages("REF001", ROBOT.format("${prefix}base_link", "arm_link")) == []
+    assert len(messages("XAC003", ROBOT.format("${prefix}base_link", "arm_link"))) == 1
+
+
+def test_a_computed_name_is_told_and_not_edited() -> None:
+    robot = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="base" value="base_lnk"/>
+  <link name="base_link"/>
+  <link name="arm"/>
+  <joint name="j" type="fixed"><parent link="${base}"/><child link="arm"/></joint>
+</robot>
+"""
+    (found,) = reported("REF001", robot, "robot.xacro")
+    assert found.span.text == "${base}"
+    assert found.message.endswith("did you mean 'base_link'?")
+    assert found.fix is None
+
+
+def test_suggestions_have_a_bound() -> None:
+    links = "".join(f'<link name="link_{number}_x"/>' for number in range(6000))
+    joints = "".join(
+        f'<joint name="j{number}" type="fixed"><child link="lnk_{number}_x"/></joint>'
+        for number in range(2000)
+    )
+    found = reported("REF001", f'<robot name="r">{links}{joints}</robot>')
+    assert len(found) == 1000
+    assert [one for one in found if one.fix] == []
+
+
+MIMIC = """\
+<link name="hand"/>
+<link name="finger"/>
+<joint name="finger_joint" type="continuous">
+  <parent link="hand"/>
+  <child link="finger"/>
+  <mimic joint="{}"/>
+</joint>"""
+
+
+def test_an_unknown_leader_is_reported() -> None:
+    robot = MIMIC.format("thumb")
+    assert messages("REF001", robot) == [
+        "joint 'finger_joint' mimics 'thumb', which is not in the model"
+    ]
+    assert places("REF001", robot) == [(7, "thumb")]
+    assert reported("REF001", robot)[0].fix is None
+
+
+def test_a_link_is_no_joint() -> None:
+    assert len(reported("REF001", MIMIC.format("hand"))) == 1
+
+
+def test_the_nearest_joint_is_offered() -> None:
+    assert '<mimic joint="finger_joint"/>' in fixed("REF001", MIMIC.format("finger_jiont"))
+
+
+def test_a_joint_that_is_there_is_left_to_other_rules() -> None:
+    assert reported("REF001", MIMIC.format("finger_joint")) == []  # itself: JNT015
+    assert reported("REF001", MIMIC.replace(' joint="{}"', "")) == []  # URD003

@@ -1,0 +1,134 @@
+"""Collision geometries of two links overlap.
+
+- Where all joints are at zero, a warning: the links are neither adjacent nor rigidly connected, and
+  other poses separate them, but MoveIt rejects a plan that starts there, and a simulator with
+  self-collision pushes the parts apart in its first step. Links below a joint that cannot be at
+  zero are not reported, nor an overlap below 1 mm, such as of a closed gripper.
+- In every pose, an info: at zero, at all limits and in some dozens of poses between. MoveIt can
+  plan only when the pair is disabled in the SRDF (`urdfkit collisions --srdf`).
+- Adjacent links, an info: most of the smaller body is inside the other one, such as a wheel deep in
+  the box of the chassis. Gazebo, MuJoCo and MoveIt ignore collisions between adjacent links, but
+  the outer geometry hits what the inner one should, such as a kerb. Only primitives and convex
+  meshes are reported, since their penetration depth is exact.
+
+Correct the origin of a joint or of a collision, or make the collision geometry smaller.
+
+Sources:
+    MoveIt, check_start_state_collision.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_collision.cpp
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
+    MuJoCo, URDF: https://mujoco.readthedocs.io/en/stable/modeling.html#urdf-extensions
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.text.diagnostic import Related, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.physics.collision.sampled_poses import Contact, SampledPoses
+
+BAD = """\
+<link name="base">
+  <collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>
+</link>
+<link name="upper">
+  <collision>
+    <origin xyz="0 0 0.25"/>
+    <geometry><box size="0.05 0.05 0.4"/></geometry>
+  </collision>
+</link>
+<link name="tool">
+  <collision>
+    <origin xyz="0 0 -0.4"/>
+    <geometry><sphere radius="0.05"/></geometry>
+  </collision>
+</link>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="upper"/>
+  <origin xyz="0 0 0.1"/>
+  <axis xyz="0 1 0"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<joint name="elbow" type="revolute">
+  <parent link="upper"/>
+  <child link="tool"/>
+  <origin xyz="0.06 0 0.4"/>
+  <axis xyz="0 1 0"/>
+  <limit lower="-2" upper="2" effort="10" velocity="1"/>
+</joint>"""
+GOOD = BAD.replace("0 0 -0.4", "0 0 0.4")
+
+#: In m: closed fingers of real grippers overlap by 0.3 mm.
+_DEEP = 1e-3
+
+#: Of the thickness of the smaller body: wheels of real robots often stand half in the chassis.
+_PART = 0.6
+
+
+@rule("COL001", "overlapping-links", Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
+def check(subject: Subject) -> Iterator[Finding]:
+    if not subject.is_crowded or subject.is_part:
+        return
+    poses = subject.collisions.still
+    for contact in poses.meetings:
+        if contact.is_rigid:
+            continue
+        if found := _adjacent(contact) if contact.is_adjacent else _apart(contact, poses):
+            message, remedy, severity = found
+            small, large = (subject.model.collision(*body) for body in contact.bodies)
+            yield Finding(
+                small,
+                message,
+                remedy,
+                related=(Related(large.span, f"link '{contact.large.link}'"),),
+                weight=-contact.distance,
+                alike="overlap",
+                severity=severity,
+            )
+
+
+def _adjacent(contact: Contact) -> tuple[str, str, Severity] | None:
+    """Message, help and severity of an overlap of two adjacent links; None if it is small."""
+    if contact.is_contained or not contact.is_solid or contact.part <= _PART:
+        return None
+    # A body moved out sideways goes farther than its thickness.
+    part = "all" if contact.part >= 1 else f"{contact.part:.0%}"
+    return (
+        (
+            f"link '{contact.small.link}' overlaps adjacent link '{contact.large.link}' by "
+            f"{_depth(contact)}, {part} of its thickness"
+        ),
+        "make one of the two smaller, or move it",
+        Severity.INFO,
+    )
+
+
+def _apart(contact: Contact, poses: SampledPoses) -> tuple[str, str, Severity] | None:
+    """The same for links that are not adjacent."""
+    links = f"links '{contact.small.link}' and '{contact.large.link}' overlap"
+    if contact.distance >= 0:
+        return None
+    if poses.always(contact):
+        if contact.is_contained:
+            return None  # COL004
+        return (
+            f"{links} in every pose, by {_depth(contact)} {poses.beginning}",
+            "make the collision geometry smaller, or disable the pair in the SRDF",
+            Severity.INFO,
+        )
+    if contact.distance < -_DEEP and poses.is_at_zero(contact):
+        return (
+            f"{links} by {_depth(contact)} where all joints are at zero",
+            "correct an origin or the collision geometry, or begin in another pose",
+            Severity.WARNING,
+        )
+    return None
+
+
+def _depth(contact: Contact) -> str:
+    return f"{-1000 * contact.distance:.3g} mm"

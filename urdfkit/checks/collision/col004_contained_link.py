@@ -1,0 +1,119 @@
+"""All collision geometry of a moving link is inside that of another link.
+
+Nothing can make contact with it from outside: a wheel inside the chassis does not reach the floor,
+a bumper or a finger detects nothing. With self-collision enabled, a simulator pushes the two apart
+in every step. Make the outer geometry smaller, or move the inner one to where the part is. A link
+that contains several others is reported once. Not reported is a link with links fixed to it that
+extend outside, such as the rotor of a motor; nor what is inside an envelope: a link without visual,
+or with a transparent one, fixed to one that has it, such as the capsules for self-collision of
+Franka's arms and safety boxes around tools.
+
+Sources:
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.text.diagnostic import Related, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.physics.collision.sampled_poses import Contact
+    from urdfkit.robot.model import Material, RobotModel
+
+BAD = """\
+<link name="hand">
+  <collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>
+</link>
+<link name="finger">
+  <collision><geometry><sphere radius="0.02"/></geometry></collision>
+</link>
+<joint name="slide" type="prismatic">
+  <parent link="hand"/>
+  <child link="finger"/>
+  <origin xyz="0 0 0.05"/>
+  <axis xyz="1 0 0"/>
+  <limit lower="0" upper="0.03" effort="20" velocity="0.1"/>
+</joint>"""
+GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
+
+
+#: Links inside another one that a finding names.
+_NOTES = 5
+
+
+@rule(
+    "COL004",
+    "contained-link",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.COLLISIONS),
+    help="make the outer geometry smaller, or move the inner one to where the part is",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if not subject.is_crowded or subject.is_part:
+        return
+    still = subject.collisions.still
+    contained: dict[str, list[Contact]] = {}
+    for one in still.meetings:
+        if one.is_out_of_reach and not one.is_rigid and still.always(one):
+            contained.setdefault(one.large.link, []).append(one)
+    for name, meetings in contained.items():
+        if _is_envelope(subject, name):
+            continue
+        if len(meetings) > 1:
+            yield _several(subject.model, meetings)
+        else:
+            yield _single(subject.model, meetings[0])
+
+
+def _is_envelope(subject: Subject, name: str) -> bool:
+    """True for a link without an opaque visual that is fixed to one which has a visual."""
+    colours = Colours(subject.model)
+    if not all(
+        _is_transparent(colours.of(body)) for body in subject.model.links_by_name[name].visuals
+    ):
+        return False
+    bodies = [[link for link, _ in body.links] for body in rigid_bodies(subject.tree)]
+    return any(
+        name in [link.name for link in links]
+        and any(link.visuals for link in links if link.name != name)
+        for links in bodies
+    )
+
+
+def _is_transparent(material: Material | None) -> bool:
+    rgba = material.rgba.value if material and material.rgba else ()
+    return len(rgba) == 4 and rgba[3] < 1
+
+
+def _single(model: RobotModel, one: Contact) -> Finding:
+    small, large = (model.collision(*body) for body in one.bodies)
+    return Finding(
+        small,
+        f"link '{one.small.link}' is inside the collision geometry of '{one.large.link}' and "
+        "cannot make contact",
+        related=(Related(large.span, f"link '{one.large.link}'"),),
+    )
+
+
+def _several(model: RobotModel, meetings: list[Contact]) -> Finding:
+    """Of one link that contains several others, which are more likely right than it is."""
+    names = [one.small.link for one in meetings]
+    more = f" and {len(names) - _NOTES} more" if len(names) > _NOTES else ""
+    large = meetings[0].bodies[1]
+    return Finding(
+        model.collision(*large),
+        f"the collision geometry of link '{large[0]}' contains {len(names)} other links, which "
+        f"cannot make contact: {', '.join(names[:_NOTES])}{more}",
+        related=tuple(
+            Related(model.collision(*one.bodies[0]).span, f"link '{one.small.link}'")
+            for one in meetings[:_NOTES]
+        ),
+        weight=len(names),
+    )

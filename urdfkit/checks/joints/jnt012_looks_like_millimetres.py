@@ -1,0 +1,132 @@
+"""An origin or a prismatic limit looks like millimetres.
+
+Lengths are metres in URDF.
+
+- An `<origin>` of a joint of 10 m or more is reported if the rest of the model contradicts it: the
+  other joints are less than 1 m apart and a hundredth of it, or the meshes are scaled by 0.001, or
+  no shape has a hundredth of that size.
+- Limits of a prismatic joint are reported if they are whole numbers of 5 m or more, and 20 times
+  the longest part of the robot. A gripper that opens by 30 m instead of 30 mm flies apart in the
+  simulator.
+
+Divide by 1000.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import bounds, related, several
+from urdfkit.robot.model import length
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.editing.edits import scale_limits
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import RobotModel
+
+BAD = """\
+<link name="palm">
+  <visual>
+    <geometry><box size="0.1 0.1 0.05"/></geometry>
+  </visual>
+</link>
+<link name="finger"/>
+<joint name="slide" type="prismatic">
+  <parent link="palm"/>
+  <child link="finger"/>
+  <axis xyz="1 0 0"/>
+  <limit lower="0" upper="30" effort="10" velocity="0.1"/>
+</joint>"""
+FIXED = GOOD = BAD.replace('"30"', '"0.03"')
+
+#: In m; few robots reach so far from one joint to the next, and in mm most do.
+_FAR = 10.0
+#: In m; shorter origins are rounding.
+_NONE = 1e-4
+#: How much further than what it is compared with.
+_RATIO = 100.0
+
+#: Of limits: times the length of the longest part of the robot, and in m.
+_TIMES = 20.0
+_MIN_TRAVEL = 5.0
+
+
+@rule(
+    "JNT012",
+    "looks-like-millimetres",
+    Severity.WARNING,
+    help="divide by 1000: lengths are metres",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    yield from _origins(subject.model)
+    yield from _limits(subject.model)
+
+
+def _origins(model: RobotModel) -> Iterator[Finding]:
+    reaches = [(joint, length(joint.origin.position)) for joint in model.joints]
+    far = [(joint, reach) for joint, reach in reaches if reach >= _FAR]
+    if not far:
+        return
+    near = sorted(reach for _, reach in reaches if _NONE < reach < _FAR)
+    least = min(reach for _, reach in far)
+    if evidence := _evidence(model, least, near, len(far)):
+        joints = [joint for joint, _ in far]
+        places = [(joint, (joint.at.child("origin") or joint.at).span) for joint in joints]
+        first, reach = far[0]
+        yield Finding(
+            first.at.child("origin") or first.at,
+            f"{several(joints)}: the origin is {reach:g} m away, but {evidence}; that looks like "
+            "millimetres",
+            related=related(places),
+            confidence=Confidence.INFERRED,
+        )
+
+
+def _evidence(model: RobotModel, least: float, near: list[float], count: int) -> str:
+    """What speaks against origins of ``least`` metres and more; empty if nothing does."""
+    if len(near) > max(2, count):
+        median = near[len(near) // 2]
+        if median < 1 and least > _RATIO * median:
+            return f"half of the other {len(near)} joints lie less than {median:.2g} m apart"
+        return ""
+    shapes = model.shapes
+    if any(shape.filename and max(map(abs, shape.scale)) == 0.001 for shape in shapes):
+        return "meshes are scaled by 0.001"
+    sizes = [max(half) * 2 for shape in shapes if (half := shape.half_extents)]
+    if sizes and least > _RATIO * max(sizes) and not any(shape.filename for shape in shapes):
+        return f"no shape is larger than {max(sizes):g} m"
+    return ""
+
+
+def _limits(model: RobotModel) -> Iterator[Finding]:
+    """Prismatic joints that move many times the length of the robot."""
+    suspects = [
+        (joint, ends)
+        for joint in model.joints
+        if joint.kind == "prismatic"
+        and (ends := bounds(joint))
+        and _MIN_TRAVEL <= max(map(abs, ends)) <= 10_000
+        and all(end == int(end) for end in ends)
+    ]
+    if not suspects or any(shape.filename for shape in model.shapes):
+        return
+    sizes = [2 * max(half) for shape in model.shapes if (half := shape.half_extents)]
+    origins = [max(map(abs, joint.origin.position)) for joint in model.joints]
+    longest = max((*sizes, *origins), default=0.0)
+    for joint, (lower, upper) in suspects:
+        if longest and max(abs(lower), abs(upper)) > _TIMES * longest and joint.limit:
+            yield Finding(
+                joint.limit.at,
+                f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] m, but no part of the "
+                f"robot is longer than {longest:.3g} m",
+                fix=Fix.of("write the limits in metres", scale_limits(joint.limit.at, 1e-3)),
+                confidence=Confidence.INFERRED,
+            )

@@ -1,0 +1,58 @@
+"""A fixed joint has an axis or position limits.
+
+They have no effect: the joint does not move, and URDF parsers ignore them. They are left over from
+a joint that once moved, or the joint should be revolute or prismatic. Limits of zero, as exporters
+write them, are not reported.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    measured: in 143 of 676 public models
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import remove_element
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="camera"/>
+<joint name="camera_joint" type="fixed">
+  <parent link="base"/>
+  <child link="camera"/>
+  <axis xyz="0 1 0"/>
+</joint>"""
+GOOD = BAD.replace('  <axis xyz="0 1 0"/>\n', "")
+FIXED = GOOD
+
+
+@rule("JNT020", "axis-or-limit-on-fixed", Severity.INFO, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        if joint.kind != "fixed":
+            continue
+        axis, limit = joint.at.child("axis"), joint.limit
+        if axis is not None:
+            yield Finding(
+                axis,
+                f"joint '{joint.name}' is fixed; its <axis> has no effect",
+                "remove the axis",
+                Fix("remove the axis", remove_element(axis), safe=True),
+                alike="axis",
+            )
+        if limit is None:
+            continue
+        lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))
+        if lower < upper:
+            yield Finding(
+                limit.at,
+                f"joint '{joint.name}' is fixed; its limits [{lower:g}, {upper:g}] have no effect",
+                'write type="revolute" or "prismatic", or remove the <limit>',
+            )

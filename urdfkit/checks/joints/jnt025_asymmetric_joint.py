@@ -1,0 +1,180 @@
+"""A joint differs from its left or right counterpart.
+
+Counterparts are found by name (left and right, l and r, FL and FR, ...) or, for numbers, by
+mirrored places on one link, and are on different branches.
+
+- Limits, type, damping, friction: where the left elbow has 80 N m and the right one 1000, one was
+  forgotten in a correction, and the robot pulls to one side. Limits may be equal or mirrored; the
+  tolerance is a twentieth of the range, 1 % of effort and velocity, and a factor of two of damping
+  and friction.
+- Origin: counterparts on one link differ in the sign of one coordinate. At the same place, or
+  further forward or higher, a sign was forgotten: the robot stands on three wheels. The misplaced
+  one is determined by the other joints on that link, and else by left being +y. In the zero pose, a
+  pair is reported too that alone of several pairs is not a mirror image.
+- Axis: where the left hip turns about x, so does the right one, in either direction. Joints that
+  turn are compared if their frames are mirror images in the plane y = 0 of the root.
+
+Sources:
+    unitreerobotics/unitree_ros#154: https://github.com/unitreerobotics/unitree_ros/issues/154
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+    measured: of 671 public robots one has a misplaced pair, of wheels; of 1300 none another axis
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.checks.joints.mirrored import misplaced
+from urdfkit.core.spatial import dot, rotate
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import bounds, effort_unit, unit
+from urdfkit.robot.kinematics import TURNING, direction
+from urdfkit.robot.model import number
+from urdfkit.text.diagnostic import Confidence, Related, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.core.spatial import Transform, Vector
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, Placed
+
+BAD = """\
+<link name="torso"/>
+<link name="left_arm"/>
+<link name="right_arm"/>
+<joint name="left_shoulder" type="revolute">
+  <parent link="torso"/>
+  <child link="left_arm"/>
+  <origin xyz="0 0.2 0"/>
+  <axis xyz="0 1 0"/>
+  <limit lower="-1" upper="2" effort="80" velocity="11"/>
+</joint>
+<joint name="right_shoulder" type="revolute">
+  <parent link="torso"/>
+  <child link="right_arm"/>
+  <origin xyz="0 -0.2 0"/>
+  <axis xyz="0 1 0"/>
+  <limit lower="-1" upper="2" effort="1000" velocity="11"/>
+</joint>"""
+GOOD = BAD.replace("1000", "80")
+
+_TOLERANCE = 0.01
+#: In m: of mirrored frames.
+_NEAR = 1e-3
+#: Cosine of the angle of two axes that are different, not rounded.
+_ACROSS = 0.5
+#: Damping and friction are measured, and differ.
+_LOSSES = 2.0
+#: Of the range; the legs of a NAO differ by 0.005 of it.
+_RANGE_TOLERANCE = 0.05
+
+
+@rule(
+    "JNT025",
+    "asymmetric-joint",
+    Severity.WARNING,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for first, second in subject.symmetric_joints:
+        if differences := list(_differences(first, second)):
+            yield Finding(
+                second.limit.at if second.limit and first.kind == second.kind else second.at,
+                f"joint '{second.name}' differs from its counterpart '{first.name}': "
+                + ", ".join(differences),
+                "write the same value for both",
+                related=(Related(first.at.span, f"counterpart '{first.name}'"),),
+                confidence=Confidence.INFERRED,
+                alike="counterparts",
+            )
+    for one, other, reason in misplaced(subject):
+        yield Finding(
+            other.at.child("origin") or other.at,
+            f"joint '{other.name}' {reason}",
+            "mirror its origin in the plane between the two",
+            related=(Related(one.at.span, f"counterpart '{one.name}'"),),
+            confidence=Confidence.INFERRED,
+        )
+    yield from _axes(subject)
+
+
+def _differences(first: Joint, second: Joint) -> Iterator[str]:
+    """What differs, as ``effort 1000, not 80 N m``: the second's value before the first's."""
+    if first.kind != second.kind:
+        yield f"{second.kind}, not {first.kind}"
+        return
+    yield from _losses(first, second)
+    one, other = first.limit, second.limit
+    if one is None or other is None:
+        return
+    for name, a, b, of in (
+        ("effort", one.effort, other.effort, effort_unit(first)),
+        ("velocity", one.velocity, other.velocity, f"{unit(first)}/s"),
+    ):
+        if a and b and _differ(a, b):
+            yield f"{name} {b.value:g}, not {a.value:g} {of}"
+    ours, theirs = bounds(first), bounds(second)
+    if ours is None or theirs is None or ours[0] >= ours[1] or theirs[0] >= theirs[1]:
+        return
+    if not (_same(ours, theirs) or _same((-ours[1], -ours[0]), theirs)):
+        yield (
+            f"limits {theirs[0]:g} to {theirs[1]:g}, not {ours[0]:g} to {ours[1]:g} {unit(first)}"
+        )
+
+
+def _losses(first: Joint, second: Joint) -> Iterator[str]:
+    """Damping and friction, unless one of the two follows the other."""
+    one, other = (joint.at.child("dynamics") for joint in (first, second))
+    if one is None or other is None or first.mimic or second.mimic:
+        return
+    of = effort_unit(first)
+    for key, dimension in (("damping", f"{of} s/{unit(first)}"), ("friction", of)):
+        a, b = number(one.get(key)), number(other.get(key))
+        if a and b and max(a, b) > _LOSSES * min(a, b) > 0:
+            yield f"{key} {b:g}, not {a:g} {dimension}"
+
+
+def _differ(a: Placed[float], b: Placed[float]) -> bool:
+    high, low = max(a.value, b.value), min(a.value, b.value)
+    return low > 0 and high - low > _TOLERANCE * high
+
+
+def _same(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
+    allowed = _RANGE_TOLERANCE * max(ours[1] - ours[0], theirs[1] - theirs[0])
+    return abs(ours[0] - theirs[0]) <= allowed and abs(ours[1] - theirs[1]) <= allowed
+
+
+def _axes(subject: Subject) -> Iterator[Finding]:
+    """Joints that turn about another axis than their counterparts."""
+    frames = subject.tree.frames
+    for left, right in subject.symmetric_joints:
+        if left.kind not in TURNING or right.kind not in TURNING:
+            continue
+        one, other = (frames.get(joint.child.value) for joint in (left, right) if joint.child)
+        if one is None or other is None or not _are_mirrored(one, other):
+            continue
+        a, b = _axis(left, one), _axis(right, other)
+        if abs(dot((a[0], -a[1], a[2]), b)) < _ACROSS:
+            yield Finding(
+                right.at.child("axis") or right.at,
+                f"joint '{right.name}' turns about {_shown(b)} in the root frame, but its "
+                f"counterpart '{left.name}' about {_shown(a)}",
+                "give both the same axis in the root frame, or the opposite one",
+                related=(
+                    Related((left.at.child("axis") or left.at).span, "axis of the counterpart"),
+                ),
+                confidence=Confidence.INFERRED,
+            )
+
+
+def _are_mirrored(one: Transform, other: Transform) -> bool:
+    (x, y, z), (a, b, c) = one.position, other.position
+    return abs(y) > _NEAR and max(abs(x - a), abs(y + b), abs(z - c)) <= _NEAR
+
+
+def _axis(joint: Joint, frame: Transform) -> Vector:
+    """Of a joint, in the frame of the root."""
+    return rotate(frame.rotation, direction(joint))
+
+
+def _shown(axis: Vector) -> str:
+    return " ".join(f"{round(part, 3) + 0.0:g}" for part in axis)

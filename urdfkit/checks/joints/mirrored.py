@@ -1,0 +1,174 @@
+"""Where a joint is, compared with its left or right counterpart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Vector
+from urdfkit.robot.symmetry import pairs
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, RobotModel
+
+#: In m; people round.
+_NEAR = 1e-4
+_AXES = "xyz"
+
+#: In m: robots are not quite symmetric. And pairs that are, beside the one that is not.
+_OFF, _OTHERS = 0.004, 2
+
+
+class _Pair(Record):
+    """Counterparts that move, and the offset of the second from the first's mirror image.
+
+    The second one is the right one, unless the left one is misplaced.
+    """
+
+    left: Joint
+    right: Joint
+    off: Vector
+
+    @property
+    def distance(self) -> float:
+        return max(map(abs, self.off))
+
+
+def misplaced(subject: Subject) -> Iterator[tuple[Joint, Joint, str]]:
+    """Counterparts that are not mirror images: the right one, the misplaced one, and the reason."""
+    reported = set()
+    for one, other, reason in _of_one_link(subject.model):
+        reported |= {one.name, other.name}
+        yield one, other, f"{_at(other)} {reason} its counterpart '{one.name}' {_at(one)}"
+    for pair in _out_of_line(list(_pairs(subject))):
+        if pair.right.name in reported:
+            continue
+        if _is_odd(subject.model, pair.left, pair.right):
+            x, y, z = pair.off
+            swapped = _Pair(pair.right, pair.left, (-x, y, -z))
+            yield swapped.left, swapped.right, _shift(swapped)
+        else:
+            yield pair.left, pair.right, _shift(pair)
+
+
+def _of_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
+    """Counterparts on one link of which one has a sign too many or too few."""
+    joints = {joint.name: joint for joint in model.joints if joint.name}
+    for left, right in pairs(joints):
+        one, other = joints[left], joints[right]
+        if one.parent is None or other.parent is None or one.parent.value != other.parent.value:
+            continue
+        if one.kind == other.kind and (reason := _reason(one, other)):
+            yield (other, one, reason) if _is_odd(model, one, other) else (one, other, reason)
+
+
+def _is_odd(model: RobotModel, left: Joint, right: Joint) -> bool:
+    """True if the left one of two is misplaced, as the other joints on their link show."""
+    assert left.parent is not None
+    others = [
+        joint
+        for joint in model.joints
+        if joint.kind == left.kind
+        and joint.parent
+        and joint.parent.value == left.parent.value
+        and joint.name not in (left.name, right.name)
+    ]
+    first, second = left.origin.position, right.origin.position
+    places = [joint.origin.position for joint in others]
+    if alike := _in_row(second, places) - _in_row(first, places):
+        return alike > 0
+    if not _is_equal(first, second):
+        return any(_is_equal(first, place) for place in places)
+    joints = {joint.name: joint.origin.position for joint in others if joint.name}
+    sides = [joints[a][1] for a, b in pairs(joints) if joints[a][1] * joints[b][1] < 0]
+    is_left_positive = sum(1 if y > 0 else -1 for y in sides) >= 0
+    return (first[1] > 0) != is_left_positive
+
+
+def _in_row(place: Vector, places: list[Vector]) -> int:
+    """How many places are as far from the middle in x and as high."""
+    x, _, z = place
+    return sum(abs(abs(a) - abs(x)) < _NEAR and abs(c - z) < _NEAR for a, _, c in places)
+
+
+def _is_equal(one: Vector, other: Vector) -> bool:
+    return all(abs(a - b) < _NEAR for a, b in zip(one, other, strict=True))
+
+
+def _pairs(subject: Subject) -> Iterator[_Pair]:
+    frames = subject.tree.frames
+    for left, right in subject.symmetric_joints:
+        here, there = (frames.get(joint.child.value) for joint in (left, right) if joint.child)
+        if here and there and abs(here.position[1] - there.position[1]) > _OFF:
+            (x, y, z), (a, b, c) = here.position, there.position
+            yield _Pair(left, right, (a - x, b + y, c - z))
+
+
+def _out_of_line(found: list[_Pair]) -> list[_Pair]:
+    """The pairs that are no mirror images, though their parents are, or two that are."""
+    known = {pair.right.child.value: pair.distance for pair in found if pair.right.child}
+    odd, inherited = [], 0
+    for pair in found:
+        assert pair.left.parent is not None
+        assert pair.right.parent is not None
+        is_shared = pair.left.parent.value == pair.right.parent.value
+        above = 0.0 if is_shared else known.get(pair.right.parent.value, 0.0)
+        if above > _NEAR:
+            inherited += 1
+        elif pair.distance > _OFF:
+            odd.append(pair)
+    exact = sum(pair.distance <= _NEAR for pair in found)
+    if len(odd) == 1 and exact >= _OTHERS and exact + inherited + 1 == len(found):
+        x, _, z = odd[0].off
+        return odd if max(abs(x), abs(z)) > _OFF else []  # the plane of symmetry is unknown
+    return [pair for pair in odd if _is_shifted(pair)]
+
+
+def _is_shifted(pair: _Pair) -> bool:
+    """True for counterparts on one link that differ in x alone, or in z."""
+    left, right = pair.left, pair.right
+    if left.origin.rotation != right.origin.rotation or left.parent is None or right.parent is None:
+        return False
+    is_alike = [abs(part) <= _NEAR for part in pair.off]
+    return left.parent.value == right.parent.value and is_alike[1] and sum(is_alike) == 2
+
+
+def _shift(pair: _Pair) -> str:
+    """Such as ``is 0.03 m forward of the mirror image of 'left_hip'``."""
+    x, y, z = pair.off
+    ways = ((x, "forward", "backward"), (y, "to the left", "to the right"), (z, "up", "down"))
+    shifts = [
+        f"{abs(part):.2g} m {plus if part > 0 else minus}"
+        for part, plus, minus in ways
+        if abs(part) > _NEAR
+    ]
+    return f"is {' and '.join(shifts)} of the mirror image of '{pair.left.name}'"
+
+
+def _reason(one: Joint, other: Joint) -> str:
+    """What is wrong with two places that should be mirror images; empty if nothing is."""
+    if one.origin.rotation != other.origin.rotation:
+        return ""
+    first, second = one.origin.position, other.origin.position
+    equal = [abs(a - b) < _NEAR for a, b in zip(first, second, strict=True)]
+    flipped = [abs(a + b) < _NEAR <= abs(a) for a, b in zip(first, second, strict=True)]
+    if all(equal):
+        return (
+            "is at the same place as"
+            if abs(first[1]) >= _NEAR and _axis(one) == _axis(other)
+            else ""
+        )
+    if not all(e or f for e, f in zip(equal, flipped, strict=True)) or not flipped[1]:
+        return ""
+    others = [axis for axis, turned in zip(_AXES, flipped, strict=True) if turned and axis != "y"]
+    return f"is mirrored in y and also in {others[0]} from" if len(others) == 1 else ""
+
+
+def _axis(joint: Joint) -> Vector | None:
+    return joint.axis.value if joint.axis else None
+
+
+def _at(joint: Joint) -> str:
+    return "at " + " ".join(f"{value:.4g}" for value in joint.origin.position) + " m"

@@ -1,0 +1,63 @@
+"""Two links, two joints or two materials of the robot have the same name.
+
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and Drake reject the robot, for materials even if both
+have the same colour; MuJoCo and PyBullet reject it for links. It happens when a macro is called
+twice without a prefix, a link is copied, or two included files define the same materials. Give one
+of them another name, and use it in the joints that refer to it; of materials keep one.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    MuJoCo, user_model.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_model.cc
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    IntelRealSense/realsense-ros#2282: https://github.com/IntelRealSense/realsense-ros/issues/2282
+    ros-industrial/motoman#314: https://github.com/ros-industrial/motoman/issues/314
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Related, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
+
+BAD = """\
+<link name="base"/>
+<link name="wheel"/>
+<link name="wheel"/>
+<joint name="left" type="continuous">
+  <parent link="base"/>
+  <child link="wheel"/>
+</joint>"""
+GOOD = BAD.replace('<link name="wheel"/>\n', "", 1)
+
+
+@rule("NAM001", "duplicate-name", Severity.ERROR)
+def check(subject: Subject) -> Iterator[Finding]:
+    model = subject.model
+    remedy = "give each {} its own name, in a macro by a prefix"
+    yield from _duplicates((link.at for link in model.links), remedy.format("link"))
+    yield from _duplicates((joint.at for joint in model.joints), remedy.format("joint"))
+    materials = (material.at for material in model.materials)
+    yield from _duplicates(materials, "keep one of them", alike="material")
+
+
+def _duplicates(elements: Iterable[Element], remedy: str, alike: str = "") -> Iterator[Finding]:
+    first: dict[str, Element] = {}
+    for element in elements:
+        name = element.attributes.get("name")
+        if name is None or not name.value:
+            continue
+        if name.value in first:
+            yield Finding(
+                name,
+                f"duplicate {element.tag} '{name.value}'",
+                remedy,
+                related=(Related(first[name.value].span, "first defined here"),),
+                alike=alike,
+            )
+        first.setdefault(name.value, element)

@@ -1,0 +1,119 @@
+"""A name is not accepted by a common program.
+
+- White space: Gazebo's topics, command lines and parameter names break at it, and a name that ends
+  in a space is never found again.
+- `::` separates scopes in SDF, and Gazebo rejects it in a name.
+- `/` in the name of a joint that moves: ROS 1 parameters and MoveIt read it as a path.
+- `/` at the beginning of the name of a link: links become frames of TF, and tf2 rejects such
+  frames; `/base_link` and `base_link` are two frames. ROS 1's first TF allowed it.
+- `world` and names in double underscores are reserved in SDF. Gazebo never creates a link `world`:
+  as the empty root that fixes the robot to the ground it is right, but its mass and shapes are
+  lost, and as the child of a joint it makes Gazebo and MuJoCo reject the robot.
+- A digit at the beginning: USD rejects it, so that Isaac Sim renames the link or joint.
+
+Use letters, digits and `_`, and begin with a letter.
+
+Sources:
+    ROS 1, names: http://wiki.ros.org/Names
+    ROS 2, names: https://design.ros2.org/articles/topic_and_service_names.html
+    sdformat, Utils.cc: https://github.com/gazebosim/sdformat/blob/main/src/Utils.cc
+    tf2, migration: http://wiki.ros.org/tf2/Migration
+    robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
+    MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
+    Isaac Sim, URDF importer: https://docs.isaacsim.omniverse.nvidia.com/latest/robot_setup/ext_isaacsim_asset_importer_urdf.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.targets import GAZEBO
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.grammar import is_expression
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Link
+    from urdfkit.text.document import Attribute
+
+BAD = '<link name="base link"/>'
+GOOD = '<link name="base_link"/>'
+
+
+@rule("NAM004", "non-portable-name", Severity.WARNING, help="use letters, digits and _")
+def check(subject: Subject) -> Iterator[Finding]:
+    for name in subject.model.names:
+        if name.value and not is_expression(name.value):
+            yield from _characters(name)
+            yield from _first_character(subject, name)
+            yield from _reserved(subject, name)
+
+
+def _characters(name: Attribute) -> Iterator[Finding]:
+    """At most one finding about a character that is not accepted."""
+    tag, text = name.element.tag, name.value
+    is_fixed_joint = tag == "joint" and name.element.get("type") == "fixed"
+    if text != text.strip():
+        reason = "white space at an end of the name"
+    elif any(character.isspace() for character in text):
+        reason = "white space in the name, at which Gazebo topics and command lines break"
+    elif "::" in text:
+        reason = "'::' in the name separates scopes in Gazebo's SDF"
+    elif "/" in text and tag == "joint" and not is_fixed_joint:
+        reason = "'/' in the name of a joint, which ROS parameters read as a path"
+    else:
+        return
+    # Nothing refers to a fixed joint by its name.
+    severity = Severity.INFO if is_fixed_joint else None
+    yield Finding(name, f"{tag} '{text}': {reason}", alike=reason, severity=severity)
+
+
+def _first_character(subject: Subject, name: Attribute) -> Iterator[Finding]:
+    tag, text = name.element.tag, name.value
+    if text.startswith("/") and tag == "link":
+        yield Finding(
+            name,
+            f"{tag} '{text}': tf2 rejects frames that begin with '/'",
+            "remove the slash, here and wherever the link is named",
+        )
+    elif "0" <= text[0] <= "9":
+        yield Finding(
+            name,
+            f"{tag} '{text}' begins with a digit, which USD does not allow",
+            "begin with a letter",
+            severity=_severity(subject, "isaac"),
+        )
+
+
+def _reserved(subject: Subject, name: Attribute) -> Iterator[Finding]:
+    tag, text = name.element.tag, name.value
+    model = subject.model
+    if len(text) > 4 and text.startswith("__") and text.endswith("__"):
+        reason = "names in double underscores are reserved in Gazebo's SDF"
+    elif text != "world":
+        return
+    elif tag == "joint":
+        reason = "the name is reserved for the world in Gazebo's SDF"
+    elif any(joint.child and joint.child.value == text for joint in model.joints):
+        reason = "Gazebo and MuJoCo read it as the world, which cannot be a child link"
+    elif _has_body(model.links_by_name[text]):
+        reason = "Gazebo reads it as the world and drops its mass and shapes"
+    else:
+        return
+    yield Finding(
+        name,
+        f"{tag} '{text}': {reason}",
+        "choose another name",
+        severity=_severity(subject, *GAZEBO, "mujoco"),
+    )
+
+
+def _severity(subject: Subject, *targets: str) -> Severity:
+    """A warning for some targets, else an info."""
+    return Severity.WARNING if subject.targets.any_of(targets) else Severity.INFO
+
+
+def _has_body(link: Link) -> bool:
+    return bool(link.inertial or link.visuals or link.collisions)

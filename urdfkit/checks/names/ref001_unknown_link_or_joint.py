@@ -1,0 +1,112 @@
+"""A joint refers to a link, or a `<mimic>` to a joint, that is not in the model.
+
+Without the link there is no tree: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and
+PyBullet reject the robot. The name is misspelt, a prefix is missing, or the macro that makes the
+link was not called. `world` is no exception: it needs a `<link name="world"/>` like every other
+link, except for Drake, which has that link itself.
+
+urdfdom does not check the joint of a `<mimic>`: Drake rejects the robot, MoveIt drops the coupling,
+joint_state_publisher stops with an exception.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+    joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import Suggester
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import from_macro, insert_before, replace_value
+from urdfkit.text.grammar import is_expression
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, RobotModel
+    from urdfkit.text.document import Attribute
+
+BAD = """\
+<link name="base_link"/>
+<link name="lid"/>
+<joint name="hinge" type="fixed">
+  <parent link="base_lnk"/>
+  <child link="lid"/>
+</joint>"""
+GOOD = BAD.replace("base_lnk", "base_link")
+FIXED = GOOD
+
+
+@rule(
+    "REF001",
+    "unknown-link-or-joint",
+    Severity.ERROR,
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    yield from _links(subject)
+    yield from _leaders(subject.model)
+
+
+def _links(subject: Subject) -> Iterator[Finding]:
+    known = subject.model.links_by_name
+    children = {joint.child.value for joint in subject.model.joints if joint.child}
+    # A second parent would be another error.
+    suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
+    for joint in subject.model.joints:
+        for role in ("parent", "child"):
+            element = joint.at.child(role)
+            link = element.attributes.get("link") if element else None
+            if link is None or link.value in known or is_expression(link.value):
+                continue
+            if link.value == "world" and subject.targets.are_only("drake"):
+                continue
+            if subject.is_part:  # the file that includes it has the link
+                return
+            suggested = suggesters[role].suggested(link.value)
+            if suggested in _ends(joint):
+                suggested = ""
+            hint = f"; did you mean '{suggested}'?" if suggested else ""
+            yield Finding(
+                link,
+                f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
+                "correct the name, or add the link",
+                _renamed(link, suggested) or _added_world(joint, link),
+            )
+
+
+def _leaders(model: RobotModel) -> Iterator[Finding]:
+    known = model.joints_by_name
+    suggester = Suggester(known)
+    for joint in model.joints:
+        leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
+        if leader is None or leader.value in known or is_expression(leader.value):
+            continue
+        hint = suggester.hint(leader.value)
+        yield Finding(
+            leader,
+            f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}",
+            "correct the name, or add the joint",
+            _renamed(leader, suggester.suggested(leader.value)),
+        )
+
+
+def _ends(joint: Joint) -> list[str]:
+    """The names of the links that a joint has as its ends."""
+    return [end.value for end in (joint.parent, joint.child) if end]
+
+
+def _renamed(name: Attribute, suggested: str) -> Fix | None:
+    edits = replace_value(name, suggested) if suggested else None
+    return Fix.of(f"rename '{name.value}' to '{suggested}'", edits)
+
+
+def _added_world(joint: Joint, link: Attribute) -> Fix | None:
+    if link.value != "world" or from_macro(joint.at):
+        return None
+    return Fix('add <link name="world"/>', insert_before(joint.at, ('<link name="world"/>',)))
