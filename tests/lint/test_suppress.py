@@ -3,6 +3,7 @@
 import pytest
 
 from urdfkit import Report, check
+from urdfkit.lint import rules
 from urdfkit.lint.suppress import ignores
 from urdfkit.text.source import Source
 
@@ -43,6 +44,13 @@ def run(text: str) -> Report:
 
 def codes(report: Report) -> list[str]:
     return [diagnostic.code for diagnostic in report.diagnostics]
+
+
+def test_a_former_code_suppresses_and_is_noted(monkeypatch):
+    monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020"})
+    (found,) = run(PLAIN.format(comment="<!-- urdfkit: ignore[TRE999] -->")).diagnostics
+    assert (found.code, found.severity.value) == ("CFG002", "info")
+    assert found.message == "TRE999 is now JNT020"
 
 
 @pytest.mark.parametrize("word", ["JNT020", "JNT", "axis-on-fixed", "TRE001, JNT020"])

@@ -77,7 +77,8 @@ class Subject:
         parameters: the files of parameters that this launch file loads.
         cache: True if measures of meshes may be kept for the next run.
         progress: is told how many of the model's mesh files have been read, and how many it has.
-        outcome: what the rules before the present one found; set by the engine alone.
+        outcome: what the rules before the present one found; set by the runner alone.
+        options: values of options of rules, by code and name, as configured; set by the runner.
     """
 
     def __init__(
@@ -99,6 +100,7 @@ class Subject:
         self.progress = progress
         self._given_targets = targets
         self.outcome = Outcome()
+        self.options: Mapping[str, Mapping[str, float]] = {}
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
