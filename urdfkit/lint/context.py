@@ -242,7 +242,7 @@ class Subject:
         xacro = self.reading.xacro
         if (xacro is not None and xacro.is_library) or self.is_srdf:
             return True
-        if self.document.root.get("name") is None and self.problems("XAC018"):
+        if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
         children = {joint.child.value for joint in self.model.joints if joint.child}
         has_base = any(root.name not in children for root in self.tree.roots)

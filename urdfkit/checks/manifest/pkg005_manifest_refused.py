@@ -55,7 +55,7 @@ FILES = {
 }
 
 #: What reading calls a text that is no XML.
-_BROKEN = ("XML001", "XML002", "XML006")
+_BROKEN = ("XML001", "XML002")
 
 
 @rule("PKG005", "manifest-refused", Severity.ERROR, help="mend the package.xml")
