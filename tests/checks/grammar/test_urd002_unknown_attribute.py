@@ -24,7 +24,7 @@ def test_the_nearest_attribute_is_offered() -> None:
 
 
 @pytest.mark.parametrize(
-    ("written", "meant"),
+    ("written", "suggested"),
     [("velocty = '2'", "velocity = '2'"), ('velocty\n="2"', 'velocity\n="2"')],
 )
 def test_the_name_alone_is_changed(written: str, suggested: str) -> None:

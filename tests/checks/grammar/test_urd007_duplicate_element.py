@@ -31,7 +31,7 @@ def test_every_surplus_element_is_told() -> None:
     [
         ('<box size="1 1 1"/><sphere radius="1"/>', ["<sphere> after <box> in one <geometry>"]),
         ('<sphere radius="1"/><sphere radius="2"/>', ["a second <sphere> in <geometry>"]),
-        ('<plane/><box size="1 1 1"/>', []),  # URD009 tells that the box is never read
+        ('<plane/><box size="1 1 1"/>', []),  # URD004 tells that the box is never read
     ],
 )
 def test_a_geometry_holds_one_shape(shapes: str, surplus: list[str]) -> None:

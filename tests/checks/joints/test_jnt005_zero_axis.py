@@ -27,7 +27,7 @@ def test_an_axis_without_xyz() -> None:
         ("continuous", ""),  # JNT007
         ("continuous", '<axis xyz="0 0 1"/>'),
         ("continuous", '<axis xyz="0 0 0.001"/>'),  # JNT006
-        ("continuous", '<axis xyz="0 0"/>'),  # URD006
+        ("continuous", '<axis xyz="0 0"/>'),  # URD005
         ("fixed", '<axis xyz="0 0 0"/>'),  # JNT020
         ("floating", '<axis xyz="0 0 0"/>'),
     ],

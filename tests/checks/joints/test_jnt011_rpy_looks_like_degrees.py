@@ -42,7 +42,7 @@ def test_more_than_a_turn_in_whole_degrees(rpy: str, worst: str, better: str) ->
         "0 0 4.71238898038469",
         "7.853981633974483 0 0",  # 5/2 pi
         "0 0 1000",
-        "90 0",  # URD006
+        "90 0",  # URD005
         "90 0 x",  # URD005
     ],
 )

@@ -8,19 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset(
     "GAZ010 GAZ056 GAZ060 GAZ065 JNT001 JNT002 NAM001 NAM002 NAM006 REF001 "
-    "TRE001 TRE002 TRE003 TRE006 URD010 URD011 URD015".split()
+    "TRE001 TRE002 TRE003 TRE006 URD015".split()
 )
-#: Likewise, where they are about a joint.
-IN_JOINTS = frozenset("URD003 URD004 URD005 URD006".split())
+#: The same for findings about a joint.
+IN_JOINTS = frozenset("URD003 URD004 URD005".split())
+#: Errors that reject the robot where they are about its root element.
+OF_ROOT = frozenset("URD003 URD011".split())
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
 BY_GZ = frozenset("GAZ040 GAZ057 GAZ061 JNT005".split())
 
-CODES = ALWAYS | IN_JOINTS | BY_GZ
+CODES = ALWAYS | IN_JOINTS | OF_ROOT | BY_GZ
 
 
 def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]:
@@ -28,7 +30,12 @@ def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]
     found = []
     for one in diagnostics:
         in_joint = any(call.element.startswith("joint/") for call in one.calls)
-        if one.code in ALWAYS or (one.code in IN_JOINTS and in_joint):
+        of_root = one.severity is Severity.ERROR and any("/" not in c.element for c in one.calls)
+        if (
+            one.code in ALWAYS
+            or (one.code in IN_JOINTS and in_joint)
+            or (one.code in OF_ROOT and of_root)
+        ):
             found.append(("libsdformat", one))
         elif one.code in BY_GZ:
             found.append(("gz", one))
