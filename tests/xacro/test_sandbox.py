@@ -228,7 +228,7 @@ def test_a_pipe_is_not_waited_for(workspace: Path) -> None:
     for body in ('<xacro:include filename="pipe"/>', "<a b=\"${xacro.load_yaml('pipe')}\"/>"):
         (problem,) = run(workspace, body).problems
         assert problem.code == "XAC009"
-        assert "pipe is no file but a device or a pipe" in problem.message
+        assert "pipe is a device or a pipe, not a file" in problem.message
 
 
 def test_trust_lifts_the_fence(workspace: Path, outside: Path) -> None:

@@ -153,11 +153,11 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
     """Code, message and help of an error."""
     cause = root_cause(error)
     if isinstance(cause, UnsafeExpression):
-        return "XAC009", f"refused: {cause}", ""
+        return "XAC009", f"rejected: {cause}", ""
     if isinstance(cause, EnvironmentRefused):
         return "XAC009", str(cause), ""
     if isinstance(cause, (TooLarge, DocumentTooLarge, YamlTooLarge)):
-        return "XAC013", f"refused: {cause}", ""
+        return "XAC013", f"rejected: {cause}", ""
     if isinstance(cause, RecursionError):
         return "XAC013", "macros, includes or properties refer to themselves without end", ""
     if isinstance(cause, MemoryError):

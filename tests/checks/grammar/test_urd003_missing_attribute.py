@@ -93,12 +93,12 @@ def test_only_a_library_of_macros_needs_none(robot: str, count: int) -> None:
 
 def test_links_and_joints_without_a_name() -> None:
     robot = '<link name=""/>\n<link name=" "/>\n<joint name="" type="fixed"/>'
-    assert messages("NAM010", robot) == [
+    assert messages("URD003", robot) == [
         "a link has an empty name",
         "a link has an empty name",
         "a joint has an empty name",
     ]
-    assert places("NAM010", robot) == [(2, ""), (3, " "), (4, "")]
+    assert places("URD003", robot) == [(2, ""), (3, " "), (4, "")]
 
 
 def test_no_name_at_all_is_the_same_rule() -> None:

@@ -13,7 +13,7 @@ def test_the_second_is_told_and_the_first_is_shown() -> None:
         f'<origin xyz="0 0 2"/>{SPHERE}</visual></link>'
     )
     (found,) = reported("URD007", robot)
-    assert found.message == "link 'a': a second <origin> in <visual>; readers take the first"
+    assert found.message == "link 'a': a second <origin> in <visual>; parsers read the first"
     assert found.span.text == '<origin xyz="0 0 2"/>'
     assert [(one.span.text, one.message) for one in found.related] == [
         ('<origin xyz="0 0 1"/>', "the first")

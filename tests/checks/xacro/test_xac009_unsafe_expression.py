@@ -14,15 +14,15 @@ from urdfkit.text.source import Source
     [
         (
             '<link name="${().__class__}"/>',
-            "refused: attribute '__class__' is not allowed in expressions in ${().__class__}",
+            "rejected: attribute '__class__' is not allowed in expressions in ${().__class__}",
         ),
         (
             '<link name="${(lambda: 1)()}"/>',
-            "refused: Lambda is not allowed in expressions in ${(lambda: 1)()}",
+            "rejected: Lambda is not allowed in expressions in ${(lambda: 1)()}",
         ),
         (
             "<link name=\"${__import__('os')}\"/>",
-            "refused: name '__import__' is not allowed in expressions in ${__import__('os')}",
+            "rejected: name '__import__' is not allowed in expressions in ${__import__('os')}",
         ),
     ],
 )
@@ -89,7 +89,7 @@ def test_a_file_of_the_machine(body: str) -> None:
 
 def test_a_device() -> None:
     (found,) = reported("XAC009", '<xacro:include filename="/dev/zero"/>')
-    assert found.message == "/dev/zero is no file but a device or a pipe"
+    assert found.message == "/dev/zero is a device or a pipe, not a file"
 
 
 def test_a_link_that_leads_outside(tmp_path: Path) -> None:

@@ -80,9 +80,9 @@ def test_what_only_expat_refuses_is_told_in_its_words() -> None:
 @pytest.mark.parametrize(
     ("behind", "marked", "message"),
     [
-        ('<robot name="s"/>', '<robot name="s"/>', "<robot> behind the end of <robot>"),
-        ('<link name="b"></link>', '<link name="b">', "<link> behind the end of <robot>"),
-        ("the end", "the end", "text behind the end of <robot>"),
+        ('<robot name="s"/>', '<robot name="s"/>', "<robot> after the end of <robot>"),
+        ('<link name="b"></link>', '<link name="b">', "<link> after the end of <robot>"),
+        ("the end", "the end", "text after the end of <robot>"),
     ],
 )
 @pytest.mark.parametrize("name", ["robot.urdf", "robot.xacro"])
