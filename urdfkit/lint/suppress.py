@@ -11,8 +11,8 @@ import re
 from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 
+from urdfkit.core.libraries import load
 from urdfkit.core.record import Record
-from urdfkit.lint.rules import redirect
 from urdfkit.text.diagnostic import Call, Diagnostic
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
@@ -73,6 +73,7 @@ def ignores(source: Source) -> tuple[Ignore, ...]:
                 for code in _CODE.finditer(source.data, *said.span(1))
             )
             reason = said.group(2).strip().decode("utf-8", "replace")
+            redirect = load("urdfkit.lint.rules").redirect  # which types import the other way
             redirected = tuple(filter(None, (redirect(word) for word, _ in codes)))
             found.append(Ignore(span, codes, reason, *elements[following], redirected))
     return tuple(found)
