@@ -24,8 +24,8 @@ stand statics summarise to_yourdfpy transform
 SIGNATURES = {
     "all_rules": [],
     "check": (
-        "files arguments packages select ignore targets trust rules config variant changed jobs "
-        "progress texts cache resolver"
+        "files arguments packages select ignore targets trust rules preview min_confidence "
+        "config variant changed jobs progress texts cache resolver"
     ).split(),
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],

@@ -1,4 +1,4 @@
-"""Fixes that copy, lift, keep or delete elements: GEO004, TRE008, URD007, URD010, XAC004."""
+"""Fixes that copy, lift, keep or delete elements: GEO004, TRE008, URD007, URD003, XAC004."""
 
 from __future__ import annotations
 
@@ -98,4 +98,4 @@ def test_only_a_copy_is_removed(first: str, second: str, same: bool) -> None:
 def test_a_robot_gets_the_name_of_its_file(path: str, name: str | None) -> None:
     text = '<robot\n>\n  <link name="a"/></robot>'
     expected = text.replace("<robot", f'<robot name="{name}"') if name else text
-    assert fixed("URD010", text, path) == expected
+    assert fixed("URD003", text, path) == expected

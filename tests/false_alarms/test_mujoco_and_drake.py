@@ -28,7 +28,7 @@ TO_WORLD = '<joint name="k" type="fixed"><parent link="world"/><child link="base
 LIMIT = '<limit lower="-1" upper="1"/>'
 FULL = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
 CASES = {
-    "a capsule": (robot(limit=FULL, shape=CAPSULE), "URD016", {"mujoco", "drake"}),
+    "a capsule": (robot(limit=FULL, shape=CAPSULE), "URD011", {"mujoco", "drake"}),
     "a spherical joint": (robot("spherical"), "JNT001", {"mujoco"}),
     "a limit without effort": (robot(limit=LIMIT), "JNT002", {"mujoco", "drake"}),
     "no limit": (robot(), "JNT002", {"mujoco", "drake"}),

@@ -262,7 +262,8 @@ def test_a_robot_of_a_stranger_gives_the_runner_no_commands(runner: Runner) -> N
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
         "<link name=\"${__import__('os').system('touch hit')}\"/></robot>"
     )
-    (runner.workspace / "evil" / "urdfkit.toml").write_text('trust = true\nrules = ["evil"]\n')
+    config = runner.workspace / "evil" / "urdfkit.toml"
+    config.write_text('trust = true\nrule-packages = ["evil"]\n')
     done = runner.run("Check", files="evil/x.urdf\nevil/y.xacro", options="--isolated")
     lines = done.stdout.splitlines()
     assert lines

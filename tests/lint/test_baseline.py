@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
+from urdfkit.lint import rules
 from urdfkit.lint.baseline import BaselineError, dump, fingerprints, load, sift
 from urdfkit.text.diagnostic import Diagnostic
 
@@ -29,6 +30,13 @@ def save(folder: Path, diagnostics: tuple[Diagnostic, ...]) -> str:
     path = folder / "baseline.json"
     path.write_text(dump(diagnostics, str(folder)))
     return str(path)
+
+
+def test_findings_of_a_rule_with_another_code_now(tmp_path, monkeypatch):
+    path = Path(save(tmp_path, robot(tmp_path, "a", "b")))
+    path.write_text(path.read_text().replace("JNT020", "TRE999", 1))
+    monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020"})
+    assert sift(robot(tmp_path, "a", "b"), load(str(path)), str(tmp_path)) == ([], 2)
 
 
 def test_what_was_there_is_tolerated_wherever_it_moves(tmp_path):

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
+from urdfkit.lint import rules
 from urdfkit.lint.config import Config, ConfigError, RobotEntry, load, matches
 from urdfkit.text.diagnostic import Severity
 
@@ -29,6 +30,75 @@ def write(folder: Path, text: str, name: str = "urdfkit.toml") -> str:
     path = folder / name
     path.write_text(text)
     return str(path)
+
+
+@pytest.fixture
+def renamed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020", "TRE998": ""})
+
+
+@pytest.mark.usefixtures("renamed")
+def test_former_codes_work_and_are_noted(tmp_path: Path) -> None:
+    text = 'select = ["TRE999"]\nignore = ["TRE998"]\n[severity]\nTRE999 = "info"\n'
+    text += '[[per-file-ignores]]\nfiles = ["x"]\ncodes = ["TRE999"]\n'
+    config = load(write(tmp_path, text))
+    assert config.select == config.named == config.file_ignores[0].codes == {"JNT020"}
+    assert config.severities == {"JNT020": Severity.INFO}
+    assert [warning.partition(": ")[2] for warning in config.warnings] == [
+        "'select': TRE999 is now JNT020",
+        "'ignore': no rule 'TRE998': it was removed",
+        "'severity': TRE999 is now JNT020",
+        "per-file-ignores[1]: 'codes': TRE999 is now JNT020",
+    ]
+
+
+def test_options_of_rules(tmp_path: Path) -> None:
+    text = "[rules.dense-collision-mesh]\ntriangles = 50\n[rules.INE014]\nratio = 200\n"
+    options = load(write(tmp_path, text)).options
+    assert options == {"MSH019": {"triangles": 50}, "INE014": {"ratio": 200.0}}
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("MSH019.triangle = 5", "rules.MSH019: there is no option 'triangle'; did you mean"),
+        ("MSH019.triangles = 5.5", "'triangles' must be a whole number from 0, not 5.5"),
+        ("MSH019.triangles = true", "'triangles' must be a whole number from 0, not True"),
+        ("INE014.ratio = -1", "'ratio' must be a number from 0, not -1"),
+        ("INE014.ratio = inf", "'ratio' must be a number from 0, not inf"),
+        ('INE014.ratio = "1"', "'ratio' must be a number from 0, not '1'"),
+        ("INE014 = 5", "'rules.INE014' must be a table of options, not 5"),
+        ("XML001.ratio = 1", "there is no option 'ratio'"),
+        ("INE914.ratio = 1", "no rule 'INE914'"),
+    ],
+)
+def test_a_wrong_option(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(ConfigError) as error:
+        load(write(tmp_path, f"[rules]\n{text}\n"))
+    assert message in str(error.value)
+
+
+def test_packages_of_rules_are_another_setting(tmp_path: Path) -> None:
+    with pytest.raises(ConfigError, match="did you mean 'rule-packages'"):
+        load(write(tmp_path, 'rules = ["acme"]'))
+
+
+def test_an_option_changes_what_is_found(tmp_path: Path) -> None:
+    link = (
+        '<link name="{}"><inertial><mass value="{}"/>'
+        '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>'
+    )
+    joint = '<joint name="{1}" type="continuous"><parent link="{0}"/><child link="{1}"/></joint>'
+    parts = [link.format("a", 1), link.format("b", 1), link.format("c", 500)]
+    parts += [joint.format("a", "b"), joint.format("b", "c")]
+    robot = write(tmp_path, f'<robot name="r">{"".join(parts)}</robot>', "r.urdf")
+
+    def found(config: Config | None) -> int:
+        return len(check(robot, select=["INE014"], config=config).diagnostics)
+
+    assert found(None) == 0
+    assert found(Config(options={"INE014": {"ratio": 499.0}})) == 1
+    assert found(Config(options={"INE014": {"ratio": 500.0}})) == 0
 
 
 def test_everything_that_can_be_set(tmp_path):

@@ -87,7 +87,7 @@ def test_an_installed_package_runs_where_it_is_named_and_only_there(place: Place
     code, text = place.check("--rules", "acme")
     assert code == 1
     assert FOUND in text
-    place.write("urdfkit.toml", 'rules = ["acme"]')
+    place.write("urdfkit.toml", 'rule-packages = ["acme"]')
     code, text = place.check()
     assert code == 1
     assert FOUND in text
@@ -97,7 +97,7 @@ def test_its_rules_are_chosen_and_weighed_like_others(place: Place) -> None:
     place.install()
     place.write(
         "urdfkit.toml",
-        'rules = ["acme"]\nignore = ["REF"]\n[severity]\njoint-too-fast = "error"\n'
+        'rule-packages = ["acme"]\nignore = ["REF"]\n[severity]\njoint-too-fast = "error"\n'
         '[[per-file-ignores]]\nfiles = ["old/*"]\ncodes = ["ACM"]\n',
     )
     assert "error ACM001" in place.check("--select", "ACM")[1]
@@ -152,12 +152,12 @@ def test_a_module_may_be_named_by_hand(place: Place, name: str) -> None:
 def test_a_module_in_a_configuration_that_was_found_is_not_imported(place: Place) -> None:
     place.write("evil/__init__.py", "raise SystemExit('it ran')")
     place.write("evil/abc123_x.py", "raise SystemExit('it ran')")
-    place.write("urdfkit.toml", 'rules = ["evil"]')
+    place.write("urdfkit.toml", 'rule-packages = ["evil"]')
     code, text = place.check()
     assert code == 2
     assert text == (
-        "error: urdfkit.toml: 'rules': no package of rules is installed as 'evil'; to import a "
-        "module runs its code, which takes --trust or --config FILE\n"
+        "error: urdfkit.toml: 'rule-packages': no package of rules is installed as 'evil'; to "
+        "import a module runs its code, which takes --trust or --config FILE\n"
     ).replace("urdfkit.toml", str(place.project / "urdfkit.toml"))
 
 
@@ -166,7 +166,7 @@ def test_a_module_beside_the_configuration_runs_where_that_is_trusted(
     place: Place, words: list[str]
 ) -> None:
     shutil.copytree(OWN_RULE / "acme_rules", place.project / "acme_rules")
-    place.write("urdfkit.toml", 'rules = ["acme_rules"]\nselect = ["ACM"]')
+    place.write("urdfkit.toml", 'rule-packages = ["acme_rules"]\nselect = ["ACM"]')
     assert FOUND in place.check(*words)[1]
 
 

@@ -89,6 +89,36 @@ def test_the_rule_about_unchecked_robots_is_chosen_unless_it_is_ignored() -> Non
     assert choose([], [], config._replace(ignore=frozenset({"CFG003"}))) == ["TRE006"]
 
 
+def test_former_codes_and_names_lead_to_rules_that_exist() -> None:
+    redirects = rules.redirects()
+    known = {*rules.codes(), *rules.names()}
+    assert not redirects.keys() & known
+    assert {code for code in redirects.values() if code} <= set(rules.codes())
+
+
+@pytest.fixture
+def renamed(monkeypatch: pytest.MonkeyPatch) -> None:
+    redirects = {"TRE999": "JNT020", "old-name": "JNT020", "TRE998": ""}
+    monkeypatch.setattr(rules, "_redirects", redirects)
+
+
+@pytest.mark.usefixtures("renamed")
+@pytest.mark.parametrize("word", ["TRE999", "tre999", "old-name"])
+def test_a_former_code_or_name(word: str) -> None:
+    assert rules.matching(word) == ["JNT020"]
+    assert rules.find_rule(word).code == "JNT020"
+    assert rules.named([word]) == {"JNT020"}
+    assert rules.note(word) == f"{word} is now JNT020"
+
+
+@pytest.mark.usefixtures("renamed")
+def test_a_rule_that_was_removed() -> None:
+    for look_up in (rules.matching, rules.find_rule):
+        with pytest.raises(UnknownRule, match="no rule 'TRE998': it was removed"):
+            look_up("TRE998")
+    assert rules.note("TRE998") == rules.note("TRE006") == rules.note("TRE") == ""
+
+
 def test_listing_the_rules_imports_none() -> None:
     program = (
         "import sys; from urdfkit.lint import rules; rules.codes(); rules.names();"

@@ -3,6 +3,7 @@
 import pytest
 
 from urdfkit import Report, check
+from urdfkit.lint import rules
 from urdfkit.lint.suppress import ignores
 from urdfkit.text.source import Source
 
@@ -45,7 +46,14 @@ def codes(report: Report) -> list[str]:
     return [diagnostic.code for diagnostic in report.diagnostics]
 
 
-@pytest.mark.parametrize("word", ["JNT020", "JNT", "axis-or-limit-on-fixed", "TRE001, JNT020"])
+def test_a_former_code_suppresses_and_is_noted(monkeypatch):
+    monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020"})
+    (found,) = run(PLAIN.format(comment="<!-- urdfkit: ignore[TRE999] -->")).diagnostics
+    assert (found.code, found.severity.value) == ("CFG002", "info")
+    assert found.message == "TRE999 is now JNT020"
+
+
+@pytest.mark.parametrize("word", ["JNT020", "JNT", "axis-on-fixed", "TRE001, JNT020"])
 def test_a_comment_suppresses_what_it_names_in_the_element_below(word):
     assert "JNT020" in codes(run(PLAIN.format(comment="")))
     report = run(PLAIN.format(comment=f"<!-- urdfkit: ignore[{word}] it is a spare -->"))

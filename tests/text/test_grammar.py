@@ -25,13 +25,13 @@ def test_one_defect_is_one_deviation() -> None:
     link = '<robot name="r"><link name="a">{}</link></robot>'
     assert found(link.format("")) == {}
     assert found(link.format("<visual/>")) == {"URD004": 1}
-    assert found(link.format("<visual><geometry/></visual>")) == {"URD009": 1}
+    assert found(link.format("<visual><geometry/></visual>")) == {"URD004": 1}
     assert found(link.format("<visual><geometry><box/></geometry></visual>")) == {"URD003": 1}
-    assert found(link.format("<inertal/>")) == {"URD013": 1}
-    assert found(link.format("<inertia/>")) == {"URD012": 1}
+    assert found(link.format("<inertal/>")) == {"URD001": 1}
+    assert found(link.format("<inertia/>")) == {"URD001": 1}
     assert found(link.format("<mu1/>")) == {"URD008": 1}
     assert found(link.format("<foo/>")) == {"URD001": 1}
-    assert found("<robot><link name='a'/></robot>") == {"URD010": 1}
+    assert found("<robot><link name='a'/></robot>") == {"URD003": 1}
     assert found("<sdf><link/></sdf>") == {"URD015": 1}
 
 

@@ -195,7 +195,7 @@ class TestTheWholeFile:
         (mistake,) = syntax_mistakes(data)
         assert mistake.trailing
         assert (mistake.start, mistake.end) == (8, 15)
-        assert mistake.message == "<link> behind the end of <robot>"
+        assert mistake.message == "<link> after the end of <robot>"
         assert mistake.notes == ((0, 8, "<robot> begins here"),)
 
     def test_text_behind_the_end(self) -> None:

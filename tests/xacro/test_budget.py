@@ -218,7 +218,7 @@ def test_folders_that_lead_in_circles(workspace: Path, monkeypatch: pytest.Monke
         (workspace / f"link{number}").symlink_to(".")
     (problem,) = run(workspace, f'<xacro:include filename="{"*/" * 30}none"/>').problems
     assert problem.code == "XAC013"
-    assert problem.message == "refused: the expansion takes longer than 0.5 s"
+    assert problem.message == "rejected: the expansion takes longer than 0.5 s"
 
 
 def test_time_is_that_of_all_attempts_together(

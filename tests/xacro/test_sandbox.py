@@ -198,7 +198,7 @@ FILES: dict[str, Callable[[Path], str]] = {
 @pytest.mark.parametrize("what", FILES)
 def test_no_file_outside_is_read(what: str, workspace: Path, outside: Path) -> None:
     xacro = run(workspace, FILES[what](outside))
-    assert codes(xacro) == {"XAC012"}
+    assert codes(xacro) == {"XAC009"}
     assert SECRET not in str(xacro.problems)
 
 
@@ -218,8 +218,8 @@ def test_no_link_leads_outside(workspace: Path, outside: Path) -> None:
     (workspace / "folder").symlink_to(outside.parent)
     for path in ("link.yaml", "folder/secret.yaml"):
         xacro = run(workspace, f"<a b=\"${{xacro.load_yaml('{path}')}}\"/>")
-        assert codes(xacro) == {"XAC012"}
-    assert codes(run(workspace, '<xacro:include filename="folder/*"/>')) == {"XAC012"}
+        assert codes(xacro) == {"XAC009"}
+    assert codes(run(workspace, '<xacro:include filename="folder/*"/>')) == {"XAC009"}
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes")
@@ -227,8 +227,8 @@ def test_a_pipe_is_not_waited_for(workspace: Path) -> None:
     os.mkfifo(workspace / "pipe")
     for body in ('<xacro:include filename="pipe"/>', "<a b=\"${xacro.load_yaml('pipe')}\"/>"):
         (problem,) = run(workspace, body).problems
-        assert problem.code == "XAC012"
-        assert problem.message.endswith("pipe is no file but a device or a pipe")
+        assert problem.code == "XAC009"
+        assert "pipe is a device or a pipe, not a file" in problem.message
 
 
 def test_trust_lifts_the_fence(workspace: Path, outside: Path) -> None:
@@ -244,4 +244,4 @@ def test_trust_lifts_the_fence(workspace: Path, outside: Path) -> None:
     assert xacro.first_error is None
     assert f'b="{SECRET}"' in xacro.text()
     assert 'd="6" e="10000000"' in xacro.text()
-    assert codes(run(workspace, body)) >= {"XAC009", "XAC012", "XAC013"}
+    assert codes(run(workspace, body)) >= {"XAC009", "XAC013"}

@@ -10,7 +10,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.errors import UnknownRule
-from urdfkit.lint.rules import FAMILIES, Need, Rule, find_rule
+from urdfkit.lint.rules import FAMILIES, Need, Rule, find_rule, note
 from urdfkit.text.diagnostic import Severity
 
 _NEEDS = {
@@ -54,6 +54,8 @@ def _find(word: str) -> Rule:
         raise UnknownRule(
             word, f": it is the family about {about}; 'urdfkit rules' lists its rules"
         )
+    if renamed := note(word):
+        options.warn(renamed)
     try:
         return find_rule(word)
     except UnknownRule:
@@ -71,6 +73,11 @@ def render(rule: Rule) -> str:
         *map(_fill, rule.explanation.split("\n\n")),
         _fill(f"Needs: {needs or 'the text of the file'}"),
     ]
+    if rule.preview:
+        parts.append("Preview: runs with --preview, or if it is selected by its code or name.")
+    if rule.options:
+        listed = ", ".join(f"{name} = {value:g}" for name, value in rule.options.items())
+        parts.append(_fill(f"Options in [rules.{rule.code}] of the configuration: {listed}"))
     if rule.help:
         parts.append(_fill(f"Help: {rule.help}"))
     for title, example in _robots(rule).items():

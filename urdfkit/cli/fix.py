@@ -17,8 +17,8 @@ from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable, wrap
 
 _OPTIONS = (
-    "unsafe-fixes diff force select ignore rules fail-on target package trust changed jobs "
-    "no-cache config isolated variant"
+    "unsafe-fixes diff force select ignore rules preview min-confidence fail-on target package "
+    "trust changed jobs no-cache config isolated variant"
 ).split()
 #: Line numbers of one kind of finding that are listed.
 _MAX_LINES = 8

@@ -73,6 +73,13 @@ CHECK = (
         "NAMES",
         many=True,
     ),
+    Option("--preview", "Run preview rules, too."),
+    Option(
+        "--min-confidence",
+        "Leave out findings that are less sure. [default: guessed]",
+        "CONFIDENCE",
+        ("measured", "inferred", "guessed"),
+    ),
     Option(
         "--fail-on",
         "The mildest finding that makes the exit code 1. [default: warning]",
@@ -155,7 +162,7 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
 
     found = load(path, trusted=bool(values["config"]) or values["trust"])
     for warning in found.warnings:
-        _warn(warning)
+        warn(warning)
     return found
 
 
@@ -199,21 +206,32 @@ def words(values: Mapping[str, Any], key: str) -> list[str]:
     return [word.strip() for text in values[key] for word in text.split(",") if word.strip()]
 
 
+def rule_words(values: Mapping[str, Any], key: str) -> list[str]:
+    """The words of an option that takes codes or names of rules; warns of former ones."""
+    found = words(values, key)
+    if found:
+        from urdfkit.lint import rules
+
+        for note in filter(None, map(rules.note, found)):
+            warn(f"--{key}: {note}")
+    return found
+
+
 def ignored(values: Mapping[str, Any]) -> list[str]:
     """What ``--ignore`` names; a word that means no rule is warned of and left out."""
-    named = words(values, "ignore")
+    named = rule_words(values, "ignore")
     if not named:
         return []
     from urdfkit.lint import rules
 
     _, unknown = rules.ignored(named)
     for error in unknown:
-        _warn(f"--ignore: {error}")
+        warn(f"--ignore: {error}")
     wrong = {error.word for error in unknown}
     return [word for word in named if word not in wrong]
 
 
-def _warn(text: str) -> None:
+def warn(text: str) -> None:
     from urdfkit.text.terminal import printable
 
     if sys.stderr is not None:

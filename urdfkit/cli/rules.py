@@ -46,7 +46,7 @@ def _text(rules: Sequence[Rule]) -> str:
     longest = max(len(rule.name) for rule in rules)
     return "".join(
         f"{rule.code}  {rule.severity.value:<7}  {'fix' if rule.fixable else '   '}  "
-        f"{rule.name:<{longest}}  {_summary(rule)}\n"
+        f"{rule.name:<{longest}}  {'(preview) ' * rule.preview}{_summary(rule)}\n"
         for rule in rules
     )
 
@@ -63,6 +63,9 @@ def _json(rules: Sequence[Rule]) -> str:
             "name": rule.name,
             "severity": rule.severity.value,
             "by_target": {name: severity.value for name, severity in rule.by_target.items()},
+            "status": "preview" if rule.preview else "stable",
+            "since": rule.since,
+            "options": dict(rule.options),
             "needs": sorted(need.value for need in rule.needs),
             "fixable": rule.fixable,
             "help": rule.help,

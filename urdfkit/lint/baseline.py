@@ -15,6 +15,7 @@ from collections.abc import Iterable
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
+from urdfkit.lint.rules import redirect
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import why_unreadable
 
@@ -81,12 +82,11 @@ def load(path: str) -> Counter[Fingerprint]:
             document = json.load(file)
         if document["version"] != VERSION:
             raise BaselineError(f"{path}: a baseline of version {document['version']!r}")
-        return Counter(
-            {
-                Fingerprint(entry["path"], entry["code"], entry["text"]): int(entry["count"])
-                for entry in document["findings"]
-            }
-        )
+        found: Counter[Fingerprint] = Counter()
+        for entry in document["findings"]:
+            code = redirect(entry["code"]) or entry["code"]
+            found[Fingerprint(entry["path"], code, entry["text"])] += int(entry["count"])
+        return found
     except OSError as error:
         raise BaselineError(f"{path}: {why_unreadable(path, error)}") from error
     except (ValueError, KeyError, TypeError, AttributeError) as error:

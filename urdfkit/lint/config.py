@@ -9,14 +9,17 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping
-from typing import Any
+from math import inf
+from typing import Any, TypeVar
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule, UrdfkitError
 from urdfkit.lint import rules
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.source import why_unreadable
+
+C = TypeVar("C", Confidence, Severity)
 
 
 class ConfigError(UrdfkitError):
@@ -65,7 +68,11 @@ class Config(Record):
         file_ignores: rules left out for some files.
         robots: the entry points; found by the include graph if empty.
         exclude: patterns of paths that a folder's check passes over.
-        rules: codes of the rules of other packages that run, too.
+        foreign_rules: codes of the rules of other packages that run, too.
+        preview: True if preview rules run.
+        named: codes that ``select`` names by their whole code or name.
+        min_confidence: findings that are less sure are left out.
+        options: values of options of rules, by code and name.
         trust: True if models may run any expression and read any file.
         width: columns of a line that is laid out; 0 for the usual.
         warnings: what is odd about the configuration, and does not change what is checked.
@@ -82,7 +89,11 @@ class Config(Record):
     file_ignores: tuple[FileIgnore, ...] = ()
     robots: tuple[RobotEntry, ...] = ()
     exclude: tuple[str, ...] = ()
-    rules: tuple[str, ...] = ()
+    foreign_rules: tuple[str, ...] = ()
+    preview: bool = False
+    named: frozenset[str] = frozenset()
+    min_confidence: Confidence = Confidence.GUESSED
+    options: Mapping[str, Mapping[str, float]] = {}
     trust: bool = False
     width: int = 0
     warnings: tuple[str, ...] = ()
@@ -166,7 +177,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
     Args:
         path: of the file.
         trusted: False if it comes with a robot from anywhere. What would let it run code, the
-            setting ``trust`` and modules as ``rules``, is then an error.
+            setting ``trust`` and modules as ``rule-packages``, is then an error.
 
     Raises:
         ConfigError: there is none, or it cannot be understood.
@@ -201,13 +212,14 @@ def _table(path: str) -> dict[str, Any] | None:
 
 
 def _read(reader: _Reader, *, trusted: bool) -> Config:
-    foreign = reader.rules(trusted=trusted)  # before other settings name their codes
+    foreign = reader.rule_packages(trusted=trusted)  # before other settings name their codes
     ignoring = reader.tables("per-file-ignores")
+    select, named = reader.codes("select")
     config = Config(
         reader.path,
-        select=reader.codes("select"),
+        select=select,
         ignore=reader.ignored("ignore"),
-        fail_on=reader.severity("fail-on", Severity.WARNING),
+        fail_on=reader.choice("fail-on", Severity.WARNING),
         targets=reader.targets(),
         packages=reader.packages(),
         arguments=reader.arguments("arguments"),
@@ -217,7 +229,11 @@ def _read(reader: _Reader, *, trusted: bool) -> Config:
             robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
         ),
         exclude=reader.texts("exclude"),
-        rules=foreign,
+        foreign_rules=foreign,
+        preview=reader.take("preview", bool, False),
+        named=named,
+        min_confidence=reader.choice("min-confidence", Confidence.GUESSED),
+        options=reader.options(),
         trust=reader.trust(trusted=trusted),
         width=reader.width(),
     )
@@ -298,9 +314,9 @@ class _Reader:
                 raise self.error(f"'{key}' must hold texts, not {value!r}")
         return tuple(values)
 
-    def rules(self, *, trusted: bool) -> tuple[str, ...]:
+    def rule_packages(self, *, trusted: bool) -> tuple[str, ...]:
         """The codes of the rules of other packages."""
-        names = self.texts("rules")
+        names = self.texts("rule-packages")
         if not names:
             return ()
         from urdfkit.lint.rule_packages import add
@@ -308,7 +324,7 @@ class _Reader:
         try:
             return tuple(add(names, modules=trusted, beside=self.folder))
         except RuleError as error:
-            raise self.error(f"'rules': {error}") from error
+            raise self.error(f"'rule-packages': {error}") from error
 
     def trust(self, *, trusted: bool) -> bool:
         wanted: bool = self.take("trust", bool, False)
@@ -318,36 +334,85 @@ class _Reader:
             )
         return wanted
 
-    def codes(self, key: str) -> frozenset[str]:
+    def codes(self, key: str) -> tuple[frozenset[str], frozenset[str]]:
+        """The codes that a list of words means, and those that it names whole."""
+        words = self.texts(key)
+        found = frozenset(code for word in words for code in self.matching(key, word))
+        return found, rules.named(words)
+
+    def matching(self, key: str, word: str) -> list[str]:
+        """The codes that a word of a setting means; warns of a former code."""
+        self._note(key, word)
         try:
-            return frozenset(code for word in self.texts(key) for code in rules.matching(word))
+            return rules.matching(word)
         except UnknownRule as error:
             raise self.error(f"'{key}': {error}") from error
 
+    def _note(self, key: str, word: str) -> None:
+        if note := rules.note(word):
+            self.warnings.append(str(self.error(f"'{key}': {note}")))
+
+    def options(self) -> dict[str, dict[str, float]]:
+        """The values of options of rules, ``[rules.CODE]``."""
+        found: dict[str, dict[str, float]] = {}
+        for word, values in self._rules_table().items():
+            self._note("rules", word)
+            try:
+                rule = rules.find_rule(word)
+            except UnknownRule as error:
+                raise self.error(f"'rules': {error}") from error
+            if not isinstance(values, dict):
+                raise self.error(f"'rules.{word}' must be a table of options, not {values!r}")
+            inner = _Reader(self.path, values, f"rules.{word}")
+            found[rule.code] = {
+                name: inner.number(name, default) for name, default in rule.options.items()
+            }
+            inner.finish("option")
+        return found
+
+    def _rules_table(self) -> dict[str, Any]:
+        table = self.take("rules", object, {})
+        if not isinstance(table, dict):
+            raise self.error(
+                "'rules' holds options, as [rules.MSH019]; did you mean 'rule-packages'?"
+            )
+        return table
+
+    def number(self, key: str, default: float) -> float:
+        """A number that is not below 0; a whole one where the default is."""
+        self._known.append(key)
+        value = self._left.pop(key, default)
+        is_whole = isinstance(default, int)
+        is_number = isinstance(value, int if is_whole else (int, float))
+        if not is_number or isinstance(value, bool) or not 0 <= value < inf:
+            kind = "a whole number" if is_whole else "a number"
+            raise self.error(f"'{key}' must be {kind} from 0, not {value!r}")
+        return float(value) if not is_whole else int(value)
+
     def ignored(self, key: str) -> frozenset[str]:
         """The codes of rules that are left out; a word that means none leaves out nothing."""
-        found, unknown = rules.ignored(self.texts(key))
+        words = self.texts(key)
+        for word in words:
+            self._note(key, word)
+        found, unknown = rules.ignored(words)
         self.warnings += (str(self.error(f"'{key}': {error}")) for error in unknown)
         return frozenset(found)
 
-    def severity(self, key: str, default: Severity) -> Severity:
-        return self._as_severity(key, self.take(key, str, default.value))
+    def choice(self, key: str, default: C) -> C:
+        return self._as(type(default), key, self.take(key, str, default.value))
 
-    def _as_severity(self, key: str, value: Any) -> Severity:
-        known = [severity.value for severity in Severity]
+    def _as(self, kind: type[C], key: str, value: Any) -> C:
+        known = [one.value for one in kind]
         if value not in known:
             raise self.error(f"'{key}' must be one of {', '.join(known)}, not {value!r}")
-        return Severity(value)
+        return kind(value)
 
     def severities(self) -> dict[str, Severity]:
         table = self.take("severity", dict, {})
         found: dict[str, Severity] = {}
         for word, value in table.items():
-            try:
-                codes = rules.matching(word)
-            except UnknownRule as error:
-                raise self.error(f"'severity': {error}") from error
-            found.update(dict.fromkeys(codes, self._as_severity(f"severity.{word}", value)))
+            severity = self._as(Severity, f"severity.{word}", value)
+            found.update(dict.fromkeys(self.matching("severity", word), severity))
         return found
 
     def targets(self) -> tuple[str, ...]:
@@ -383,6 +448,6 @@ class _Reader:
             raise self.error(f"'{key}' must be tables, written [[{key}]]")
         return [_Reader(self.path, value, f"{key}[{i}]") for i, value in enumerate(values, 1)]
 
-    def finish(self) -> None:
+    def finish(self, what: str = "setting") -> None:
         for key in self._left:
-            raise self.error(f"there is no setting '{key}'{did_you_mean(key, self._known)}")
+            raise self.error(f"there is no {what} '{key}'{did_you_mean(key, self._known)}")

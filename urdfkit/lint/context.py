@@ -77,7 +77,8 @@ class Subject:
         parameters: the files of parameters that this launch file loads.
         cache: True if measures of meshes may be kept for the next run.
         progress: is told how many of the model's mesh files have been read, and how many it has.
-        outcome: what the rules before the present one found; set by the engine alone.
+        outcome: what the rules before the present one found; set by the runner alone.
+        options: values of options of rules, by code and name, as configured; set by the runner.
     """
 
     def __init__(
@@ -99,6 +100,7 @@ class Subject:
         self.progress = progress
         self._given_targets = targets
         self.outcome = Outcome()
+        self.options: Mapping[str, Mapping[str, float]] = {}
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
@@ -240,7 +242,7 @@ class Subject:
         xacro = self.reading.xacro
         if (xacro is not None and xacro.is_library) or self.is_srdf:
             return True
-        if self.document.root.get("name") is None and self.problems("XAC018"):
+        if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
         children = {joint.child.value for joint in self.model.joints if joint.child}
         has_base = any(root.name not in children for root in self.tree.roots)

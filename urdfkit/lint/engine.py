@@ -6,7 +6,7 @@ import gc
 import os
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
@@ -16,7 +16,7 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
 from urdfkit.lint.report import Report, Skipped
 from urdfkit.lint.runner import FileResult, crash, diagnose, judge
-from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.text.source import Source, Span, shown
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
@@ -37,6 +37,8 @@ if TYPE_CHECKING:
         targets: Iterable[str]
         trust: bool
         rules: Iterable[str]
+        preview: bool | Collection[str]
+        min_confidence: str
         config: Config | None
         variant: str
         changed: bool
@@ -62,6 +64,7 @@ class Settings(Record):
     texts: dict[str, bytes]
     cache: bool
     given: tuple[str, ...]
+    previews: frozenset[str] | None
 
 
 def check(
@@ -73,6 +76,8 @@ def check(
     targets: Iterable[str] = (),
     trust: bool = False,
     rules: Iterable[str] = (),
+    preview: bool | Collection[str] = False,
+    min_confidence: str = "",
     config: Config | None = None,
     variant: str = "",
     changed: bool = False,
@@ -102,6 +107,10 @@ def check(
         trust: let expressions of the model run unfenced and read any file.
         rules: packages of rules that run, too: names under which they are installed (entry
             points of the group ``urdfkit.lint.rules``), or of modules, which are imported.
+        preview: run preview rules, too: all, or those of these codes; without it, those that
+            ``select`` names by their whole code or name.
+        min_confidence: leave out findings that are less sure: ``measured``, ``inferred`` or
+            ``guessed``.
         config: settings of the project; the other arguments go before them.
         variant: the name of the only one, of those in the configuration, that is checked.
         changed: the files are changed files of any kind; the robots that they are part of are
@@ -121,7 +130,12 @@ def check(
         UnknownTarget: a name is no target.
         RuleError: a package of rules is missing or cannot be used.
     """
-    foreign = (*(config.rules if config else ()), *added_rules(rules))
+    foreign = (*(config.foreign_rules if config else ()), *added_rules(rules))
+    if min_confidence:
+        from urdfkit.lint.config import Config
+
+        config = (config or Config())._replace(min_confidence=Confidence(min_confidence))
+    select = tuple(select)
     settings = Settings(
         tuple(choose(select, ignore, config, foreign)),
         {**(config.packages if config else {}), **(packages or {})},
@@ -132,6 +146,7 @@ def check(
         dict(texts or {}),
         cache,
         tuple(arguments or ()),
+        previewed(preview, select, config),
     )
     if resolver is None:
         resolver = Resolver(settings.packages, texts=settings.texts)
@@ -219,6 +234,17 @@ def choose(
         selected = selected or set(config.select)
     chosen = selected or {*catalogue.codes(), *foreign}
     return sorted((chosen | {catalogue.NOT_CHECKED}) - ignored)
+
+
+def previewed(
+    preview: bool | Collection[str], select: Iterable[str], config: Config | None
+) -> frozenset[str] | None:
+    """The codes of the preview rules that run; None for all."""
+    if not isinstance(preview, bool):
+        return frozenset(preview)
+    if preview or (config is not None and config.preview):
+        return None
+    return catalogue.named(select) | (config.named if config else frozenset())
 
 
 def _judged(
@@ -320,7 +346,7 @@ def _verdict(job: Job, subject: Subject, settings: Settings) -> FileResult:
     # That a robot of a folder cannot be expanded by itself is no defect of it.
     wants = job.found and missing_arguments(subject)
     codes = [code for code in chosen if code != "XAC010"] if wants else chosen
-    verdict = _skipped_as_one(judge(subject, codes, settings.config), subject)
+    verdict = _skipped_as_one(judge(subject, codes, settings.config, settings.previews), subject)
     unknown = unknown_arguments(subject, settings.given) if settings.given else {}
     return verdict._replace(unknown_arguments=unknown)
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rules as catalogue
-from urdfkit.lint.engine import added_rules, choose
+from urdfkit.lint.engine import added_rules, choose, previewed
 from urdfkit.lint.fix_guard import (
     Key,
     Look,
@@ -148,10 +148,12 @@ def _session(
 ) -> _Session:
     select, ignore = options.get("select", ()), options.get("ignore", ())
     config = options.get("config")
-    foreign = (*(config.rules if config else ()), *added_rules(options.get("rules", ())))
+    foreign = (*(config.foreign_rules if config else ()), *added_rules(options.get("rules", ())))
     asked = choose(select, ignore, config, foreign)
-    look = Look(files, options, {*asked, *choose((), (), config, foreign)})
-    return _Session(look, asked, _named(select), unsafe=unsafe, force=force)
+    previews = previewed(options.get("preview", False), select, config)
+    now: Options = {**options, "preview": True if previews is None else previews}
+    look = Look(files, now, {*asked, *choose((), (), config, foreign)})
+    return _Session(look, asked, catalogue.named(select), unsafe=unsafe, force=force)
 
 
 def _with_meshes(
@@ -224,16 +226,6 @@ def counted(left: Iterable[UnappliedFix]) -> Fixable:
         tuple(sorted({one.diagnostic.code for one in with_fix if one.reason == "info"})),
         tuple(sorted(item for item in reasons.items() if item[0] != "info")),
     )
-
-
-def _named(words: Iterable[str]) -> set[str]:
-    """The rules that somebody selected by code or name, not by the beginning of codes."""
-    named: set[str] = set()
-    for word in words:
-        found = catalogue.matching(word)
-        if word.upper() in found or word.lower() in catalogue.names():
-            named.update(found)
-    return named
 
 
 class _Session:

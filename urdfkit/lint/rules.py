@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 #: it is ignored by name.
 NOT_CHECKED = "CFG003"
 
+#: The version of urdfkit that brought every rule that names no other.
+FIRST_VERSION = "0.1"
+
 #: Families of urdfkit's own rules, and what they are about; other packages take other letters.
 FAMILIES = {
     "CFG": "the checking itself",
@@ -142,6 +145,9 @@ class Rule(Record):
         fixable: True if findings may carry a fix.
         module: that holds it; its docstring explains the rule and lists its sources.
         by_target: severities for single targets, where they differ.
+        preview: True for a rule that may still change; it runs only where it is asked for.
+        since: the version of urdfkit that brought it.
+        options: numbers that a configuration may change, with their defaults.
     """
 
     code: str
@@ -153,6 +159,13 @@ class Rule(Record):
     fixable: bool
     module: str
     by_target: Mapping[str, Severity]
+    preview: bool = False
+    since: str = FIRST_VERSION
+    options: Mapping[str, float] = {}
+
+    def option(self, subject: Subject, name: str) -> float:
+        """The value of an option: as configured, else its default."""
+        return subject.options.get(self.code, self.options).get(name, self.options[name])
 
     def severity_for(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
         """The severity for some targets, and those of them that suffer most.
@@ -210,12 +223,27 @@ def rule(
     help: str = "",
     fixable: bool = False,
     by_target: Mapping[str, Severity] | None = None,
+    preview: bool = False,
+    since: str = FIRST_VERSION,
+    options: Mapping[str, float] | None = None,
 ) -> Callable[[Check], Rule]:
     """Declare a rule; the decorated function becomes its Rule."""
 
     def declare(check: Check) -> Rule:
-        module, weights = check.__module__, by_target or {}
-        return Rule(code, name, severity, frozenset(needs), check, help, fixable, module, weights)
+        return Rule(
+            code,
+            name,
+            severity,
+            frozenset(needs),
+            check,
+            help,
+            fixable,
+            check.__module__,
+            by_target or {},
+            preview,
+            since,
+            options or {},
+        )
 
     return declare
 
@@ -223,6 +251,7 @@ def rule(
 #: The module of every rule that is known, by code: urdfkit's own first.
 _modules: dict[str, str] = {}
 _foreign: set[str] = set()
+_redirects: dict[str, str] = {}
 
 
 def codes() -> list[str]:
@@ -329,6 +358,8 @@ def find_rule(word: str) -> Rule:
     by_name = names()
     found = by_name.get(word.lower(), [word.upper()])
     if found[0] not in _modules:
+        found = [_redirected(word) or ""]
+    if not found[0]:
         raise UnknownRule(word, _hint(word, [*_modules, *by_name]))
     if len(found) > 1:
         raise UnknownRule(word, f" alone: {' and '.join(found)} have that name")
@@ -336,10 +367,10 @@ def find_rule(word: str) -> Rule:
 
 
 def matching(word: str) -> list[str]:
-    """The codes that begin with a word, or those of the rules with that name.
+    """The codes that begin with a word, or those of the rules with that name, now or formerly.
 
     Raises:
-        UnknownRule: there is none; the message has the nearest.
+        UnknownRule: there is none, or no longer; the message has the nearest.
     """
     codes()
     if word in _modules:
@@ -348,10 +379,56 @@ def matching(word: str) -> list[str]:
     if named := by_name.get(word.lower()):
         return named
     found = [code for code in _modules if word and code.startswith(word.upper())]
+    if not found and (code := _redirected(word)):
+        return [code]
     if not found:
         families = {code[:3] for code in _modules}
         raise UnknownRule(word, _hint(word, [*families, *_modules, *by_name]))
     return found
+
+
+def redirect(word: str) -> str | None:
+    """The code of the rule that a former code or name stands for; None for any other word.
+
+    Empty for a rule that was removed.
+    """
+    codes()
+    is_current = any(code.startswith(word.upper()) for code in _modules)
+    if is_current or word.lower() in names():
+        return None
+    found = redirects()
+    return found.get(word.upper(), found.get(word.lower()))
+
+
+def redirects() -> dict[str, str]:
+    """The codes that former codes and names stand for; empty for rules that were removed."""
+    if not _redirects:
+        for family in sorted({family_of(code) for code in codes()}):
+            _redirects.update(getattr(load(f"urdfkit.checks.{family}"), "REDIRECTS", {}))
+    return _redirects
+
+
+def note(word: str) -> str:
+    """That a rule has another code or name now; empty if it has not."""
+    code = redirect(word)
+    return f"{word} is now {code}" if code else ""
+
+
+def _redirected(word: str) -> str | None:
+    code = redirect(word)
+    if code == "":
+        raise UnknownRule(word, ": it was removed")
+    return code
+
+
+def named(words: Iterable[str]) -> frozenset[str]:
+    """The codes that some words mean by a whole code or name, not by the beginning of a code."""
+    found: set[str] = set()
+    for word in words:
+        some = matching(word)
+        if word.upper() in some or word.lower() in names() or redirect(word):
+            found.update(some)
+    return frozenset(found)
 
 
 def ignored(words: Iterable[str]) -> tuple[set[str], list[UnknownRule]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
@@ -65,15 +65,23 @@ class FileResult(Record):
     unknown_arguments: Mapping[str, str] = {}
 
 
-def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None) -> FileResult:
+def judge(
+    subject: Subject,
+    chosen: Sequence[str],
+    config: Config | None = None,
+    previews: Container[str] | None = None,
+) -> FileResult:
     """Run rules over a description.
 
     Args:
         subject: the description.
         chosen: codes of the rules.
-        config: changes severities and leaves rules out for single files.
+        config: changes severities and options of rules, and leaves findings out.
+        previews: codes of the preview rules that run; all if None.
     """
-    run = _Run(subject, config)
+    if config is not None:
+        subject.options = config.options
+    run = _Run(subject, config, previews)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if rules.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
@@ -94,9 +102,12 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
 class _Run:
     """Gathers what the rules say about one subject."""
 
-    def __init__(self, subject: Subject, config: Config | None) -> None:
+    def __init__(
+        self, subject: Subject, config: Config | None, previews: Container[str] | None
+    ) -> None:
         self.subject = subject
         self.config = config
+        self.previews = previews
         self.diagnostics: list[Diagnostic] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
@@ -118,8 +129,9 @@ class _Run:
             families.setdefault(rules.family_of(code), []).append(code)
         for family, codes in families.items():
             if self._applies(family, codes):
-                for code in codes:
-                    self._rule(rules.get(code))
+                for rule in map(rules.get, codes):
+                    if not rule.preview or self.previews is None or rule.code in self.previews:
+                        self._rule(rule)
 
     def _rule(self, rule: Rule) -> None:
         findings = self._findings(rule)
@@ -226,7 +238,10 @@ class _Run:
 
     def _left_out(self, diagnostic: Diagnostic) -> bool:
         config = self.config
-        return config is not None and config.ignores(diagnostic.code, diagnostic.span.source.path)
+        return config is not None and (
+            diagnostic.confidence.rank > config.min_confidence.rank
+            or config.ignores(diagnostic.code, diagnostic.span.source.path)
+        )
 
 
 def _bounded(finding: Finding) -> Finding:

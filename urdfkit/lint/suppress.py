@@ -11,6 +11,7 @@ import re
 from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 
+from urdfkit.core.libraries import load
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Call, Diagnostic
 from urdfkit.text.source import Source, Span
@@ -29,6 +30,7 @@ class Ignore(Record):
         codes: as written, each with its place; beginnings of codes and names count too.
         reason: as written.
         start, end: bytes of the source that it holds for.
+        redirected: codes of the rules that former codes and names stand for.
     """
 
     span: Span
@@ -36,6 +38,7 @@ class Ignore(Record):
     reason: str
     start: int
     end: int
+    redirected: tuple[str, ...] = ()
 
     def covers(self, span: Span) -> bool:
         """True if a place is in the element that the comment is about."""
@@ -43,7 +46,7 @@ class Ignore(Record):
 
     def names(self, diagnostic: Diagnostic) -> bool:
         """True if the comment names the rule of a finding."""
-        return any(
+        return diagnostic.code in self.redirected or any(
             diagnostic.code.startswith(code.upper()) or diagnostic.name == code
             for code, _ in self.codes
         )
@@ -70,7 +73,9 @@ def ignores(source: Source) -> tuple[Ignore, ...]:
                 for code in _CODE.finditer(source.data, *said.span(1))
             )
             reason = said.group(2).strip().decode("utf-8", "replace")
-            found.append(Ignore(span, codes, reason, *elements[following]))
+            redirect = load("urdfkit.lint.rules").redirect  # which types import the other way
+            redirected = tuple(filter(None, (redirect(word) for word, _ in codes)))
+            found.append(Ignore(span, codes, reason, *elements[following], redirected))
     return tuple(found)
 
 

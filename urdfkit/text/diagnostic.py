@@ -36,6 +36,11 @@ class Confidence(str, Enum):
     INFERRED = "inferred"
     GUESSED = "guessed"
 
+    @property
+    def rank(self) -> int:
+        """0 for the surest."""
+        return list(Confidence).index(self)
+
 
 class Edit(Record):
     """Replace the text of a span; an empty span inserts."""

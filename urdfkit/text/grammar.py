@@ -1,7 +1,7 @@
 """Where a document deviates from URDF's grammar: one walk, shared by the rules URD.
 
-Each deviation belongs to one rule, so nothing is said twice: a misspelt element that is needed is
-not missing as well, and a shape that URDF does not have is not an unknown element as well.
+Each deviation belongs to one rule, so nothing is reported twice: a misspelt element that is needed
+is not missing as well, and a shape that URDF does not have is not an unknown element as well.
 """
 
 from __future__ import annotations
@@ -17,27 +17,30 @@ from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.schema import AttributeRule, Grammar
 from urdfkit.text.urdf_extensions import has_attribute, has_element
 
-#: How like a needed element an unknown one must be to be its misspelling: one slip in five letters.
+#: The similarity from which on an unknown element is a misspelling: one typo in five letters.
 LIKENESS = 0.8
 
-#: Unknown names that are compared with known ones; nobody reads more findings of one document.
+#: Unknown names of one document that are compared with known ones.
 MAX_UNKNOWN = 1000
 
 #: Without it a simulator leaves out the link, although the grammar does not require it.
 _NEEDED = {"link": ("inertial",)}
+
+#: Elements whose name must not be empty.
+_NAMED = ("link", "joint")
 
 #: A tab or a line break between two numbers: only then are values looked at as they were typed.
 _BREAK = rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]"
 
 
 class Deviation(Record):
-    """One deviation; which fields are set depends on the rule that tells it.
+    """One deviation; which fields are set depends on the rule that reports it.
 
     Attributes:
         element: the element that is wrong or lacks something.
         attribute: that is wrong.
         name: what is missing or expected.
-        suggested: the name that was probably meant; empty if none is like it.
+        suggested: the intended name, or the version of URDF that is needed; empty if unknown.
     """
 
     element: Element
@@ -54,18 +57,19 @@ class Deviation(Record):
 def deviations(
     document: Document, *, plain: bool, claimed: Collection[str] = ()
 ) -> dict[str, list[Deviation]]:
-    """All deviations of a document, by the code of the rule that tells them.
+    """All deviations of a document, by the code of the rule that reports them.
 
     Args:
         document: after expansion.
         plain: True if the document stands in the file as it is, so that white space in a value
-            reaches URDF's readers as it was typed.
-        claimed: tags that are another rule's business.
+            reaches URDF parsers as it was typed.
+        claimed: tags that another rule reports.
     """
     root = document.root
     if root.tag != "robot":
         return {"URD015": [Deviation(root)]}
     walk = _Walk(root, claimed, plain and bool(re.search(_BREAK, document.sources[0].data)))
+    walk.version_number()
     stack = [(root, schema.ROBOT)]
     while stack:
         element, grammar = stack.pop()
@@ -171,23 +175,23 @@ class _Walk:
                     attribute.value not in self._good[length] or rule.since > self._version
                 ):
                     self._value(attribute, rule, length)
+                elif name == "name" and element.tag in _NAMED and not attribute.value.strip():
+                    self._add("URD003", element, attribute, name)
             elif rule.required:
                 missing.append(name)
         if known != len(written):
             missing = self._unknown_attributes(element, grammar, missing)
         for name in missing:
-            self._add("URD010" if element is self._root else "URD003", element, name=name)
+            self._add("URD003", element, name=name)
         if element.text and not element.text.isspace() and not missing:
             self._add("URD017", element)
         if grammar.any_of and not any(name in written for name in grammar.any_of):
             self._add("URD003", element, name="' or '".join(grammar.any_of))
-        if element is self._root and (version := written.get("version")):
-            self._version_number(version)
 
     def _unknown_attributes(
         self, element: Element, grammar: Grammar, missing: list[str]
     ) -> list[str]:
-        """Tell unknown attributes; what of ``missing`` none of them was meant to be."""
+        """Report unknown attributes; returns what of ``missing`` none of them misspells."""
         for name, attribute in element.attributes.items():
             if name in grammar.attributes or name == "xmlns" or ":" in name:
                 continue
@@ -206,27 +210,26 @@ class _Walk:
                 self._add("URD002", element, attribute, suggested=suggested or "")
         return missing
 
-    def _version_number(self, attribute: Attribute) -> None:
+    def version_number(self) -> None:
+        """A version that not every parser reads."""
+        attribute = self._root.attributes.get("version")
         version = version_of(self._root)
-        if version not in schema.VERSIONS:
+        if attribute is not None and version != schema.VERSIONS[0]:
             self._add("URD011", self._root, attribute)
-        elif version != schema.VERSIONS[0]:
-            self._add("URD014", self._root, attribute)
 
     def _value(self, attribute: Attribute, rule: AttributeRule, length: int) -> None:
         """A value that is no number, or too few or too many of them."""
         text = attribute.value
         if rule.since > self._version:
-            self._add("URD016", attribute.element, attribute, suggested=rule.since)
+            self._add("URD011", attribute.element, attribute, suggested=rule.since)
         elif _reads(text, length) and not self._breaks:
             self._good[length].add(text)
         elif not is_expression(text):
             parts = [part for part in text.split(" ") if part]
             bad = not all(map(is_number, parts)) or (length == 1 and not is_number(text))
-            if bad or (self._breaks and length > 1 and has_break(attribute.span.text)):
+            broken = self._breaks and length > 1 and has_break(attribute.span.text)
+            if bad or broken or len(parts) != length:
                 self._add("URD005", attribute.element, attribute, rule.type)
-            elif len(parts) != length:
-                self._add("URD006", attribute.element, attribute, rule.type)
 
     def children(self, element: Element, grammar: Grammar) -> list[tuple[Element, Grammar]]:
         """Missing, unknown and repeated children; those whose own content has a grammar."""
@@ -258,11 +261,11 @@ class _Walk:
         return inner
 
     def _choice(self, element: Element, grammar: Grammar, unknown: list[Element]) -> list[Element]:
-        """Readers take the first child and no other; what is left of ``unknown``."""
+        """Parsers read the first child only; returns what is left of ``unknown``."""
         first, *others = [child for child in element.children if ":" not in child.tag] or [element]
         if known := grammar.children.get(first.tag):
             if known.since > self._version:
-                self._add("URD016", first, suggested=known.since)
+                self._add("URD011", first, suggested=known.since)
             for child in others:
                 if child.tag in grammar.children and child.tag != first.tag:
                     self._add("URD007", child)
@@ -271,13 +274,13 @@ class _Walk:
         if self._unknown > MAX_UNKNOWN or (first is element and element.children):
             return unknown  # shapes of another dialect have a prefix
         if suggested := nearest(first.tag, grammar.children, LIKENESS):
-            self._add("URD013", first, name=suggested, suggested=suggested)
+            self._add("URD001", first, name=suggested, suggested=suggested)
         else:
-            self._add("URD009", first)
+            self._add("URD004", first)
         return [child for child in unknown if child is not first]
 
     def _unknown_element(self, child: Element, free: list[str], needed: list[str]) -> str:
-        """Tell an unknown element; the needed one that it was meant to be, or nothing."""
+        """Report an unknown element; returns the needed one that it misspells, or nothing."""
         tag = child.tag
         self._unknown += 1
         if self._unknown > MAX_UNKNOWN or tag in self._claimed:
@@ -285,13 +288,13 @@ class _Walk:
         if tag in schema.GAZEBO_TAGS:
             self._add("URD008", child)
         elif schema.places_of(tag):
-            self._add("URD012", child)
+            self._add("URD001", child)
         else:
             suggested = nearest(tag, free, LIKENESS) or ""
             if not suggested and calling_macro(child):
                 # A macro tells its blocks apart by such names, and inserts them as they are called.
                 suggested = next((word for word in tag.split("_") if word in free), "")
-            code = "URD013" if suggested in needed else "URD001"
-            self._add(code, child, name=suggested, suggested=suggested)
-            return suggested if suggested in needed else ""
+            needed_one = suggested if suggested in needed else ""
+            self._add("URD001", child, name=needed_one, suggested=suggested)
+            return needed_one
         return ""

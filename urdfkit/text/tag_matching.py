@@ -90,7 +90,7 @@ class TagMatching:
         start, end = _stripped(self._data, tag) if tag.kind == "text" else (tag.start, tag.end)
         what = "text" if tag.kind == "text" else f"<{tag.name}>"
         note = self._root.note(f"<{name}> begins here")
-        message = f"{what} behind the end of <{name}>"
+        message = f"{what} after the end of <{name}>"
         self._mistakes.append(SyntaxMistake(start, end, message, (note,), trailing=True))
         return False
 

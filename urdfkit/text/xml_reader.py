@@ -309,7 +309,7 @@ class _Builder:
         count = f", the first of {1 + len(others)}" if others else ""
         message = f"<{first.tag}> is a call of a xacro macro{count}, and no macro is defined here"
         notes = tuple(Related(other.span, f"<{other.tag}>") for other in others[:MAX_RELATED])
-        return [Problem("XAC018", first.tag_at.name_span, message, related=notes)]
+        return [Problem("XAC003", first.tag_at.name_span, message, related=notes)]
 
     def _entity(self, name: str, *_: object) -> None:
         at = self._parser.CurrentByteIndex
@@ -375,10 +375,10 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
     data = source.data if data is None else data
     problems = [
         Problem(
-            "XML006" if mistake.trailing else "XML001",
+            "XML001",
             Span(source, mistake.start, mistake.end),
             mistake.message,
-            mistake.help,
+            mistake.help or ("move it into the root element" if mistake.trailing else ""),
             related=tuple(Related(Span(source, *place), text) for *place, text in mistake.notes),
             fix=_remedy(source, mistake),
         )

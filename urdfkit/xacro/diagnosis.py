@@ -153,11 +153,11 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
     """Code, message and help of an error."""
     cause = root_cause(error)
     if isinstance(cause, UnsafeExpression):
-        return "XAC009", f"refused: {cause}", ""
+        return "XAC009", f"rejected: {cause}", ""
     if isinstance(cause, EnvironmentRefused):
         return "XAC009", str(cause), ""
     if isinstance(cause, (TooLarge, DocumentTooLarge, YamlTooLarge)):
-        return "XAC013", f"refused: {cause}", ""
+        return "XAC013", f"rejected: {cause}", ""
     if isinstance(cause, RecursionError):
         return "XAC013", "macros, includes or properties refer to themselves without end", ""
     if isinstance(cause, MemoryError):
@@ -167,7 +167,8 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
         message = f"package '{cause.name}' is not found; searched: {searched}"
         return "XAC011", message, f"name its folder: --package {cause.name}=DIR"
     if isinstance(cause, EscapesRoots):
-        return "XAC012", str(cause), ""
+        help = "move the file into a package, or add --trust if you trust the author of the model"
+        return "XAC009", str(cause), help
     if isinstance(cause, MissingArgument):
         return "XAC010", f"argument '{cause}' has no value and no default", _how_to_pass(run, cause)
     return "XAC001", *words(run, error, cause)
@@ -243,17 +244,18 @@ def _shadowing(name: str, node: Node, macro: Any) -> Problem | None:
     if node.tagName == "xacro:property":
         values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
         if constant and _is_near(values.get("value", ""), constant):
-            return None  # it repeats the constant; XAC007 tells poor ones
+            return None  # it repeats the constant; XAC007 reports inexact ones
         at = spans.get("name", node.tag_at.span)
-        return Problem("XAC016", at, f"property '{name}' hides {what}", "", node.frame)
+        help = "rename the property" + (", or delete it: xacro defines pi" if name == "pi" else "")
+        return Problem("XAC017", at, f"property '{name}' hides {what}", help, node.frame)
     if isinstance(macro, Node):
         params = macro.tag_at.attribute_spans().get("params", macro.tag_at.span)
         found = re.search(rb"(?<![\w*])%s(?!\w)" % re.escape(name.encode()), params.text.encode())
         start, end = found.span() if found else (0, params.end - params.start)
         at = Span(params.source, params.start + start, params.start + end)
         who = f"parameter '{name}' of macro '{macro.getAttribute('name')}'"
-        return Problem("XAC016", at, f"{who} hides {what}", "rename the parameter", macro.frame)
-    return Problem("XAC016", node.tag_at.span, f"'{name}' hides {what}", "", node.frame)
+        return Problem("XAC017", at, f"{who} hides {what}", "rename the parameter", macro.frame)
+    return Problem("XAC017", node.tag_at.span, f"'{name}' hides {what}", "", node.frame)
 
 
 def _is_near(text: str, value: float) -> bool:

@@ -87,7 +87,7 @@ class Reader:
         if self._trust or self._resolver.allows(path, self._near):
             return
         if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):
-            raise EscapesRoots(f"{path} is no file but a device or a pipe")
+            raise EscapesRoots(f"{path} is a device or a pipe, not a file")
         raise EscapesRoots(f"{path} is outside the workspace and the packages of this model")
 
     def glob(self, pattern: str, budget: Budget) -> Iterator[str]:

@@ -32,7 +32,7 @@ def test_the_place_is_the_value_of_each() -> None:
     [
         '<box size="0 0 0"/>',  # GEO012
         '<box size="1 2 -"/>',  # URD005
-        '<box size="-1 2"/>',  # URD006
+        '<box size="-1 2"/>',  # URD005
         '<sphere radius="1" length="-1"/>',  # URD002
         '<mesh filename="a.stl" scale="1 -1 1"/>',  # GEO006
     ],

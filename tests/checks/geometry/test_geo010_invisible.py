@@ -30,7 +30,7 @@ def test_a_colour_without_a_name() -> None:
     [
         GREY + link("a"),  # used by nobody
         seen("a", GREY.replace("0.2 0.2 0.2 0", "0.2 0.2 0.2 0.01")),
-        seen("a", GREY.replace("0.2 0.2 0.2 0", "0.2 0.2 0")),  # URD006
+        seen("a", GREY.replace("0.2 0.2 0.2 0", "0.2 0.2 0")),  # URD005
         seen("a", GREY.replace("grey", "Invisible_body")),
         seen("a", GREY.replace("grey", "glass")),
         seen("a", GREY.replace("</material>", '<texture filename="a.png"/></material>')),

@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.reported import fixed, messages, places, reported
+from urdfkit.text.diagnostic import Severity
 
 JOINT = """\
 <link name="a"/>
@@ -98,3 +99,142 @@ def test_a_macro_without_its_prefix_is_another_finding() -> None:
 """
     assert reported("URD001", robot, "robot.xacro") == []
     assert len(reported("XAC002", robot, "robot.xacro")) == 1
+
+
+@pytest.mark.parametrize(
+    ("robot", "message"),
+    [
+        (
+            '<link name="a"><origin xyz="0 0 1"/></link>',
+            (
+                "link 'a': URDF parsers ignore <origin> inside <link>; it belongs in "
+                "<collision> or <inertial> or <joint> or <visual>"
+            ),
+        ),
+        (
+            '<link name="a"><mass value="1"/></link>',
+            "link 'a': URDF parsers ignore <mass> inside <link>; it belongs in <inertial>",
+        ),
+        (
+            '<link name="a"/><inertial/>',
+            "robot 'example': URDF parsers ignore <inertial> inside <robot>; it belongs in <link>",
+        ),
+        (
+            '<link name="a"><gazebo><plugin/></gazebo></link>',
+            "link 'a': URDF parsers ignore <gazebo> inside <link>; it belongs in <robot>",
+        ),
+    ],
+)
+def test_where_it_belongs_is_told(robot: str, message: str) -> None:
+    assert messages("URD001", robot) == [message]
+
+
+INLINE = '<link name="a"><visual><geometry><box size="1 1 1"/>{}</geometry>{}</visual></link>'
+MATERIAL = '<material name="m"><color rgba="1 0 0 1"/></material>'
+
+
+def test_a_material_moves_behind_the_geometry() -> None:
+    assert fixed("URD001", INLINE.format(MATERIAL, "")) == (
+        f'<robot name="example">\n{INLINE.format("", MATERIAL)}\n</robot>\n'
+    )
+
+
+def test_lines_and_their_ends_move_along() -> None:
+    robot = (
+        '<robot name="r">\r\n\t<link name="a">\r\n\t\t<visual>\r\n\t\t\t<geometry>\r\n'
+        '\t\t\t\t<box size="1 1 1"/>\r\n{}\t\t\t</geometry>\r\n{}\t\t</visual>\r\n'
+        "\t</link>\r\n</robot>\r\n"
+    )
+    lines = ('<material name="m">', '\t<texture filename="a.png"/>', "</material>")
+    inside = "".join(f"\t\t\t\t{line}\r\n" for line in lines)
+    outside = inside.replace("\t\t\t\t", "\t\t\t")
+    assert fixed("URD001", robot.format(inside, "")) == robot.format("", outside)
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        INLINE.format(MATERIAL, '<material name="other"/>'),
+        INLINE.format(MATERIAL * 2, ""),
+        INLINE.format(MATERIAL, "").replace("visual>", "collision>"),
+        INLINE.format('<origin xyz="1 0 0"/>', ""),  # before the visual's own, or instead of it
+        f'<link name="a">{MATERIAL}</link>',  # of which visual
+    ],
+)
+def test_what_is_not_sure_is_left_to_a_person(robot: str) -> None:
+    found = reported("URD001", robot)
+    assert found
+    assert [one.fix for one in found] == [None] * len(found)
+
+
+def test_elements_of_one_tag_in_the_same_wrong_place_are_one_finding() -> None:
+    body = f"<collision><geometry><sphere radius='1'/></geometry>{MATERIAL}</collision>"
+    robot = "".join(f'<link name="{name}">{body}</link>' for name in "abcdefg")
+    (found,) = reported("URD001", robot)
+    assert found.message == (
+        "link 'a': URDF parsers ignore <material> inside <collision>; it belongs in <robot> or "
+        "<visual> (and 6 more like this)"
+    )
+    assert [related.message for related in found.related] == [f"link '{name}'" for name in "bcdef"]
+
+
+@pytest.mark.parametrize(
+    ("robot", "wrong", "right"),
+    [
+        ('<link name="a"><Inertial/></link>', "Inertial", "inertial"),
+        ('<link name="a"><visual><geometri></geometri></visual></link>', "geometri", "geometry"),
+        (
+            (
+                '<link name="a"><visual><geometry><cylindr radius="1" length="1"/></geometry>'
+                "</visual></link>"
+            ),
+            "cylindr",
+            "cylinder",
+        ),
+        (
+            (
+                '<link name="a"><inertial><mas value="1"/>'
+                '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>'
+            ),
+            "mas ",
+            "mass ",
+        ),
+        (
+            (
+                '<link name="a"/><link name="b"/><joint name="j" type="fixed">'
+                '<parent link="a"/><chlid link="b"/></joint>'
+            ),
+            "chlid",
+            "child",
+        ),
+    ],
+)
+def test_needed_elements_get_their_name_back(robot: str, wrong: str, right: str) -> None:
+    (found,) = reported("URD001", robot)
+    assert found.severity is Severity.ERROR
+    assert fixed("URD001", robot) == (
+        f'<robot name="example">\n{robot.replace(wrong, right)}\n</robot>\n'
+    )
+    assert reported("URD004", robot) == [], "what is misspelt is not missing as well"
+
+
+def test_who_and_what() -> None:
+    assert messages("URD001", '<link name="a"><inertal/></link>') == [
+        "link 'a': unknown element <inertal>, and <inertial> is missing"
+    ]
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        # The needed one is there: an unknown element like any other.
+        (
+            '<link name="a"><inertial><mass value="1"/>'
+            '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial><inertal/></link>'
+        ),
+        '<link name="a"><initial_pose/></link>',
+    ],
+)
+def test_no_error_where_nothing_is_missing(robot: str) -> None:
+    (found,) = reported("URD001", robot)
+    assert found.severity is Severity.WARNING

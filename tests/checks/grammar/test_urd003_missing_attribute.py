@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.reported import fixed, messages, places
+from tests.reported import fixed, messages, places, reported
 
 JOINT = '<link name="a"/><link name="b"/>\n<joint {}>{}</joint>'
 ENDS = '<parent link="a"/><child link="b"/>'
@@ -61,7 +61,45 @@ def test_what_has_a_default_may_be_missing(complete: str) -> None:
 def test_another_name_for_it_is_offered_as_the_remedy() -> None:
     robot = '<link name="a"><visual><geometry><mesh file="a.stl"/></geometry></visual></link>'
     assert messages("URD003", robot) == [
-        "link 'a': <mesh> has no 'filename', but 'file', which URDF does not know"
+        "link 'a': <mesh> has no 'filename', but an unknown attribute 'file'"
     ]
     assert places("URD003", robot) == [(2, "a.stl")]
     assert '<mesh filename="a.stl"/>' in fixed("URD003", robot)
+
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+
+def test_the_place_is_the_robot() -> None:
+    assert places("URD003", '<?xml version="1.0"?>\n<robot><link name="a"/></robot>') == [
+        (2, "<robot>")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("robot", "count"),
+    [
+        (f'<robot {XACRO}><xacro:macro name="m" params=""/></robot>', 0),
+        (f'<robot {XACRO}><link name="a"/><xacro:property name="p" value="1"/></robot>', 1),
+        ('<robot name=""><link name="a"/></robot>', 0),  # check_urdf accepts it
+        ("<robot/>", 1),
+    ],
+)
+def test_only_a_library_of_macros_needs_none(robot: str, count: int) -> None:
+    assert (
+        len(reported("URD003", robot, "robot.xacro" if XACRO in robot else "robot.urdf")) == count
+    )
+
+
+def test_links_and_joints_without_a_name() -> None:
+    robot = '<link name=""/>\n<link name=" "/>\n<joint name="" type="fixed"/>'
+    assert messages("URD003", robot) == [
+        "a link has an empty name",
+        "a link has an empty name",
+        "a joint has an empty name",
+    ]
+    assert places("URD003", robot) == [(2, ""), (3, " "), (4, "")]
+
+
+def test_no_name_at_all_is_the_same_rule() -> None:
+    assert messages("URD003", "<link/>") == ["<link>: <link> has no 'name'"]

@@ -34,9 +34,48 @@ def test_the_place_is_the_element_that_lacks_it() -> None:
     [
         '<link name="a"/>',
         '<link name="a"/><gazebo><plugin/></gazebo><transmission name="t"/>',
-        '<link name="a"><visual><geometry/></visual></link>',  # URD009
-        '<link name="a"><visual><geomtry/></visual></link>',  # URD013
+        '<link name="a"><visual><geomtry/></visual></link>',  # URD001
     ],
 )
 def test_what_is_not_missing_or_told_by_another_rule(robot: str) -> None:
     assert reported("URD004", robot) == []
+
+
+VISUAL = '<link name="a"><visual>\n<geometry>{}</geometry></visual></link>'
+
+
+@pytest.mark.parametrize(
+    ("content", "message", "place"),
+    [
+        ("", "link 'a': <geometry> has no shape", "<geometry>"),
+        ("<!-- box -->", "link 'a': <geometry> has no shape", "<geometry>"),
+        (
+            '<plane normal="0 0 1"/>',
+            "link 'a': <geometry> begins with <plane>, which is not a shape",
+            '<plane normal="0 0 1"/>',
+        ),
+        (
+            '<material name="m"/><box size="1 1 1"/>',
+            "link 'a': <geometry> begins with <material>, which is not a shape",
+            '<material name="m"/>',
+        ),
+    ],
+)
+def test_no_shape_where_readers_look(content: str, message: str, place: str) -> None:
+    robot = VISUAL.format(content)
+    assert messages("URD004", robot) == [message]
+    assert places("URD004", robot) == [(3, place)]
+    assert reported("URD001", robot) == []
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        '<box size="1 1 1"/><material name="m"/>',  # URD001: read, but without the colour
+        '<drake:ellipsoid xmlns:drake="http://drake.mit.edu"/>',
+        '<capsule radius="1" length="1"/>',  # URD011
+        "<bx/>",  # URD001
+    ],
+)
+def test_a_shape_or_another_finding(content: str) -> None:
+    assert reported("URD004", VISUAL.format(content)) == []

@@ -13,7 +13,7 @@ def test_the_second_is_told_and_the_first_is_shown() -> None:
         f'<origin xyz="0 0 2"/>{SPHERE}</visual></link>'
     )
     (found,) = reported("URD007", robot)
-    assert found.message == "link 'a': a second <origin> in <visual>; readers take the first"
+    assert found.message == "link 'a': a second <origin> in <visual>; parsers read the first"
     assert found.span.text == '<origin xyz="0 0 2"/>'
     assert [(one.span.text, one.message) for one in found.related] == [
         ('<origin xyz="0 0 1"/>', "the first")
@@ -31,7 +31,7 @@ def test_every_surplus_element_is_told() -> None:
     [
         ('<box size="1 1 1"/><sphere radius="1"/>', ["<sphere> after <box> in one <geometry>"]),
         ('<sphere radius="1"/><sphere radius="2"/>', ["a second <sphere> in <geometry>"]),
-        ('<plane/><box size="1 1 1"/>', []),  # URD009 tells that the box is never read
+        ('<plane/><box size="1 1 1"/>', []),  # URD004 tells that the box is never read
     ],
 )
 def test_a_geometry_holds_one_shape(shapes: str, surplus: list[str]) -> None:

@@ -15,16 +15,16 @@ COUNT = '<xacro:macro name="m" params="n"><xacro:if value="${n}"><xacro:m n="${n
     [
         (
             '<xacro:macro name="m" params="n"><xacro:m n="${n+1}"/></xacro:macro><xacro:m n="0"/>',
-            "refused: macros call each other more than 150 levels deep",
+            "rejected: macros call each other more than 150 levels deep",
         ),
-        ('<link name="${2**10**9}"/>', "refused: an integer of 2e+09 bits in ${2**10**9}"),
+        ('<link name="${2**10**9}"/>', "rejected: an integer of 2e+09 bits in ${2**10**9}"),
         (
             "<link name=\"${'a'*10**9}\"/>",
-            "refused: a value of 1e+09 characters or items in ${'a'*10**9}",
+            "rejected: a value of 1e+09 characters or items in ${'a'*10**9}",
         ),
         (
             '<link name="${[x for x in range(10**9)]}"/>',
-            "refused: a value of 1e+09 characters or items in ${[x for x in range(10**9)]}",
+            "rejected: a value of 1e+09 characters or items in ${[x for x in range(10**9)]}",
         ),
     ],
 )
@@ -42,7 +42,7 @@ def test_macros_that_double(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     body = f'<xacro:macro name="m0" params=""><link/></xacro:macro>{levels}<xacro:m39/>'
     write(tmp_path, robot=body)
     (found,) = told_of("XAC013", tmp_path / "robot.xacro")
-    assert found.message == "refused: more than 2000 macro calls"
+    assert found.message == "rejected: more than 2000 macro calls"
 
 
 def test_an_include_of_itself(tmp_path: Path) -> None:

@@ -87,7 +87,7 @@ def test_includes_in_a_circle(tmp_path: Path) -> None:
 def test_a_part_that_expands_is_silent(tmp_path: Path) -> None:
     joint = '<joint name="j" type="fixed"><parent link="base"/><child link="camera"/></joint>'
     write(tmp_path, part=f'<link name="camera"/>{joint}')
-    assert serious(tmp_path / "part.xacro") == {"REF001", "URD010"}
+    assert serious(tmp_path / "part.xacro") == {"REF001", "URD003"}
     write(tmp_path, robot='<link name="base"/><xacro:include filename="part.xacro"/>')
     assert serious(tmp_path / "part.xacro") == set()
 
@@ -99,7 +99,7 @@ def serious(file: Path) -> set[str]:
 
 def test_a_file_to_extend_a_robot_by_an_argument(tmp_path: Path) -> None:
     (tmp_path / "empty.urdf").write_text("<robot/>")
-    assert serious(tmp_path / "empty.urdf") == {"TRE001", "URD010"}
+    assert serious(tmp_path / "empty.urdf") == {"TRE001", "URD003"}
     write(
         tmp_path,
         robot='<link name="base"/><xacro:arg name="extras" default="$(optenv EXTRAS empty.urdf)"/>'

@@ -75,3 +75,29 @@ def test_what_only_expat_refuses_is_told_in_its_words() -> None:
     (found,) = reported("XML001", '<robot name="r"><link\u00d7/></robot>')
     assert found.message == "not well-formed (invalid token)"
     assert (found.span.line, found.span.column) == (1, 22)
+
+
+@pytest.mark.parametrize(
+    ("behind", "marked", "message"),
+    [
+        ('<robot name="s"/>', '<robot name="s"/>', "<robot> after the end of <robot>"),
+        ('<link name="b"></link>', '<link name="b">', "<link> after the end of <robot>"),
+        ("the end", "the end", "text after the end of <robot>"),
+    ],
+)
+@pytest.mark.parametrize("name", ["robot.urdf", "robot.xacro"])
+def test_what_follows(name: str, behind: str, marked: str, message: str) -> None:
+    robot = f'<robot name="r"><link name="a"/></robot>\n\n  {behind}\n'
+    (found,) = reported("XML001", robot, name)
+    assert (found.span.line, found.span.column, found.span.text) == (3, 3, marked)
+    assert found.message == message
+    (related,) = found.related
+    assert (related.span.line, related.message) == (1, "<robot> begins here")
+
+
+def test_only_the_first_that_follows_is_reported() -> None:
+    assert len(reported("XML001", "<robot/><a/><b/>text")) == 1
+
+
+def test_comments_and_white_space_may_follow() -> None:
+    assert reported("XML001", '<robot name="r"><link name="a"/></robot>\n<!-- end -->\n\n') == []

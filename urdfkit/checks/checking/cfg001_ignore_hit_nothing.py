@@ -1,7 +1,7 @@
 """An ignore comment suppresses nothing.
 
-The defect it was written for is gone, or its code is misspelt or belongs to another element. A
-comment that hits nothing today hides a new defect tomorrow: delete it.
+The defect is fixed, or the comment stands before another element. An unused comment would hide the
+next defect there: delete it.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Location, matching, rule
+from urdfkit.lint.rules import Finding, Location, get, matching, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
 
@@ -52,10 +52,11 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _ran(words: list[str], chosen: frozenset[str]) -> bool:
-    """True if every rule that the comment names was run; unknown ones are CFG002's."""
+    """True if every rule that the comment names surely ran; unknown ones are CFG002's."""
     from urdfkit.errors import UnknownRule
 
     try:
-        return all(code in chosen for word in words for code in matching(word))
+        codes = [code for word in words for code in matching(word)]
+        return all(code in chosen and not get(code).preview for code in codes)
     except UnknownRule:
         return False

@@ -1,7 +1,8 @@
 """An ignore comment names a rule that does not exist.
 
-It suppresses nothing, and its author believes that it does. `urdfkit rules` lists the codes; the
-beginning of a code stands for all rules that begin with it.
+The comment suppresses nothing. `urdfkit rules` lists the codes; the beginning of a code stands for
+all rules that begin with it. The former code of a rule still suppresses its findings; that it has
+another one now is an info.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnknownRule
-from urdfkit.lint.rules import Finding, Location, matching, rule
+from urdfkit.lint.rules import Finding, Location, matching, note, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -39,3 +40,8 @@ def check(subject: Subject) -> Iterator[Finding]:
                 matching(word)
             except UnknownRule as error:
                 yield Finding(Location(span), str(error))
+            else:
+                if message := note(word):
+                    yield Finding(
+                        Location(span), message, "write the new code", severity=Severity.INFO
+                    )

@@ -1,9 +1,9 @@
 """A robot was found and could not be checked.
 
 It wants arguments for which no file has values, or it cannot be read for a reason that this check
-was told to pass over. Nothing of the robot was looked at, and a report without findings would say
-otherwise. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore comment above
-the root element and `per-file-ignores` accept robots that are meant to stay unchecked.
+was told to ignore. Nothing of the robot was checked, and a report without findings would hide
+that. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore
+comment above the root element and `per-file-ignores` accept robots that stay unchecked.
 
 Values for arguments are taken from the launch files of the package and of the workspace, from the
 choices and defaults that launch files declare under the same name, from defaults in the files

@@ -7,6 +7,26 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+REDIRECTS = {
+    "URD006": "URD005",
+    "wrong-vector-length": "URD005",
+    "URD009": "URD004",
+    "empty-geometry": "URD004",
+    "URD010": "URD003",
+    "robot-without-name": "URD003",
+    "NAM010": "URD003",
+    "empty-name": "URD003",
+    "unknown-version": "URD011",
+    "URD012": "URD001",
+    "misplaced-element": "URD001",
+    "URD013": "URD001",
+    "misspelt-required-element": "URD001",
+    "URD014": "URD011",
+    "newer-version": "URD011",
+    "URD016": "URD011",
+    "version-too-low": "URD011",
+}
+
 
 def applies(subject: Subject) -> bool:
     """True where the document deviates from the grammar."""

@@ -1,7 +1,7 @@
 """An attribute has a name that URDF does not know.
 
-Every reader passes over it and takes the default of the attribute that was meant: a joint with
-`velocty="2"` has no velocity limit. Correct the name, or remove the attribute.
+URDF parsers ignore it and use the default of the intended attribute: a joint with `velocty="2"`
+has no velocity limit. Correct the name, or remove the attribute.
 
 An attribute that is like none of URDF and holds none of its numbers belongs to some other program,
 or is a note: that is an info.

@@ -1,26 +1,36 @@
-"""An element lacks an attribute that it cannot do without.
+"""An element lacks a required attribute, or a link or joint has an empty name.
 
-In a joint, urdfdom (and with it RViz, MoveIt, Gazebo and Pinocchio) then refuses the whole robot.
-In a link it logs one line, drops every visual and collision of that link and goes on, so that the
-robot loads with holes in it. A `<dynamics>` needs at least one of its two attributes.
+In a joint or in `<robot>`, urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the robot. In a
+link it logs one line and drops every visual and collision of that link. A `<dynamics>` needs at
+least one of its two attributes. Only a xacro file that others include can do without the name of
+the robot.
+
+urdfdom reads an empty name, but TF ignores such a frame, Drake rejects the link and PyBullet
+crashes. In a xacro an empty name is usually a prefix with nothing after it.
 
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.editing.edits import rename_attribute
 from urdfkit.text.grammar import owner
+from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">
@@ -42,13 +52,30 @@ FIXED = GOOD
 def check(subject: Subject) -> Iterator[Finding]:
     for element, attribute, missing, suggested in subject.deviations.get("URD003", ()):
         message = f"{owner(element)}: <{element.tag}> has no '{missing}'"
+        if attribute is None and element.parent is None:
+            if not subject.is_part:
+                fix = _named_for_file(element)
+                yield Finding(element, "<robot> has no name", 'write <robot name="...">', fix)
+            continue
+        if attribute is not None and not suggested:
+            yield Finding(attribute, f"a {element.tag} has an empty name", "give it a name")
+            continue
         if attribute is None:
             yield Finding(element, message, alike=f"{missing} of {element.tag}")
             continue
         edits = rename_attribute(attribute, suggested)
         yield Finding(
             attribute,
-            f"{message}, but '{attribute.name}', which URDF does not know",
+            f"{message}, but an unknown attribute '{attribute.name}'",
             f"rename {attribute.name} to {suggested}",
             Fix.of(f"rename {attribute.name} to {suggested}", edits),
         )
+
+
+def _named_for_file(element: Element) -> Fix | None:
+    """The name of the file without its suffixes, if a name can be that."""
+    source, _, end = element.tag_at.name_span
+    name = os.path.basename(source.path).partition(".")[0]
+    if not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
+        return None
+    return Fix(f'write name="{name}"', (Edit(Span(source, end, end), f' name="{name}"'),))

@@ -1,9 +1,11 @@
-"""An element lacks a child that it cannot do without.
+"""An element lacks a required child element.
 
-A joint without `<parent>` or `<child>` makes urdfdom (RViz, MoveIt, Gazebo, Pinocchio) refuse the
-robot. An `<inertial>` without `<mass>` or `<inertia>`, and a visual or collision without
-`<geometry>`, make it drop the inertia, or all visuals and collisions, of the link: one line in the
-log, and a robot with holes in it.
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects a robot with a joint without `<parent>` or
+`<child>`. Of an `<inertial>` without `<mass>` or `<inertia>` it drops the inertia; of a visual or
+collision without `<geometry>`, or whose `<geometry>` does not begin with a shape, it drops all
+visuals and collisions of the link, with one line in the log. The shapes are box, cylinder, sphere,
+mesh and, from version 1.1, capsule. A plane is a thin box; a `<material>` belongs after the
+`<geometry>`.
 
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
@@ -18,9 +20,11 @@ from typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.grammar import owner
+from urdfkit.text.schema import SHAPES
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -41,5 +45,16 @@ GOOD = """\
 def check(subject: Subject) -> Iterator[Finding]:
     for element, _, missing, _ in subject.deviations.get("URD004", ()):
         who = owner(element)
+        if not missing:
+            yield _without_shape(element, who)
+            continue
         inside = "" if who.startswith(element.tag) else f": <{element.tag}>"
         yield Finding(element, f"{who}{inside} has no <{missing}>", f"add <{missing}>")
+
+
+def _without_shape(element: Element, who: str) -> Finding:
+    """A geometry without a shape, or what comes first in it."""
+    message = f"{who}: <geometry> has no shape"
+    if element.tag != "geometry":
+        message = f"{who}: <geometry> begins with <{element.tag}>, which is not a shape"
+    return Finding(element, message, f"let its first element be one of {', '.join(SHAPES)}")

@@ -1,10 +1,12 @@
-"""A value is not a number that URDF's readers understand.
+"""A value is not a number, or has too many or too few numbers.
 
-They take digits with a decimal point and an exponent, such as `-1.5e-3`, with spaces between the
-numbers. A decimal comma, a unit, `inf`, `nan`, a tab between two numbers and white space after
-the last are all refused: in a joint urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the
-whole robot, in a link it drops the inertia or every shape of that link. PyBullet goes on with a
-wrong number.
+URDF parsers read digits with a decimal point and an exponent, such as `-1.5e-3`, with spaces
+between the numbers. They reject a decimal comma, a unit, `inf`, `nan`, a tab between two numbers
+and white space after the last. `xyz`, `rpy`, `size` and `scale` take three numbers, `rgba` four.
+
+In a joint urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the robot, in a link it drops the
+inertia or every shape of that link, and a colour becomes black. MuJoCo and Drake reject a vector of
+the wrong length; PyBullet continues with a wrong number.
 
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
@@ -41,24 +43,31 @@ FIXED = GOOD
     "URD005",
     "bad-number",
     Severity.ERROR,
-    help="write digits with a decimal point, and spaces between the numbers",
+    help="write as many numbers as it takes, with decimal points, and spaces between them",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for element, attribute, kind, _ in subject.deviations.get("URD005", ()):
         assert attribute is not None
-        text = as_written(attribute)
-        title, edits = "", None
         length = schema.LENGTHS.get(kind, 1)
-        if better := _fixed(text, length):
+        parts = [part for part in attribute.value.split(" ") if part]
+        if length > 1 and len(parts) != length and all(map(is_number, parts)):
+            count = f"{len(parts)} number{'s' if len(parts) != 1 else ''}"
+            reason, alike = f"has {count}, not {length} ({kind})", ""
+            better = _completed(attribute.name, kind, parts)
+        else:
+            text = as_written(attribute)
+            reason = alike = _reason(text, length)
+            better = _fixed(text, length)
+        title, edits = "", None
+        if better:
             title, edits = f'write {attribute.name}="{better}"', replace_value(attribute, better)
-        reason = _reason(text, length)
         yield Finding(
             attribute,
             f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}",
             title,
             Fix.of(title, edits),
-            alike=reason,
+            alike=alike,
         )
 
 
@@ -70,7 +79,7 @@ def _reason(text: str, length: int) -> str:
     if count > length == 1:
         return f"holds {count} numbers, not 1"
     if has_break(text):
-        return "has a tab or a line break between its numbers; readers want spaces"
+        return "has a tab or a line break between its numbers; parsers need spaces"
     bad = next((part for part in text.split(" ") if part and not is_number(part)), "")
     if not bad:
         return "has white space after the number"
@@ -82,7 +91,7 @@ def _reason(text: str, length: int) -> str:
 
 
 def _fixed(text: str, length: int) -> str | None:
-    """The value with its commas and white space as readers want them, if that mends it."""
+    """The value with correct commas and white space, if that is enough."""
     parts = [part.rstrip(",") for part in text.split()]
     spaced = " ".join(parts)
     for candidate in (spaced, spaced.replace(",", "."), " ".join(text.replace(",", " ").split())):
@@ -90,3 +99,10 @@ def _fixed(text: str, length: int) -> str | None:
         if len(found) == length and all(map(is_number, found)):
             return candidate
     return None
+
+
+def _completed(name: str, kind: str, parts: list[str]) -> str | None:
+    """The vector where only one is possible: a scale for all axes, an opaque colour."""
+    if name == "scale" and len(parts) == 1:
+        return " ".join(parts * 3)
+    return " ".join([*parts, "1"]) if kind == schema.RGBA and len(parts) == 3 else None

@@ -1,8 +1,9 @@
-"""An element stands twice where readers take one.
+"""An element is given twice where parsers read one.
 
-urdfdom (RViz, MoveIt, Gazebo, Pinocchio), Drake and PyBullet take the first and pass over the
-second without a word; MuJoCo refuses the file. A `<geometry>` holds one shape, an `<inertial>` one
-mass. Remove the one that is not meant, or put a second shape into a visual or collision of its own.
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio), Drake and PyBullet read the first and ignore the
+second without a message; MuJoCo rejects the file. A `<geometry>` holds one shape, an
+`<inertial>` one mass. Remove one of them, or put a second shape into a visual or collision of its
+own.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -41,7 +42,7 @@ FIXED = GOOD
     "URD007",
     "duplicate-element",
     Severity.WARNING,
-    help="remove the one that is not meant",
+    help="remove one of them",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
@@ -50,9 +51,9 @@ def check(subject: Subject) -> Iterator[Finding]:
         first = _first(element, element.parent)
         who, place = owner(element.parent), element.parent.tag
         if first.tag == element.tag:
-            message = f"{who}: a second <{element.tag}> in <{place}>; readers take the first"
+            message = f"{who}: a second <{element.tag}> in <{place}>; parsers read the first"
         else:
-            message = f"{who}: <{element.tag}> after <{first.tag}> in one <{place}>; readers take "
+            message = f"{who}: <{element.tag}> after <{first.tag}> in one <{place}>; parsers read "
             message += "the first shape"
         related = (Related(first.span, "the first"),)
         yield Finding(
@@ -65,7 +66,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _fix(element: Element, first: Element) -> Fix | None:
-    """Away with what only says once more what the first says."""
+    """Remove an exact copy of the first."""
     if not _is_same(element, first):
         return None
     return Fix("remove the copy", remove_element(element), safe=True)
@@ -83,6 +84,6 @@ def _content(element: Element) -> tuple[object, ...]:
 
 
 def _first(element: Element, parent: Element) -> Element:
-    """The one that readers take."""
+    """The one that parsers read."""
     alternatives = SHAPES if parent.tag == "geometry" else (element.tag,)
     return next(child for child in parent.children if child.tag in alternatives)

@@ -1,8 +1,8 @@
 """A tag that only Gazebo reads stands outside a `<gazebo>` block.
 
-Gazebo gets the robot through a URDF reader, and URDF readers pass over what is not URDF: friction
+Gazebo gets the robot through a URDF parser, which ignores what is not URDF: friction
 (`mu1`, `mu2`), contact stiffness (`kp`, `kd`), `preserveFixedJoint`, sensors and plugins inside a
-link or joint never arrive, and nothing says so. Move the tag into `<gazebo reference="...">` with
+link or joint are lost without a message. Move the tag into `<gazebo reference="...">` with
 the name of the link or joint.
 
 Sources:

@@ -1,8 +1,8 @@
 """Text stands where URDF has none.
 
-All values of URDF are attributes; readers pass over text between the tags. A value that is written
-as in SDF, `<origin>0 0 0.1</origin>`, is lost without a word, and a piece of a comment or a doubled
-`>` shows that something was cut or typed by mistake.
+All values of URDF are attributes; parsers ignore text between the tags. A value that is written
+as in SDF, `<origin>0 0 0.1</origin>`, is lost without a message, and a piece of a comment or a
+doubled `>` shows that something was cut or typed by mistake.
 
 Sources:
     URDF, XML specification: http://wiki.ros.org/urdf/XML

@@ -16,7 +16,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.inertials.masses import CARRIED
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
@@ -54,14 +53,16 @@ GOOD = BAD.replace('"0.005"', '"1"').replace('"1e-6"', '"0.001"')
     Severity.INFO,
     help="move mass from the heavy links to the light one, or make one joint of two",
     by_target={"isaac": Severity.WARNING, **dict.fromkeys(GAZEBO, Severity.WARNING)},
+    options={"ratio": 1000.0},
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for body, load in subject.masses.overloaded:
+    bound = check.option(subject, "ratio")
+    for body, load in subject.masses.overloaded(bound):
         link = body.top
         mass = link.inertial.mass if link.inertial else None
         yield Finding(
             mass or link.at,
             f"link '{link.name}' has {body.mass:.3g} kg and carries {load:.3g} kg by joints, "
-            f"{load / body.mass:.0f} times as much; up to {CARRIED:.0f} times is calm",
+            f"{load / body.mass:.0f} times its own mass; solvers are stable up to {bound:g} times",
             weight=load / body.mass,
         )

@@ -67,7 +67,7 @@ FILES = {
 }
 
 #: The codes of XML that is not well-formed.
-_BROKEN = ("XML001", "XML002", "XML006")
+_BROKEN = ("XML001", "XML002")
 
 
 @rule("PKG005", "invalid-package", Severity.ERROR, help="fix the package.xml")

@@ -43,15 +43,21 @@ FILES = {
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
     help="urdfkit mesh collision or urdfkit mesh simplify makes a lighter one",
+    options={"triangles": DENSE_COLLISION},
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    uses = subject.measured.diagnoses.get("MSH019", ())
-    for use in sorted(uses, key=lambda use: -use.measures.triangles):
+    bound = check.option(subject, "triangles")
+    dense = {
+        use.path: use
+        for use in reversed(subject.measured.files)
+        if use.role == "collision" and use.measures.triangles > bound
+    }
+    for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
         refused = f", and MuJoCo rejects more than {MUJOCO_MOST:,}" if number > MUJOCO_MOST else ""
         yield Finding(
             use.at,
-            f"{use.who} has {number:,} triangles; more than {DENSE_COLLISION:,} make collision "
+            f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
             f"checking slow{refused}",
             weight=number,
             alike="dense",

@@ -7,6 +7,22 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+REDIRECTS = {
+    "unused-property": "XAC004",
+    "XAC005": "XAC004",
+    "unused-macro": "XAC004",
+    "XAC006": "XAC004",
+    "unused-argument": "XAC004",
+    "XAC012": "XAC009",
+    "include-escapes-roots": "XAC009",
+    "XAC016": "XAC017",
+    "shadows-builtin": "XAC017",
+    "XAC018": "XAC003",
+    "unexpanded-tag": "XAC003",
+    "XAC022": "",
+    "power-is-exclusive-or": "",
+}
+
 
 def applies(subject: Subject) -> bool:
     """True for a xacro, and for a plain file with expressions or tags of xacro."""

@@ -3,7 +3,7 @@
 A property that is not defined, a macro that is not there or is called with other parameters than
 it has, an include that does not exist, an expression that Python cannot evaluate. xacro stops at
 the first of them and names no line; here all are listed, each at its expression. Where the
-expression is in a property, the place is the property's definition, with its use beside it.
+expression is in a property, the place is the property's definition, with its use as a note.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -45,7 +45,7 @@ _UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro passes over .*)?")
     "xacro-error",
     Severity.ERROR,
     needs=(),
-    help="mend the expression or the call; the related places show what it refers to",
+    help="correct the expression or the call; the notes show what it refers to",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for finding in reported(subject, "XAC001"):

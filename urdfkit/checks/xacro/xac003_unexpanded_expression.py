@@ -1,8 +1,9 @@
-"""A plain URDF holds an expression that only xacro understands.
+"""A plain URDF contains an expression or a tag of xacro.
 
-`${...}` and `$(...)` are xacro's. In a plain URDF nobody replaces them: numbers become unreadable
-and names keep the text as it stands. The file is a xacro without saying so, or was saved before it
-was expanded.
+URDF parsers do not replace `${...}` and `$(...)`: numbers cannot be read, and names keep the text.
+That is an error. They ignore `<xacro:...>` without a message, so that what the macro would create
+is missing from the robot. That is a warning. The file is a xacro without the namespace declaration,
+a part of a xacro that another file includes, or was saved before it was expanded.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -15,7 +16,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.grammar import is_expression
 
@@ -38,6 +39,9 @@ _SUBSTITUTION = re.compile(r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv
     'xmlns:xacro="http://www.ros.org/wiki/xacro"',
 )
 def check(subject: Subject) -> Iterator[Finding]:
+    for finding in reported(subject, "XAC003"):
+        help = "include the file that defines the macro, or delete the call"
+        yield finding._replace(help=help, severity=Severity.WARNING)
     data = subject.source.data
     if subject.reading.xacro or (b"${" not in data and b"$(" not in data):
         return
@@ -50,5 +54,5 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _is_of_xacro(text: str) -> bool:
-    """False for ``$(name)`` alone, a blank in a plugin's settings that a launch file fills in."""
+    """False for ``$(name)`` alone, a placeholder in a plugin's settings for a launch file."""
     return is_expression(text) and ("${" in text or _SUBSTITUTION.search(text) is not None)

@@ -34,9 +34,9 @@ FIXED = BAD.replace("3.1415926", "${pi}")
 GOOD = BAD.replace("PI", "width").replace("3.1415926", "3.2")
 
 _NAME = r"(?i)(^|_|\b)m?_?pi($|_)"
-#: So near to pi that no other meaning is likely, whatever the name.
+#: So near to pi that no other value is likely, whatever the name.
 _CERTAIN = 1e-4
-#: So near that it is meant as pi if the name says so.
+#: So near that it is pi if the name says so.
 _NAMED = 2e-2
 
 

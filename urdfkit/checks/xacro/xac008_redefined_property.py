@@ -1,6 +1,6 @@
 """A property is defined twice in the same block before its first value is used.
 
-The first definition has no effect, so one of the two is left over or was meant to have another
+The first definition has no effect, so one of the two is left over, or has the wrong
 name. A conditional default (`<xacro:if>`) and a property that is used in between are no findings.
 
 Sources:

@@ -1,11 +1,13 @@
-"""An expression or a file access was refused because a model has no need of it.
+"""The sandbox rejects an expression or a file access.
 
-xacro evaluates Python, and its own filter can be walked around: whoever expands a model runs its
-author's code. Here expressions pass an allow-list (numbers, text, lists, comparisons, calls of
-xacro's functions), and `$(env)` reads only variables of ROS and Gazebo. None of 14 081
-expressions in public models is refused.
+xacro evaluates Python, and its own filter can be bypassed: expanding a model runs code of its
+author. Here expressions pass an allow-list (numbers, text, lists, comparisons, calls of xacro's
+functions), `$(env)` reads only variables of ROS and Gazebo, and a model includes or loads only
+files in its workspace and its packages: a path outside of them works on no other machine, either.
+None of 14 081 expressions in public models is rejected.
 
 Sources:
+    xacro: https://wiki.ros.org/xacro
     xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
@@ -37,7 +39,7 @@ GOOD = """\
     "unsafe-expression",
     Severity.ERROR,
     needs=(),
-    help="write it with plain arithmetic; if you trust the model's author, add --trust",
+    help="write it with plain arithmetic, or add --trust if you trust the author of the model",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     return reported(subject, "XAC009")

@@ -1,10 +1,13 @@
 """Expanding the file gives a warning.
 
-An attribute that the xacro tag does not know, an include whose pattern matches no file, or a
-warning that the model's author wrote with `xacro.warning()`. xacro goes on, and the line is easily
-lost in the output of a launch.
+An unknown attribute of a xacro tag, an include whose pattern matches no file, a warning that the
+model prints with `xacro.warning()`, or a property or parameter with the name of something that
+expressions already have ("redefining global symbol"): `pi`, `e`, `radians`, `sin`, `min`, `len`
+and the other names of Python's math module. Such a property hides the constant or function in every
+file that is included afterwards; with `e` or `pi` that gives wrong numbers elsewhere.
 
 Sources:
+    xacro: https://wiki.ros.org/xacro
     xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
@@ -33,7 +36,7 @@ GOOD = BAD.replace(' unit="m"', "")
     "xacro-warning",
     Severity.WARNING,
     needs=(),
-    help="see the message; xacro ignores what it does not know",
+    help="correct or remove it; xacro ignores what it does not know",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     return reported(subject, "XAC017")

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+REDIRECTS = {"XML006": "XML001", "trailing-content": "XML001"}
+
 
 def applies(subject: Subject) -> bool:
     """True for every description."""

@@ -1,12 +1,14 @@
 """The file is not well-formed XML.
 
-Most readers refuse the whole file, xacro and Python's XML readers among them; urdfdom forgives a
-stray `&` or a missing blank, and then may read something else than was meant. All errors are
-listed, each where it has to be mended and not where a parser gave up: a tag that is not closed, a
-missing quote, a stray `<` or `&`, an attribute given twice, a NUL byte, `--` inside a comment.
+Most parsers reject the whole file, among them xacro and Python's XML parsers. urdfdom accepts a
+stray `&`, a missing space, or content after the root element, which it ignores without a message.
+All errors are listed where they have to be fixed, not where a parser stops: a tag that is not
+closed, a missing quote, a stray `<` or `&`, an attribute given twice, a NUL byte, `--` inside a
+comment, an element or text after `</robot>`.
 
 Sources:
     XML 1.0: https://www.w3.org/TR/REC-xml/
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
     xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 

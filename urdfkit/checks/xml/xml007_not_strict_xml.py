@@ -2,7 +2,7 @@
 
 urdfdom (and with it robot_state_publisher and Pinocchio) forgives white space before the XML
 declaration, a version other than 1.0 and undeclared prefixes; up to release 3 also a comment before
-the declaration. Python's readers, xacro and browsers do not: the robot works here and fails there.
+the declaration. Python's parsers, xacro and browsers do not: the robot works here and fails there.
 
 Sources:
     XML 1.0: https://www.w3.org/TR/REC-xml/

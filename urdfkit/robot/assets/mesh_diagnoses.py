@@ -195,7 +195,6 @@ OF_FILES: dict[str, Callable[[MeshUse], bool]] = {
     "MSH015": _is_open,
     "MSH016": lambda use: use.measures.inside_out or use.measures.inverted_bodies > 0,
     "MSH017": _is_degenerate,
-    "MSH019": lambda use: use.role == "collision" and use.measures.triangles > DENSE_COLLISION,
     "MSH020": lambda use: use.role == "visual" and use.measures.triangles > DENSE_VISUAL,
     "MSH022": _overlaps,
     "MSH023": _has_gaps,

@@ -26,9 +26,6 @@ TWIN_MASS, TWIN_MOMENTS = 1.2, 1.5
 #: Links of implausible density, of more than half of those whose density is known, have one cause.
 LIKEWISE = 3
 
-#: A link that carries more than this many times its own mass makes iterative solvers jitter.
-CARRIED = 1000.0
-
 #: The smallest moment of inertia in kg m^2 that MuJoCo takes for one: its mjMINVAL.
 LEAST_MOMENT = 1e-15
 
@@ -143,16 +140,15 @@ class Masses:
                     found.append(body)
         return found
 
-    @cached_property
-    def overloaded(self) -> list[tuple[RigidBody, float]]:
-        """The bodies that joints move and that carry far more than their own mass, in kg."""
+    def overloaded(self, ratio: float) -> list[tuple[RigidBody, float]]:
+        """The bodies that joints move and that carry this many times their own mass, in kg."""
         carried = {body.top.name: 0.0 for body in self.bodies}
         found = []
         for body in reversed(self.bodies):  # leaves first
             mass, load = body.mass, carried[body.top.name]
             if body.joint and body.joint.parent:
                 carried[self.body_of[body.joint.parent.value].top.name] += mass + load
-                if mass > NO_MASS and load > CARRIED * mass:
+                if mass > NO_MASS and load > ratio * mass:
                     found.append((body, load))
         return found[::-1]
 

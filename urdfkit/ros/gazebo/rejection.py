@@ -15,19 +15,20 @@ REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model
 
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset(
-    "JNT001 JNT002 NAM001 REF001 "
-    "TRE001 TRE002 TRE003 TRE006 URD010 URD011 URD015".split()
+    "JNT001 JNT002 NAM001 REF001 TRE001 TRE002 TRE003 TRE006 URD015".split()
 )
 #: Rules with findings that reject the robot, as their messages say.
 SOMETIMES = frozenset("GAZ010 GAZ027 GAZ040 GAZ047".split())
 #: Rules whose findings reject the robot where they are about a joint.
-IN_JOINTS = frozenset("URD003 URD004 URD005 URD006".split())
+IN_JOINTS = frozenset("URD003 URD004 URD005".split())
+#: Errors that reject the robot where they are about its root element.
+OF_ROOT = frozenset("URD003 URD011".split())
 #: Rules that also report what rejects nothing: only their errors count.
 _ONLY_ERRORS = frozenset(("JNT002", "JNT006"))
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
 BY_GZ = frozenset("GAZ057 JNT006".split())
 
-CODES = ALWAYS | SOMETIMES | IN_JOINTS | BY_GZ
+CODES = ALWAYS | SOMETIMES | IN_JOINTS | OF_ROOT | BY_GZ
 
 
 def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]:
@@ -38,7 +39,13 @@ def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]
             continue
         says = one.message if one.code in SOMETIMES else ""
         in_joint = any(call.element.startswith("joint/") for call in one.calls)
-        if one.code in ALWAYS or (one.code in IN_JOINTS and in_joint) or REJECTED in says:
+        of_root = one.severity is Severity.ERROR and any("/" not in c.element for c in one.calls)
+        if (
+            one.code in ALWAYS
+            or (one.code in IN_JOINTS and in_joint)
+            or (one.code in OF_ROOT and of_root)
+            or REJECTED in says
+        ):
             found.append(("libsdformat", one))
         elif one.code in BY_GZ or REJECTED_BY_GZ in says:
             found.append(("gz", one))

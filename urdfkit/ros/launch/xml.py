@@ -33,7 +33,7 @@ MAX_LEVELS = 50
 #: More slips of one launch file help nobody.
 MAX_PROBLEMS = 1000
 #: What launch refuses to read.
-_BROKEN = ("XML001", "XML002", "XML006", "XAC013")
+_BROKEN = ("XML001", "XML002", "XAC013")
 #: Stands in a word for what only running the launch file would tell.
 _UNKNOWN_WORD = "\0"
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")

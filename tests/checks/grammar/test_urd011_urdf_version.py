@@ -1,0 +1,63 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.reported import messages, places, reported
+from urdfkit.text.diagnostic import Severity
+
+ROBOT = '<robot name="r" version="{}"><link name="a"><visual>{}</visual></link></robot>'
+SPHERE = '<origin xyz="0 0 0"/><geometry><sphere radius="1"/></geometry>'
+
+
+@pytest.mark.parametrize("version", ["1", "2.0", "1.3", "foo", "", "1.0.0", "-1.0"])
+def test_versions_that_urdfdom_rejects(version: str) -> None:
+    robot = ROBOT.format(version, SPHERE)
+    assert messages("URD011", robot) == [
+        f"URDF version '{version}' does not exist; there are 1.0, 1.1, 1.2"
+    ]
+    assert places("URD011", robot) == [(1, version)]
+
+
+@pytest.mark.parametrize("version", ["1.0", "01.00"])
+def test_versions_that_every_parser_reads(version: str) -> None:
+    assert reported("URD011", ROBOT.format(version, SPHERE)) == []
+
+
+@pytest.mark.parametrize("version", ["1.1", "1.2"])
+def test_versions_that_older_parsers_reject(version: str) -> None:
+    robot = f'<robot name="r" version="{version}"><link name="a"/></robot>'
+    (found,) = reported("URD011", robot)
+    assert found.severity is Severity.WARNING
+    assert found.message == f"URDF version {version} is rejected by older parsers"
+    assert places("URD011", robot) == [(1, version)]
+
+
+CAPSULE = '<geometry><capsule radius="1" length="1"/></geometry>'
+TURNED = '<origin quat_xyzw="0 0 0 1"/><geometry><sphere radius="1"/></geometry>'
+FEATURES = '<robot name="r"{}>\n<link name="a"><visual>{}</visual></link></robot>'
+
+
+@pytest.mark.parametrize("version", ["", ' version="1.0"'])
+def test_features_of_1_1_in_1_0(version: str) -> None:
+    assert messages("URD011", FEATURES.format(version, CAPSULE)) == [
+        "link 'a': <capsule> needs URDF 1.1, and the robot is URDF 1.0"
+    ]
+    assert messages("URD011", FEATURES.format(version, TURNED)) == [
+        "link 'a': quat_xyzw needs URDF 1.1, and the robot is URDF 1.0"
+    ]
+    assert places("URD011", FEATURES.format(version, TURNED)) == [(2, "0 0 0 1")]
+
+
+@pytest.mark.parametrize("version", ["1.1", "1.2"])
+@pytest.mark.parametrize("content", [CAPSULE, TURNED])
+def test_with_the_version_they_are_read(version: str, content: str) -> None:
+    robot = FEATURES.format(f' version="{version}"', content)
+    assert [found.severity for found in reported("URD011", robot)] == [Severity.WARNING]
+    assert [reported(code, robot) for code in ("URD005", "URD004")] == [[], []]
+
+
+def test_a_quaternion_that_is_read_has_four_numbers() -> None:
+    robot = FEATURES.format(' version="1.1"', TURNED.replace("0 0 0 1", "0 0 1"))
+    assert messages("URD005", robot) == [
+        "link 'a': quat_xyzw of <origin> has 3 numbers, not 4 (x y z w)"
+    ]

@@ -1,0 +1,72 @@
+"""The URDF version does not exist, is too new for older parsers, or too low for what is used.
+
+`version` is that of the format, not that of your robot: 1.0, 1.1 or 1.2; without it, it is 1.0.
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects any other text.
+
+Version 1.1 brought capsules and quaternions, 1.2 more joint limits. urdfdom 6 reads them; urdfdom
+3.0.1, the version in Debian 12, rejects the robot: a warning. In a robot of version 1.0 a
+`<capsule>` is not a shape, and urdfdom drops every visual and collision of the link; `quat_xyzw` is
+ignored, and the part is not rotated. Build the capsule from a cylinder and two spheres and write
+`rpy`, which every parser reads, or declare the version. MuJoCo and Drake read a `<capsule>` of any
+version; where they are the only targets it is not reported.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    ros/urdfdom#238: https://github.com/ros/urdfdom/issues/238
+    gazebosim/sdformat#1654: https://github.com/gazebosim/sdformat/issues/1654
+    Drake, geometry of URDF: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
+    MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.grammar import owner, version_of
+from urdfkit.text.schema import VERSIONS
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Attribute
+
+BAD = '<robot name="cart" version="2.3">\n  <link name="base"/>\n</robot>\n'
+GOOD = BAD.replace(' version="2.3"', "")
+FIXED = BAD.replace("2.3", "1.0")
+
+
+@rule("URD011", "urdf-version", Severity.ERROR, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    version = version_of(subject.document.root)
+    for element, attribute, _, since in subject.deviations.get("URD011", ()):
+        if not since:
+            assert attribute is not None
+            yield _declared(attribute, version)
+        elif element.tag != "capsule" or not subject.targets.are_only("mujoco", "drake"):
+            what = f"<{element.tag}>" if attribute is None else attribute.name
+            yield Finding(
+                attribute or element,
+                f"{owner(element)}: {what} needs URDF {since}, and the robot is URDF {version}",
+                f'use what URDF 1.0 has, or write <robot version="{since}">',
+            )
+
+
+def _declared(attribute: Attribute, version: str) -> Finding:
+    """A version that does not exist, or that some parsers reject."""
+    if version in VERSIONS:
+        return Finding(
+            attribute,
+            f"URDF version {version} is rejected by older parsers",
+            'write version="1.0" unless the robot needs more',
+            severity=Severity.WARNING,
+        )
+    edits = replace_value(attribute, VERSIONS[0])
+    return Finding(
+        attribute,
+        f"URDF version '{attribute.value}' does not exist; there are {', '.join(VERSIONS)}",
+        'leave it out, or write version="1.0"',
+        Fix.of(f'write version="{VERSIONS[0]}"', edits),
+    )

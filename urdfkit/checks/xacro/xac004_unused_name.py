@@ -1,0 +1,72 @@
+"""A property, an argument or a macro is defined and never used.
+
+A change of the property, or `name:=value` on the command line, then has no effect. Usually the use
+was deleted, or misspells the name. An unused macro may be left over: that is an info. Not reported
+in files that other files include, in libraries of macros, and where an include is not expanded: the
+name may be used there.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import remove_spans
+from urdfkit.workspace.includes import is_included
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="width" value="0.3"/>
+  <xacro:property name="side" value="left"/>
+  <link name="${side}_base"/>
+</robot>
+"""
+GOOD = BAD.replace("${side}_base", "${side}_${width}")
+FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
+
+
+@rule(
+    "XAC004",
+    "unused-name",
+    Severity.WARNING,
+    needs=(Need.XACRO, Need.MODEL, Need.FILES),
+    help="delete it, or use it",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    xacro = subject.xacro
+    if xacro.is_library or not xacro.is_complete:
+        return
+    found = [one for one in _unused(subject) if isinstance(one.at, Location)]
+    found = [one for one in found if one.at.span.source is subject.source]
+    if found and not is_included(subject.source.path, subject.resolver.packages):
+        yield from found
+
+
+def _unused(subject: Subject) -> Iterator[Finding]:
+    xacro = subject.xacro
+    for definition in xacro.properties:
+        name = definition.name.removeprefix("**")
+        if name not in xacro.usage.names:
+            fix = Fix("delete the property", remove_spans([definition.tag.whole_span]))
+            at = Location(definition.tag.span, definition.frame)
+            yield Finding(at, f"property '{name}' is never used", fix=fix, alike="unused")
+    for argument in xacro.arguments:
+        if argument.name not in xacro.usage.names:
+            at = Location(argument.tag.span, argument.frame)
+            yield Finding(at, f"argument '{argument.name}' is never used", alike="unused")
+    # XAC002 reports macros that are called without the prefix.
+    called = {*xacro.usage.calls, *(element.tag for element in subject.document.root.walk())}
+    for macro in () if "call" in xacro.usage.calls else xacro.macros:
+        if macro.name not in called:
+            at = Location(macro.tag.span, macro.frame)
+            message = f"macro '{macro.name}' is never called"
+            yield Finding(at, message, severity=Severity.INFO)
