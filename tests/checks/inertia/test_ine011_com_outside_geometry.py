@@ -61,25 +61,25 @@ BEAM = '<box size="0.04 0.5 0.06"/>'
 
 
 @pytest.mark.parametrize(
-    ("xyz", "slip"),
+    ("xyz", "mistake"),
     [
         ("0 -0.13 0", "it would be inside with the other sign of y"),
-        ("0.2 0 0", "it would be inside with x and y interchanged"),
-        ("0 0.03 0.2", "it would be inside with y and z interchanged"),
+        ("0.2 0 0", "it would be inside with x and y swapped"),
+        ("0 0.03 0.2", "it would be inside with y and z swapped"),
         ("0 0 0", ""),  # at its end
         ("0 -0.07 0", ""),
         ("0.2 0.2 0.2", ""),
         ("0 0.4 0", ""),
     ],
 )
-def test_closer_ones_where_a_slip_explains_them(xyz: str, mistake: str) -> None:
+def test_closer_ones_where_a_mistake_explains_them(xyz: str, mistake: str) -> None:
     beam = link("a", shape("collision", BEAM, "0 0.25 0"), inertial(1, MOMENTS, xyz))
     found = messages("INE011", beam)
     assert len(found) == bool(mistake)
     assert all(message.endswith(f"; {mistake}") for message in found)
 
 
-@pytest.mark.parametrize(("y", "told"), [(0.4, 0), (0.49, 0), (0.55, 1)])
+@pytest.mark.parametrize(("y", "reported"), [(0.4, 0), (0.49, 0), (0.55, 1)])
 def test_left_at_the_origin(y: float, reported: int) -> None:
     beam = link("a", shape("collision", BEAM, f"0 {y} 0"), inertial(1, MOMENTS))
     found = messages("INE011", beam)

@@ -28,7 +28,7 @@ def test_a_light_link_with_a_heavy_one_on_it() -> None:
     assert messages("INE014", robot) == [
         (
             "link 'l0' has 0.005 kg and carries 15 kg by joints, 3000 times as much; up to 1000 "
-            "times is calm"
+            "times is stable"
         )
     ]
     assert places("INE014", robot) == [(4, "0.005")]

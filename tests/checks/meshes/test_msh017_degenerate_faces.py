@@ -28,7 +28,7 @@ def test_triangles_without_area(tmp_path: Path, bad: list[list[Vector]], words: 
     ]
 
 
-@pytest.mark.parametrize(("sound", "is_told"), [(8, True), (9, False)])
+@pytest.mark.parametrize(("sound", "is_reported"), [(8, True), (9, False)])
 def test_one_percent_of_a_visual(tmp_path: Path, sound: int, is_reported: bool) -> None:
     files = {"a.stl": stl([*sound * CUBE, NEEDLE])}
     found = messages(tmp_path, "MSH017", link(mesh("a.stl", "visual")), files)
