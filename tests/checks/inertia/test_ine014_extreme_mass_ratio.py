@@ -42,7 +42,7 @@ def test_a_light_link_with_a_heavy_one_on_it() -> None:
         (chain(0.009, 3, 3, 4), 1),  # all that it carries
         (chain(10, 0.001), 0),  # a light hand on a heavy arm
         (chain(0.001), 0),
-        (chain(1e-7, 10), 0),  # INE017
+        (chain(1e-7, 10), 0),  # INE004
         (chain(0.001, 10, kind="fixed"), 0),  # one body
     ],
 )
