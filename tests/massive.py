@@ -69,7 +69,8 @@ def weighed(text: str) -> LinkInertia:
 
 
 def diagnoses(text: str) -> dict[str, list[str]]:
-    """The links that each rule claims."""
+    """The links with each defect."""
     return {
-        code: [one.link.name for one in found] for code, found in masses(text).diagnoses.items()
+        defect.value: [one.link.name for one in found]
+        for defect, found in masses(text).diagnoses.items()
     }

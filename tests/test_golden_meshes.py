@@ -39,10 +39,10 @@ def test_missing(package: Path) -> None:
 @pytest.mark.parametrize(
     ("mesh", "code", "reason"),
     [
-        ("empty.dae", "MSH008", "is empty"),
-        ("bot.dae", "MSH011", "ends inside <instance_geometry> in <node>, before any triangle"),
-        ("web_page.dae", "MSH010", "is a web page: 'hokuyo.dae'"),
-        ("lfs_pointer.stl", "MSH010", "is a Git LFS pointer: the mesh of 684 bytes itself"),
+        ("empty.dae", "MSH009", "is empty"),
+        ("bot.dae", "MSH009", "ends inside <instance_geometry> in <node>, before any triangle"),
+        ("web_page.dae", "MSH009", "is a web page: 'hokuyo.dae'"),
+        ("lfs_pointer.stl", "MSH009", "is a Git LFS pointer: the mesh of 684 bytes itself"),
     ],
 )
 def test_made_in_a_way_that_does_not_work(package: Path, mesh: str, code: str, reason: str) -> None:

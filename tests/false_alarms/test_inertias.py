@@ -12,10 +12,10 @@ ROD = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy="0 0 0.523598775598298
 TENSOR = (0.0089583, -0.0126295, 0.0, 0.0235417, 0.0, 0.0308333)
 
 
-def test_the_sign_of_a_product_is_told_and_not_the_moments_that_agree() -> None:
+def test_the_sign_of_a_product_and_not_the_moments_that_agree() -> None:
     flipped = (TENSOR[0], -TENSOR[1], *TENSOR[2:])
-    assert messages("INE015", link("rod", ROD, inertial(1, TENSOR))) == []
-    assert messages("INE015", link("rod", ROD, inertial(1, flipped))) == [
+    assert messages("INE006", link("rod", ROD, inertial(1, TENSOR))) == []
+    assert messages("INE006", link("rod", ROD, inertial(1, flipped))) == [
         (
             "link 'rod' has ixy 0.0126 kg m^2, with the sign opposite to that of the solid box of "
             "0.6 x 0.1 x 0.1 m, which has -0.0126"

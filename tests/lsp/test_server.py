@@ -285,7 +285,7 @@ def test_closing_and_files_that_change_on_disk(tmp_path: Path) -> None:
 
     async def conversation(editor: Editor) -> None:
         file = editor.open(top, text)
-        await editor.until(file.uri, lambda found: "INE019" in codes(found))
+        await editor.until(file.uri, lambda found: "INE004" in codes(found))
         assert editor.registered == [lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES]
         parts.write_text(f'{head}<link name="a"/><link name="a"/></robot>')
         change = lsp.FileEvent(to_uri(str(parts)), lsp.FileChangeType.Changed)

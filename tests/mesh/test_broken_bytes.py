@@ -111,7 +111,7 @@ def test_other_bytes_somewhere(name: str, data: Any) -> None:
 def test_a_check_tells_it(name: str, part: float, tmp_path: Path) -> None:
     data = WHOLE[name][: int(part * len(WHOLE[name]))]
     found = reported(tmp_path, "MSH", link(mesh(name)), {name: data})
-    assert {"MSH008", "MSH009", "MSH010", "MSH011", "MSH034"} & {one.code for one in found}
+    assert "MSH009" in {one.code for one in found}
 
 
 @pytest.mark.parametrize(

@@ -375,7 +375,7 @@ class Subject:
         """The collisions of each link beside its visuals."""
         from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 
-        return VisualCollisionPairs(self.model, self.lump, self.files.is_turned_by_some)
+        return VisualCollisionPairs(self.model, self.lump, self.files.has_ambiguous_axes)
 
     def lump(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""

@@ -28,7 +28,7 @@ def test_a_whole_side_is_one_finding() -> None:
         mesh(f"{name}", "1 -1 1", tag) for name in "abc" for tag in ("visual", "collision")
     )
     (found,) = reported("GEO006", robot)
-    assert found.message.endswith("mirrored by scale 1 -1 1 (5 more meshes likewise)")
+    assert found.message.endswith("mirrored by scale 1 -1 1 (and 5 more like this)")
     assert [(note.span.line, note.message) for note in found.related] == [
         (3, "link 'a': its collision"),
         (4, "link 'b': its visual"),
@@ -40,5 +40,5 @@ def test_a_whole_side_is_one_finding() -> None:
 
 def test_twenty_places_are_enough() -> None:
     (found,) = reported("GEO006", "".join(mesh(f"a{number}", "1 -1 1") for number in range(30)))
-    assert found.message.endswith("(29 more meshes likewise)")
+    assert found.message.endswith("(and 29 more like this)")
     assert len(found.related) == 20

@@ -10,7 +10,7 @@ SMALL = LINK.format("arm", "0.1 0.1 0.3")
 
 def test_a_box_in_millimetres() -> None:
     assert messages("GEO013", SMALL + LINK.format("hand", "50 50 240")) == [
-        "link 'hand': the visual is 240 m long, and nothing else of the robot is longer than 0.3 m"
+        "link 'hand': the visual is 240 m long, the rest of the robot at most 0.3 m"
     ]
 
 
@@ -27,8 +27,7 @@ def test_a_radius_in_millimetres(shape: str, length: int) -> None:
     small = LINK.format("arm", "0.1 0.05 0.05")
     (message,) = messages("GEO013", small + ball)
     assert message == (
-        f"link 'ball': the collision is {length} m long, and nothing else of the robot is longer "
-        "than 0.1 m"
+        f"link 'ball': the collision is {length} m long, the rest of the robot at most 0.1 m"
     )
 
 
@@ -41,7 +40,7 @@ def test_a_radius_in_millimetres(shape: str, length: int) -> None:
         ("ship", "10 4 4"),
     ],
 )
-def test_what_may_be_meant_is_calm(name: str, size: str) -> None:
+def test_what_may_be_intended(name: str, size: str) -> None:
     assert messages("GEO013", SMALL + LINK.format(name, size)) == []
 
 

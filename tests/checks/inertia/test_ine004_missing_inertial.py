@@ -4,13 +4,14 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, inertial, joint, link, shape
+from tests.reported import messages, places
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source
 
 HEAVY = inertial(1, (0.1, 0.1, 0.1))
-SEEN = shape("visual", BALL)
+VISUAL = shape("visual", BALL)
 BASE = link("base", HEAVY)
 
 
@@ -29,41 +30,39 @@ def reported(text: str, *targets: str) -> list[Diagnostic]:
         (("mujoco",), Severity.ERROR),
     ],
 )
-def test_who_suffers(targets: tuple[str, ...], severity: Severity) -> None:
-    robot = BASE + link("arm", SEEN) + joint("base", "arm", "continuous")
+def test_the_severity(targets: tuple[str, ...], severity: Severity) -> None:
+    robot = BASE + link("arm", VISUAL) + joint("base", "arm", "continuous")
     (found,) = reported(robot, *targets)
     assert found.severity is severity
     assert found.message == (
-        "link 'arm' is moved by the continuous joint 'arm_joint' and has no mass: Gazebo leaves "
-        "it out"
+        "link 'arm' is moved by the continuous joint 'arm_joint' and has no mass: Gazebo drops it"
     )
     assert (found.span.line, found.span.text) == (4, '<link name="arm">')
 
 
 def test_what_goes_with_it_is_named() -> None:
-    robot = BASE + link("arm", SEEN) + joint("base", "arm", "revolute") + link("frame")
+    robot = BASE + link("arm", VISUAL) + joint("base", "arm", "revolute") + link("frame")
     robot += joint("arm", "frame")
     for number in range(6):
         above = f"l{number - 1}" if number else "arm"
         robot += link(f"l{number}", HEAVY) + joint(above, f"l{number}", "prismatic")
     (found,) = reported(robot, "gz-jetty")
-    assert found.message.endswith("leaves it out and with it 'l0', 'l1', 'l2' and 3 more")
+    assert found.message.endswith("drops it and its children 'l0', 'l1', 'l2' and 3 more")
 
 
 @pytest.mark.parametrize(
     "robot",
     [
-        BASE + link("arm", SEEN) + joint("base", "arm"),  # becomes a part of the base
+        BASE + link("arm", VISUAL) + joint("base", "arm"),  # becomes a part of the base
         BASE
-        + link("arm", SEEN)
+        + link("arm", VISUAL)
         + joint("base", "arm", "continuous")
         + link("hand", HEAVY)
         + joint("arm", "hand"),  # what is fixed to it has the mass
         BASE + link("tip") + joint("base", "tip", "continuous"),  # a frame without a shape
         link("dummy") + BASE + joint("dummy", "base"),  # the usual remedy for KDL
         link("world") + BASE + joint("world", "base", "floating"),
-        link("base", SEEN) + link("arm", SEEN) + joint("base", "arm", "revolute"),  # INE019
-        BASE + link("arm", inertial(0, (1, 1, 1)), SEEN) + joint("base", "arm", "revolute"),
+        BASE + link("arm", inertial(0, (1, 1, 1)), VISUAL) + joint("base", "arm", "revolute"),
     ],
 )
 def test_what_is_all_right_or_another_rule_s(robot: str) -> None:
@@ -71,16 +70,16 @@ def test_what_is_all_right_or_another_rule_s(robot: str) -> None:
 
 
 def test_a_root_without_mass_loses_the_robot_in_gazebo() -> None:
-    robot = link("base", SEEN) + link("arm", HEAVY) + joint("base", "arm", "continuous")
+    robot = link("base", VISUAL) + link("arm", HEAVY) + joint("base", "arm", "continuous")
     assert reported(robot) == reported(robot, "mujoco") == []
     (found,) = reported(robot, "gz-fortress")
     assert found.message == (
-        "link 'base' is the root and has no mass: Gazebo leaves it out and with it 'arm'"
+        "link 'base' is the root and has no mass: Gazebo drops it and its children 'arm'"
     )
 
 
 def test_a_fixed_joint_that_gazebo_keeps_needs_a_mass() -> None:
-    robot = BASE + link("arm", SEEN) + joint("base", "arm")
+    robot = BASE + link("arm", VISUAL) + joint("base", "arm")
     kept = "<gazebo reference='arm_joint'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
     assert reported(robot) == []
     assert len(reported(robot + kept)) == 1
@@ -89,3 +88,104 @@ def test_a_fixed_joint_that_gazebo_keeps_needs_a_mass() -> None:
 def test_the_mission_s_model_has_a_massless_root_and_nothing_is_said() -> None:
     model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
     assert engine.check(model, select=["INE004"]).diagnostics == ()
+
+
+ARM = link("base", VISUAL) + link("arm", VISUAL) + joint("base", "arm", "revolute")
+
+
+@pytest.mark.parametrize("mass", [0.0, 1.0])
+def test_a_robot_without_mass_is_one_finding(mass: float) -> None:
+    assert messages("INE004", ARM) == ["none of the 2 links has a mass"]
+    assert places("INE004", ARM) == [(1, '<robot name="example">')]
+    assert messages("INE004", link("base", VISUAL)) == ["the link has no mass"]
+    assert messages("INE004", '<robot name="parts"/>') == []
+    robot = ARM + link("hand", inertial(mass, (1, 1, 1))) + joint("arm", "hand")
+    assert any("none of the" in one for one in messages("INE004", robot)) is (mass == 0)
+
+
+TENSOR = (1e-10, 1e-10, 1e-10)
+
+
+def tip(mass: float, kind: str = "prismatic") -> str:
+    return BASE + link("tip", inertial(mass, TENSOR)) + joint("base", "tip", kind)
+
+
+def test_a_tiny_mass() -> None:
+    assert messages("INE004", tip(1e-10)) == [
+        (
+            "link 'tip' of 1e-10 kg is moved by the prismatic joint 'tip_joint': older Gazebo "
+            "drops links of up to 1e-06 kg"
+        )
+    ]
+    assert places("INE004", tip(1e-10)) == [(4, "1e-10")]
+    assert len(messages("INE004", tip(1e-6))) == 1
+    light = link("tip", '<inertial><mass value="1e-10"/></inertial>')
+    assert len(messages("INE004", BASE + light + joint("base", "tip", "prismatic"))) == 1
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        tip(1.1e-6),
+        tip(1e-10, "fixed"),
+        tip(0),
+        tip(1e-10) + link("pad", inertial(0.01, (1, 1, 1))) + joint("tip", "pad"),
+    ],
+)
+def test_other_masses(robot: str) -> None:
+    assert messages("INE004", robot) == []
+
+
+ON_PLATE = (
+    link("base", HEAVY)
+    + link("plate")
+    + link("arm", HEAVY)
+    + joint("base", "plate")
+    + joint("plate", "arm", "continuous")
+)
+
+
+def test_a_joint_on_a_massless_plate() -> None:
+    assert messages("INE004", ON_PLATE) == [
+        (
+            "joint 'arm_joint' is a child of link 'plate', which has no mass and is fixed to "
+            "another link: older Gazebo drops 'arm' and its children"
+        )
+    ]
+    assert places("INE004", ON_PLATE) == [(8, '<joint name="arm_joint" type="continuous">')]
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        ON_PLATE.replace(link("plate"), link("plate", HEAVY)),
+        ON_PLATE.replace('<parent link="plate"/>', '<parent link="base"/>'),
+        ON_PLATE + link("bolt", HEAVY) + joint("plate", "bolt"),  # which is merged into the plate
+        ON_PLATE.replace('"base"', '"world"').replace(HEAVY, "", 1),  # a joint that Gazebo keeps
+        link("plate")
+        + link("base", HEAVY)
+        + joint("plate", "base")
+        + link("arm", HEAVY)
+        + joint("plate", "arm", "continuous"),  # the root
+    ],
+)
+def test_what_older_gazebo_keeps(robot: str) -> None:
+    assert not any("older Gazebo" in message for message in messages("INE004", robot))
+
+
+@pytest.mark.parametrize(
+    ("robot", "target", "severity"),
+    [
+        (ARM, "moveit", Severity.INFO),
+        (ARM, "mujoco", Severity.INFO),
+        (ARM, "gz-jetty", Severity.ERROR),
+        (tip(1e-10), "ros2", Severity.INFO),
+        (tip(1e-10), "gz-harmonic", Severity.INFO),
+        (tip(1e-10), "gz-fortress", Severity.WARNING),
+        (ON_PLATE, "gz-harmonic", Severity.INFO),
+        (ON_PLATE, "classic-ros1", Severity.WARNING),
+    ],
+)
+def test_the_severity_of_each_case(robot: str, target: str, severity: Severity) -> None:
+    (found,) = reported(robot, target)
+    assert found.severity is severity

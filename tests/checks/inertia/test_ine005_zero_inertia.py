@@ -1,7 +1,13 @@
 from __future__ import annotations
 
+import pytest
+
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
 from tests.reported import messages, places, reported
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 ZERO = (0, 0, 0)
 BASE = link("base", inertial(2, (1, 1, 1)))
@@ -36,7 +42,7 @@ def test_a_point_beside_another_link_turns_with_it() -> None:
     other = link("hand", inertial(0.5, (1, 1, 1))) + joint("arm", "hand")
     assert messages("INE005", robot + other) == []
     apart = link("hand", inertial(0.5, ZERO)) + joint("arm", "hand", xyz="0 0 1")
-    assert messages("INE005", robot + apart) == []
+    assert "none about one axis" in messages("INE005", robot + apart)[0]
     same = link("hand", inertial(0.5, ZERO)) + joint("arm", "hand")
     assert len(messages("INE005", robot + same)) == 1
 
@@ -52,4 +58,58 @@ def test_all_links_of_an_export_are_one_finding() -> None:
         robot += link(name, inertial(mass, ZERO)) + joint(above, name, "revolute")
     (found,) = reported("INE005", robot)
     assert found.message.startswith("link 'b' of 3 kg")
-    assert found.message.endswith("(and likewise 'c' and 'a')")
+    assert found.message.endswith("(also 'c' and 'a')")
+
+
+THIN = (0.02, 0.02, 0)
+
+
+def rod(moments: tuple[float, ...], kind: str = "revolute") -> str:
+    return BASE + link("rod", inertial(0.3, moments)) + joint("base", "rod", kind)
+
+
+def test_a_rod_without_thickness() -> None:
+    assert messages("INE005", rod(THIN)) == [
+        (
+            "link 'rod', moved by the revolute joint 'rod_joint', has principal moments of inertia "
+            "of 0, 0.02 and 0.02 kg m^2: none about one axis"
+        )
+    ]
+    assert [line for line, _ in places("INE005", rod(THIN))] == [5]
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        rod((0.02, 0.02, 1e-9)),
+        rod(THIN, "fixed"),
+        rod(THIN) + link("ball", inertial(1, (1, 1, 1))) + joint("rod", "ball"),
+        rod((0.02, 0, 0)),  # INE003
+    ],
+)
+def test_other_moments(robot: str) -> None:
+    assert messages("INE005", robot) == []
+
+
+def test_two_rods_across_each_other_are_thin_about_no_axis() -> None:
+    other = link("bar", inertial(0.3, (0, 0.02, 0.02))) + joint("rod", "bar")
+    assert messages("INE005", rod(THIN) + other) == []
+
+
+def test_all_thin_links_are_one_finding() -> None:
+    robot = rod(THIN)
+    for above, name, mass in (("rod", "a", 3), ("a", "b", 1)):
+        robot += link(name, inertial(mass, (0.03, 0.03, 0))) + joint(above, name, "revolute")
+    (found,) = reported("INE005", robot)
+    assert found.message.startswith("link 'a'")
+    assert found.message.endswith("(and 2 more like this)")
+    assert len(found.related) == 2
+
+
+@pytest.mark.parametrize(
+    ("targets", "severity"), [((), Severity.WARNING), (("mujoco",), Severity.ERROR)]
+)
+def test_the_severity_of_a_thin_link(targets: tuple[str, ...], severity: Severity) -> None:
+    source = Source("robot.urdf", whole_robot(rod(THIN)).encode())
+    (found,) = engine.check(source, select=["INE005"], targets=targets).diagnostics
+    assert found.severity is severity

@@ -37,7 +37,7 @@ def test_all_links_with_it_are_one_finding_the_worst_first() -> None:
     robot = "".join(stand_in(f"l{i}", 1 + i % 3, 1.0) for i in range(6))
     (found,) = reported("INE009", robot)
     assert found.message.startswith("link 'l0' of 1 kg")
-    assert found.message.endswith("(and likewise 'l3', 'l1' and 3 more)")
+    assert found.message.endswith("(also 'l3', 'l1' and 3 more)")
     assert len(found.related) == 5
 
 

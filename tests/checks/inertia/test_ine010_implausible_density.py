@@ -15,7 +15,7 @@ def box(mass: float) -> str:
 def test_a_mass_in_grams() -> None:
     (found,) = reported("INE010", box(6000))
     assert found.message == (
-        "link 'box': 6000 kg in a box of 0.2 x 0.3 x 0.1 m make 1e+06 kg/m^3; parts of robots have "
+        "link 'box': 6000 kg in a box of 0.2 x 0.3 x 0.1 m make 1e+06 kg/m^3; robot parts have "
         "20 to 12000"
     )
     assert found.help == "the mass is probably in g: write 6, and the tensor in kg m^2"
@@ -77,9 +77,7 @@ def chain(*masses: float) -> str:
 
 def test_a_slip_of_the_whole_robot_is_told_once() -> None:
     (found,) = reported("INE010", chain(6000, 5000, 4000, 3))
-    assert found.message.endswith(
-        "have 20 to 12000 (and likewise 'p1' and 'p2': most links of the robot)"
-    )
+    assert found.message.endswith("have 20 to 12000 (also 'p1' and 'p2': most links of the robot)")
     assert found.help.startswith("the masses are probably in g")
     assert found.fix is not None
     assert [one.message.split(":")[0] for one in found.related] == ["link 'p1'", "link 'p2'"]

@@ -64,15 +64,15 @@ BEAM = '<box size="0.04 0.5 0.06"/>'
     ("xyz", "mistake"),
     [
         ("0 -0.13 0", "it would be inside with the other sign of y"),
-        ("0.2 0 0", "it would be inside with x and y interchanged"),
-        ("0 0.03 0.2", "it would be inside with y and z interchanged"),
+        ("0.2 0 0", "it would be inside with x and y swapped"),
+        ("0 0.03 0.2", "it would be inside with y and z swapped"),
         ("0 0 0", ""),  # at its end
         ("0 -0.07 0", ""),
         ("0.2 0.2 0.2", ""),
         ("0 0.4 0", ""),
     ],
 )
-def test_closer_ones_where_a_slip_explains_them(xyz: str, mistake: str) -> None:
+def test_closer_ones_where_a_mistake_explains_them(xyz: str, mistake: str) -> None:
     beam = link("a", shape("collision", BEAM, "0 0.25 0"), inertial(1, MOMENTS, xyz))
     found = messages("INE011", beam)
     assert len(found) == bool(mistake)

@@ -29,7 +29,7 @@ def test_the_message_names_package_and_paths(robot: str) -> None:
         "link 'arm': the visual mesh 'package://arm/meshes/hokuyo.dae' does not exist in package "
         f"'arm'; tried {package / 'meshes' / 'hokuyo.dae'}"
     )
-    assert found.help == "put the file there, or make one: urdfkit mesh generate --model ROBOT"
+    assert found.help == "add the file, or generate one: urdfkit mesh generate --model ROBOT"
     assert found.fix is None
 
 
@@ -75,10 +75,10 @@ def test_every_place_is_told(robot: str) -> None:
     "reference",
     [
         "package://arm/meshes/forearm.stl",
-        "package://arm/Meshes/forearm.stl",  # MSH002
         "package://no_such_package/meshes/a.stl",  # MSH005
         "package:///arm/meshes/a.stl",  # MSH005
         "https://example.org/a.stl",
+        "model://arm/meshes/forearm.stl",
         "package://arm/meshes/${name}.stl",  # XAC003
     ],
 )
@@ -145,3 +145,42 @@ def test_a_file_of_another_part_is_not_offered(robot: str) -> None:
     add_file(Path(robot).parents[1] / "meshes" / "lidar_link.stl")
     (found,) = reported(CODE, mesh_link("package://arm/meshes/base_link.stl"), robot)
     assert "did you mean" not in found.help
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [
+        ("package://arm/meshes/Forearm.stl", "package://arm/meshes/forearm.stl"),
+        ("package://arm/Meshes/forearm.STL", "package://arm/meshes/forearm.stl"),
+        ("model://arm/meshes/forearm.STL", "model://arm/meshes/forearm.stl"),
+        ("../MESHES/Forearm.stl", "../meshes/forearm.stl"),
+    ],
+)
+def test_another_case(robot: str, wrong: str, right: str) -> None:
+    (found,) = reported(CODE, mesh_link(wrong), robot)
+    assert f"'{wrong}' is called '{right}' on disk" in found.message
+    assert fixed(CODE, mesh_link(wrong), robot) == fixed(CODE, mesh_link(right), robot)
+
+
+@pytest.mark.parametrize(
+    "reference",
+    ["package://arm\\meshes\\forearm.stl", "..\\meshes\\forearm.stl", "package://arm/a\\b.stl"],
+)
+def test_backslashes(robot: str, reference: str) -> None:
+    text = mesh_link(reference)
+    (found,) = reported(CODE, text, robot)
+    assert "has backslashes" in found.message
+    assert fixed(CODE, text, robot) == fixed(CODE, text.replace("\\", "/"), robot)
+
+
+@pytest.mark.parametrize("scheme", ["packge", "Package"])
+def test_an_unknown_scheme(robot: str, scheme: str) -> None:
+    text = mesh_link(f"{scheme}://arm/meshes/forearm.stl")
+    (found,) = reported(CODE, text, robot)
+    assert found.message.endswith(f"has the unknown scheme '{scheme}://'")
+    assert 'filename="package://arm/meshes/forearm.stl"' in fixed(CODE, text, robot)
+
+
+def test_a_scheme_that_resembles_none(robot: str) -> None:
+    (found,) = reported(CODE, mesh_link("s3://bucket/arm.stl"), robot)
+    assert found.fix is None

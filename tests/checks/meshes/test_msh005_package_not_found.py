@@ -44,7 +44,7 @@ def test_one_finding_for_all_meshes_of_a_package(robot: str) -> None:
     found = reported(CODE, text, robot)
     assert {diagnostic.severity for diagnostic in found} == {Severity.ERROR}
     assert found[0].help == (
-        "name its folder with --package nao=DIR, or source the workspace that has it"
+        "pass its directory with --package nao=DIR, or source the workspace that has it"
     )
     assert places(CODE, text, robot) == [(3, "package://nao/a.stl"), (5, "package://pr2/c.stl")]
 
@@ -53,7 +53,7 @@ def test_the_files_of_such_a_package_are_not_called_missing(robot: str) -> None:
     assert reported("MSH001", mesh_link("package://nao/a.stl"), robot) == []
 
 
-def test_a_slip_in_the_name(robot: str) -> None:
+def test_a_typo_in_the_name(robot: str) -> None:
     (found,) = reported(CODE, mesh_link("package://arm_descripton/meshes/forearm.stl"), robot)
     assert found.help.endswith("that has it; did you mean 'arm_description'?")
 

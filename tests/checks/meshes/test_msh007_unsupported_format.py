@@ -51,7 +51,7 @@ def test_the_suffix_of_another_format(
         ("a.stlb", made.binary_stl()),
         ("a.fbx", b"Kaydara FBX Binary  "),  # new Gazebo and RViz read it
         ("a.mesh", b"\x00\x10[MeshSerializer_v1.8]"),  # RViz reads it
-        ("a.stl", made.binary_stl()[:-1]),  # MSH011
+        ("a.stl", made.binary_stl()[:-1]),  # MSH009
     ],
 )
 def test_what_some_reader_takes(tmp_path: Path, name: str, data: bytes) -> None:

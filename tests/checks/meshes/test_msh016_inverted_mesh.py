@@ -17,13 +17,13 @@ def inside_out(low: Vector, high: Vector) -> list[list[Vector]]:
     return box(low, high, (face[::-1] for face in BOX))
 
 
-WHO = "link 'arm': the collision mesh 'a.stl' is turned inside out: "
+WHO = "link 'arm': the collision mesh 'a.stl' is inside out: "
 
 
 def test_all_of_it(tmp_path: Path) -> None:
     files = {"a.stl": stl(inside_out((0, 0, 0), (1, 1, 1)))}
     assert messages(tmp_path, "MSH016", link(mesh("a.stl")), files) == [
-        WHO + "its triangles look inwards"
+        WHO + "its triangles face inwards"
     ]
 
 
@@ -32,7 +32,7 @@ def test_a_piece_that_matters(tmp_path: Path, size: float, is_reported: bool) ->
     """Of 1 % of the volume: a cube of 0.2 beside one of 1 has less."""
     pieces = [*box((0, 0, 0), (1, 1, 1)), *inside_out((2, 0, 0), (2 + size, size, size))]
     assert messages(tmp_path, "MSH016", link(mesh("a.stl")), {"a.stl": stl(pieces)}) == (
-        [WHO + "1 of its 2 pieces look inwards"] if is_reported else []
+        [WHO + "1 of its 2 pieces face inwards"] if is_reported else []
     )
 
 
@@ -41,7 +41,7 @@ def test_a_hollow(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH016", link(mesh("a.stl")), {"a.stl": stl(pieces)}) == []
 
 
-def test_a_mirrored_mesh_is_not_meant(tmp_path: Path) -> None:
-    """Readers turn its triangles, or should: that is no matter of the file."""
+def test_a_mirrored_mesh(tmp_path: Path) -> None:
+    """Programs flip its triangles, or should: the file is right."""
     part = mesh("a.stl", more=' scale="-1 1 1"')
     assert messages(tmp_path, "MSH016", link(part), {"a.stl": SOUND}) == []

@@ -18,11 +18,11 @@ def test_a_binary_one_that_says_solid(tmp_path: Path) -> None:
     ]
 
 
-def test_a_robot_is_told_once(tmp_path: Path) -> None:
+def test_a_robot_is_reported_once(tmp_path: Path) -> None:
     robot = link(mesh("a.stl"), mesh("b.stl"), mesh("a.stl"))
     (found,) = messages(tmp_path, "MSH018", robot, {"a.stl": MISLEADING, "b.stl": MISLEADING})
     assert found.startswith("link 'arm': the collision mesh 'a.stl'")
-    assert found.endswith(", as 1 more of this robot do")
+    assert found.endswith("(and 1 more like this)")
 
 
 @pytest.mark.parametrize("data", [SOUND, TEXT])

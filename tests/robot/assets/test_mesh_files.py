@@ -10,7 +10,7 @@ from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.io import sniff
-from urdfkit.mesh.io.facts import DefectKind, MeshFacts
+from urdfkit.mesh.io.facts import MeshFacts
 from urdfkit.robot.assets import mesh_files as module
 from urdfkit.robot.assets.mesh_files import Files, Suggestion, is_typo
 from urdfkit.text.source import Source
@@ -86,19 +86,6 @@ def test_every_file_is_read_once(package: Path, monkeypatch: pytest.MonkeyPatch)
     found = files(package, mesh_link(*["package://arm/meshes/a.stl"] * 50, "../meshes/a.stl"))
     assert len(found.meshes) == 51
     assert read == [str(package / "meshes" / "a.stl")]
-
-
-def test_references_by_kind_of_defect(package: Path) -> None:
-    add_file(package / "meshes" / "empty.stl")
-    add_file(package / "meshes" / "cut.stl", made.binary_stl()[:-1])
-    found = files(package, mesh_link("../meshes/empty.stl", "../meshes/cut.stl"))
-    assert [(mesh.at.value, reason) for mesh, reason in found.with_defect(DefectKind.EMPTY)] == [
-        ("../meshes/empty.stl", "is empty")
-    ]
-    assert [
-        (mesh.at.value, reason) for mesh, reason in found.with_defect(DefectKind.TRUNCATED)
-    ] == [("../meshes/cut.stl", "declares 4 triangles and holds 3")]
-    assert list(found.with_defect(DefectKind.NOT_A_MESH)) == []
 
 
 def test_the_case_on_disk(package: Path) -> None:
@@ -187,5 +174,5 @@ def test_without_a_package_its_own_folder_is_searched(tmp_path: Path) -> None:
         ("arm_descripton", "arm_description", True),
     ],
 )
-def test_slips(wrong: str, right: str, mistake: bool) -> None:
+def test_typos(wrong: str, right: str, mistake: bool) -> None:
     assert is_typo(wrong, right) is mistake

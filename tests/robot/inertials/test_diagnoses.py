@@ -28,17 +28,17 @@ def ball(mass: float, moment: float, xyz: str = "0 0 0") -> str:
     [
         (ball(1, 0.004), {}),
         (ball(1, 0.008), {}),
-        (ball(1, 0.009), {"INE008": ["ball"]}),
-        (ball(1, 0.0011), {"INE008": ["ball"]}),
-        (ball(1, 0.0199), {"INE008": ["ball"]}),
-        (ball(1, 0.0201), {"INE006": ["ball"]}),
-        (ball(1, 3.9e-5), {"INE007": ["ball"]}),
-        (ball(1, 4.1e-5), {"INE008": ["ball"]}),
-        (part("ball", 1, (0.004, 0.004, 0.0082), BALL), {"INE003": ["ball"]}),
-        (part("ball", 1, (0.004, 0.005, 0, 0.004, 0, 0.004), BALL), {"INE002": ["ball"]}),
-        (ball(0.06, 0.00024), {"INE010": ["ball"]}),  # 14 kg/m^3
-        (ball(70, 0.28), {"INE010": ["ball"]}),  # 16 700 kg/m^3
-        (part("box", 12, (0.05, 0.1, 0.13), BOX), {"INE015": ["box"]}),
+        (ball(1, 0.009), {"unlike shape": ["ball"]}),
+        (ball(1, 0.0011), {"unlike shape": ["ball"]}),
+        (ball(1, 0.0199), {"unlike shape": ["ball"]}),
+        (ball(1, 0.0201), {"too large": ["ball"]}),
+        (ball(1, 3.9e-5), {"too small": ["ball"]}),
+        (ball(1, 4.1e-5), {"unlike shape": ["ball"]}),
+        (part("ball", 1, (0.004, 0.004, 0.0082), BALL), {"triangle inequality": ["ball"]}),
+        (part("ball", 1, (0.004, 0.005, 0, 0.004, 0, 0.004), BALL), {"indefinite": ["ball"]}),
+        (ball(0.06, 0.00024), {"density": ["ball"]}),  # 14 kg/m^3
+        (ball(70, 0.28), {"density": ["ball"]}),  # 16 700 kg/m^3
+        (part("box", 12, (0.05, 0.1, 0.13), BOX), {"wrong axes": ["box"]}),
     ],
 )
 def test_each_inertia_has_one_rule(robot: str, expected: dict[str, list[str]]) -> None:
@@ -47,7 +47,7 @@ def test_each_inertia_has_one_rule(robot: str, expected: dict[str, list[str]]) -
 
 def test_a_mesh_is_not_measured() -> None:
     seen = link("a", shape("visual", MESH), shape("collision", BALL), inertial(1, (5, 5, 5.1)))
-    assert diagnoses(seen) == {"INE008": ["a"]}
+    assert diagnoses(seen) == {"unlike shape": ["a"]}
     computed = link(
         "a", shape("visual", MESH), shape("collision", BALL), inertial(1, (5, 5, 5.123))
     )
@@ -62,34 +62,34 @@ def test_a_mesh_is_not_measured() -> None:
 )
 def test_a_stand_in_beside_a_mesh(mass: float, moment: float, claimed: bool) -> None:
     robot = link("a", shape("visual", MESH), inertial(mass, (moment, moment, moment)))
-    assert diagnoses(robot) == ({"INE009": ["a"]} if claimed else {})
+    assert diagnoses(robot) == ({"placeholder": ["a"]} if claimed else {})
 
 
 def test_many_equal_stand_ins_are_unlikely() -> None:
     links = [link(f"l{i}", shape("visual", MESH), inertial(2, (0.01,) * 3)) for i in range(3)]
     assert diagnoses("".join(links[:2])) == {}
-    assert diagnoses("".join(links)) == {"INE009": ["l0", "l1", "l2"]}
+    assert diagnoses("".join(links)) == {"placeholder": ["l0", "l1", "l2"]}
 
 
 def test_a_stand_in_that_another_rule_tells_is_not_told_twice() -> None:
     by_shape = part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)
     by_number = link("grip", shape("visual", MESH), inertial(0.01, (0.1,) * 3))
-    assert diagnoses(by_shape + by_number) == {"INE006": ["wheel"]}
+    assert diagnoses(by_shape + by_number) == {"too large": ["wheel"]}
 
 
 def test_what_is_fixed_to_the_world_does_not_matter() -> None:
-    assert diagnoses(ball(1, 5)) == {"INE006": ["ball"]}
+    assert diagnoses(ball(1, 5)) == {"too large": ["ball"]}
     assert diagnoses(link("world") + ball(1, 5) + joint("world", "ball")) == {}
     moved = link("world") + ball(1, 5) + joint("world", "ball", "continuous")
-    assert diagnoses(moved) == {"INE006": ["ball"]}
+    assert diagnoses(moved) == {"too large": ["ball"]}
 
 
 def test_what_is_lost_in_a_larger_body_is_a_hint_at_most() -> None:
     base = part("base", 60, (0.5, 0.25, 0.65), BOX)
     robot = base + ball(0.001, 0.001) + joint("base", "ball")
-    assert diagnoses(robot) == {"INE008": ["ball"]}
+    assert diagnoses(robot) == {"unlike shape": ["ball"]}
     apart = base + ball(0.001, 0.001) + joint("base", "ball", "continuous")
-    assert diagnoses(apart) == {"INE006": ["ball"]}
+    assert diagnoses(apart) == {"too large": ["ball"]}
 
 
 @pytest.mark.parametrize(
@@ -132,9 +132,9 @@ def test_slips_of_the_unit(
 
 
 def test_a_slip_of_the_unit_comes_before_what_follows_from_it() -> None:
-    assert diagnoses(part("a", 6000, (0.05, 0.025, 0.065), BOX)) == {"INE010": ["a"]}
+    assert diagnoses(part("a", 6000, (0.05, 0.025, 0.065), BOX)) == {"density": ["a"]}
     small = part("a", 6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>')
-    assert diagnoses(small) == {"INE010": ["a"]}
+    assert diagnoses(small) == {"density": ["a"]}
 
 
 @pytest.mark.parametrize(
@@ -144,4 +144,4 @@ def test_a_slip_of_the_unit_comes_before_what_follows_from_it() -> None:
 def test_centres_of_mass_outside(xyz: str, distance: float | None) -> None:
     (found,) = masses(ball(1, 0.004, xyz)).weighed
     assert center_is_outside(found) == (None if distance is None else pytest.approx(distance))
-    assert ("INE011" in diagnoses(ball(1, 0.004, xyz))) == (distance is not None)
+    assert ("center of mass" in diagnoses(ball(1, 0.004, xyz))) == (distance is not None)

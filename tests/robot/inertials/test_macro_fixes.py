@@ -71,7 +71,7 @@ def test_each_shape_has_its_closed_form(tmp_path: Path) -> None:
     ("above", "reported"),
     [("  <!-- all alike -->\n", True), ("  <!-- robot -->\n\n", False), ("", False)],
 )
-def test_a_comment_above_the_macro_stays_and_is_told(
+def test_a_comment_above_the_macro_stays_and_is_named(
     tmp_path: Path, above: str, reported: bool
 ) -> None:
     fixes, file = fixed(tmp_path, above + MACRO + link("a", 6, CYLINDER) + link("b", 1, CYLINDER))

@@ -1,9 +1,9 @@
 """A mesh is mirrored by a negative scale.
 
-The factors turn every triangle inside out. Where a program does not turn them back, the part is
-lit from within, a collision takes outside for inside, and a volume computed from the mesh is
-negative. A mirrored copy of the mesh file is right everywhere. (Two negative factors are a half
-turn, and harmless.)
+The factors turn every triangle inside out. Where a program does not flip them back, the part is
+shaded wrongly, inside and outside of a collision are swapped, and a volume computed from the mesh
+is negative. A mirrored copy of the mesh file is right everywhere. (Two negative factors are a
+rotation by 180 degrees, and harmless.)
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -33,7 +33,7 @@ BAD = """\
 GOOD = BAD.replace("right_arm.stl", "left_arm.stl").replace(' scale="1 -1 1"', "")
 FILES = {"left_arm.stl": PLATE}
 
-#: Places that the finding lists beside the first.
+#: Other places that the finding lists.
 _MAX_RELATED = 20
 
 
@@ -46,7 +46,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     ]
     if mirrored:
         (name, tag, shape), *others = mirrored
-        more = f" ({len(others)} more meshes likewise)" if others else ""
+        more = f" (and {len(others)} more like this)" if others else ""
         yield Finding(
             shape.at.attributes["scale"],
             f"link '{name}': the mesh of its {tag} is mirrored by scale {_factors(shape)}{more}",

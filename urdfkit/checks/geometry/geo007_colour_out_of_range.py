@@ -1,6 +1,6 @@
 """A colour has a component outside 0 to 1.
 
-URDF's colours go from 0 to 1. urdfdom refuses any other with an error, and the part is drawn in
+URDF's colours go from 0 to 1. urdfdom rejects any other with an error, and the part is drawn in
 the default colour (red in RViz). Values up to 255 come from a colour picker: divide them by 255.
 
 Sources:
@@ -34,7 +34,7 @@ BAD = """\
 </link>"""
 FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 
-#: Components up to this were meant as 1 and something.
+#: Components up to this are 1 with an error, not values up to 255.
 _SLIGHTLY = 2.0
 
 
@@ -72,7 +72,7 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
 
 
 def _fixed(values: tuple[float, ...]) -> str:
-    """The colour from 0 to 1; empty if the numbers do not tell it."""
+    """The colour from 0 to 1; empty if it is unknown."""
     if min(values) < 0 or max(values) > 255:
         return ""
     if max(values) <= _SLIGHTLY:

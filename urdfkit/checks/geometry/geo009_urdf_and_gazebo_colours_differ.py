@@ -1,9 +1,9 @@
 """A link has one colour in RViz and another one in Gazebo.
 
 Gazebo draws what `<gazebo reference="...">` names as `<material>`, RViz what stands in the
-`<visual>`. Whoever compares the two windows looks for a difference that is none. Give both the same
-colour. Gazebo Classic needs a material of its own, for it does not read the URDF's colours; from
-Fortress on Gazebo does, and the `<material>` in `<gazebo>` can go.
+`<visual>`, so that the two windows differ. Give both the same colour. Gazebo Classic needs a
+material of its own, for it does not read the URDF's colours; from Fortress on Gazebo does, and the
+`<material>` in `<gazebo>` can go.
 
 Sources:
     Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf

@@ -1,8 +1,8 @@
-"""A texture lies on a box, a cylinder or a sphere.
+"""A box, a cylinder or a sphere has a texture.
 
-RViz wraps the picture around the shape in a way of its own. Gazebo does not read `<texture>` and
-draws the plain colour, or grey. For a picture that all programs show in the same place, use a mesh
-with texture coordinates (COLLADA or glTF).
+RViz wraps the image around the shape in its own way. Gazebo does not read `<texture>` and draws the
+plain colour, or grey. For an image that all programs show in the same place, use a mesh with
+texture coordinates (COLLADA or glTF).
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link

@@ -1,6 +1,6 @@
 """A shape is fifty times as large as the rest of the robot.
 
-Lengths are metres. A box of 50 x 50 x 240 was meant to be millimetres: RViz shows a wall where the
+URDF is in metres. A box of 50 x 50 x 240 is probably in millimetres: RViz shows a wall where the
 robot should be, and everything collides with it.
 
 Sources:
@@ -38,7 +38,7 @@ GOOD = BAD.replace("50 50 240", "0.05 0.05 0.24")
 #: Times the size of the other links; and in m.
 _TIMES = 50.0
 _LEAST = 5.0
-#: Links that stand for the surroundings.
+#: Names of links that are surroundings.
 _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "field")
 
 
@@ -74,8 +74,8 @@ def _finding(link: str, found: list[tuple[float, Body]], longest: float) -> Find
     assert body.shape is not None
     return Finding(
         body.shape.at,
-        f"link '{link}': the {body.at.tag} is {size:g} m long, and nothing else of the robot is "
-        f"longer than {longest:.3g} m",
-        related=tuple(Related(other.at.span, f"{one:g} m, too") for one, other in others),
+        f"link '{link}': the {body.at.tag} is {size:g} m long, the rest of the robot at most "
+        f"{longest:.3g} m",
+        related=tuple(Related(other.at.span, f"{one:g} m as well") for one, other in others),
         confidence=Confidence.INFERRED,
     )

@@ -7,6 +7,27 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
 
+#: Codes and names of earlier versions, and the rules that report their defects now.
+REDIRECTS = {
+    "INE002": "INE003",
+    "not-positive-definite": "INE003",
+    "triangle-inequality": "INE003",
+    "INE017": "INE004",
+    "tiny-mass": "INE004",
+    "INE019": "INE004",
+    "robot-without-mass": "INE004",
+    "INE020": "INE004",
+    "frame-drops-subtree": "INE004",
+    "INE018": "INE005",
+    "singular-inertia": "INE005",
+    "inertia-too-large-for-geometry": "INE006",
+    "INE007": "INE006",
+    "inertia-too-small-for-geometry": "INE006",
+    "INE015": "INE006",
+    "transposed-tensor": "INE006",
+    "mirrored-twins-differ": "INE012",
+}
+
 
 def applies(subject: Subject) -> bool:
     """True for a document with a robot in it."""

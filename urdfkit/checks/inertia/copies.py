@@ -13,19 +13,19 @@ from urdfkit.text.editing.edits import from_macro
 
 def together(
     findings: Iterable[tuple[LinkInertia, Finding]],
-    by: Callable[[LinkInertia], object] = lambda weighed: weighed.tensor,
+    by: Callable[[LinkInertia], object] = lambda one: one.tensor,
 ) -> Iterator[Finding]:
     """Findings about copies of one tensor as one, the worst first.
 
     ``by`` gives what the copies have in common, where that is less than the whole tensor.
-    What a macro wrote stays apart: the engine makes one finding of it, with its calls.
+    Tensors in macros are left to the engine, which merges the calls of a macro.
     """
     groups: dict[object, list[tuple[LinkInertia, Finding]]] = {}
-    for weighed, finding in findings:
-        if from_macro(weighed.at):
+    for one, finding in findings:
+        if from_macro(one.at):
             yield finding
         else:
-            groups.setdefault(by(weighed), []).append((weighed, finding))
+            groups.setdefault(by(one), []).append((one, finding))
     for group in groups.values():
         group.sort(key=lambda pair: -pair[1].weight)
         (_, worst), *others = group
@@ -34,7 +34,9 @@ def together(
             continue
         yield worst._replace(
             message=f"{worst.message} ({and_more(others)})",
-            related=tuple(Related(one.at.span, one.message) for _, one in others[:MAX_RELATED]),
+            related=tuple(
+                Related(other.at.span, other.message) for _, other in others[:MAX_RELATED]
+            ),
             fix=_merged([finding.fix for _, finding in group if finding.fix]),
         )
 
@@ -48,8 +50,8 @@ def _merged(fixes: list[Fix]) -> Fix | None:
 
 
 def and_more(others: list[tuple[LinkInertia, Finding]]) -> str:
-    """Such as ``and likewise 'b', 'c' and 3 more``."""
-    names = [f"'{weighed.link.name}'" for weighed, _ in others]
+    """Such as ``also 'b', 'c' and 3 more``."""
+    names = [f"'{one.link.name}'" for one, _ in others]
     if len(names) > 3:
         names = [*names[:2], f"{len(names) - 2} more"]
-    return "and likewise " + " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+    return "also " + " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))

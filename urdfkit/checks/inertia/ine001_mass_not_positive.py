@@ -1,10 +1,10 @@
 """A mass is negative, or zero on a link that a joint moves.
 
-Nothing that moves weighs nothing. Gazebo leaves out a moving link of zero mass together with all
-that hangs on it, MuJoCo refuses the robot, PyBullet nails the link to the world; a negative mass
-makes Gazebo refuse the robot and lets other engines fall upwards. Write the mass in kg. A frame
-that only marks a place needs no `<inertial>` if its joint is fixed. Not reported, unless the robot
-is for a simulator, is a link without shape between two joints, such as in a ball joint.
+Gazebo drops a moving link of zero mass together with its children, MuJoCo rejects the robot,
+PyBullet fixes the link to the world; Gazebo rejects a robot with a negative mass, and in other
+engines it falls upwards. Write the mass in kg. A frame needs no `<inertial>` if its joint is fixed.
+Not reported, unless the robot is for a simulator, is a link without shape between two joints, such
+as in a ball joint.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -71,7 +71,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _is_between_axes(link: Link, subject: Subject) -> bool:
     """True for a link without shape and inertia between two moving joints, such as in a ball joint.
 
-    Only simulators want a mass of it.
+    Only simulators need its mass.
     """
     tensor = link.inertial.tensor if link.inertial else None
     if link.visuals or link.collisions or (tensor and any(tensor.value)):

@@ -1,10 +1,18 @@
-"""A link that a joint moves has no mass, nor has anything that is fixed to it.
+"""A link that a joint moves has no mass.
 
-RViz and MoveIt do not mind. Gazebo leaves out such a link and everything that hangs on it, without
-an error in older versions, and controllers then do not find their joints; MuJoCo refuses the
-robot. Give the link an `<inertial>`. A link that only marks a place needs none if its joint is
-fixed: Gazebo makes it a part of its parent. A root without mass, such as `world`, is fine when a
-fixed joint ties it to the robot.
+RViz and MoveIt do not need one; MuJoCo rejects such a robot, and Gazebo drops links:
+
+- A moving link without mass, of its own or of what is fixed to it, is dropped with all its
+  children, without an error in older versions; controllers then do not find their joints. Add an
+  `<inertial>`. A frame needs none if its joint is fixed: Gazebo merges it into its parent. A root
+  without mass, such as `world`, is fine when a fixed joint connects it to the robot.
+- Up to sdformat 9.10.0 and 12.7.1, a mass of up to 1e-6 kg counts as none. Use a gram.
+- In the same versions, a link without mass that is fixed to another one drops the children that
+  moving joints connect to it: the wheel on a bracket, the arm on a mounting plate. Make the joint a
+  child of the parent, with both origins added up, or give the link a mass of a gram.
+- If no link has a mass, Gazebo rejects the robot. For RViz and MoveIt, many arms are published so.
+
+An error for Gazebo and MuJoCo, a warning where only older Gazebo drops links, else an info.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -18,6 +26,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.rigid_bodies import NO_MASS
+from urdfkit.ros.gazebo.conversion import OLD, Conversion
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
@@ -54,17 +64,42 @@ GOOD = BAD.replace(
 _NAMED = 4
 
 
+#: Targets with an sdformat that drops tiny masses.
+_OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
+
+
 @rule(
     "INE004",
     "missing-inertial",
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
-    help="give it an <inertial>, or a fixed joint if it only marks a place",
+    help="give it an <inertial>, or a fixed joint if it is only a frame",
     by_target={"mujoco": Severity.ERROR, **dict.fromkeys(GAZEBO, Severity.ERROR)},
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    if subject.masses.total <= 0 or subject.is_part:
-        return  # INE019; and what a part lacks, the whole may have
+    if subject.masses.total == 0:
+        yield from _without_any_mass(subject)
+    elif not subject.is_part:  # what a part lacks, the whole may have
+        yield from _without_mass(subject)
+    yield from _of_tiny_mass(subject)
+    yield from _on_massless_frames(subject)
+
+
+def _without_any_mass(subject: Subject) -> Iterator[Finding]:
+    links = subject.model.links
+    if links and not subject.is_part:
+        count = f"none of the {len(links)} links has a mass"
+        yield Finding(
+            subject.model.root,
+            "the link has no mass" if len(links) == 1 else count,
+            "for a simulation, give every moving link an <inertial>",
+            severity=Severity.ERROR if subject.targets.any_of(GAZEBO) else Severity.INFO,
+        )
+
+
+def _without_mass(subject: Subject) -> Iterator[Finding]:
+    if subject.masses.total < 0:
+        return
     for body in subject.gazebo.massless:
         zero = body.top.inertial is not None and body.top.inertial.mass is not None
         reported = body.joint is not None and zero  # INE001
@@ -75,24 +110,57 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _finding(body: RigidBody, subject: Subject) -> Finding | None:
-    """None where only frames without shape and mass are lost."""
+    """None where only frames without shape and mass are dropped."""
     name, links = body.top.name, subject.model.links_by_name
-    lost = subject.tree.below(name)
-    if not any(links[n].visuals or links[n].collisions or links[n].mass for n in lost):
+    dropped = subject.tree.below(name)
+    if not any(links[n].visuals or links[n].collisions or links[n].mass for n in dropped):
         return None
-    hanging = [f"'{n}'" for n in lost if n not in {link.name for link, _ in body.links}]
-    if len(hanging) > _NAMED:
-        hanging = [*hanging[: _NAMED - 1], f"{len(hanging) - _NAMED + 1} more"]
-    others = f" and with it {_listed(hanging)}" if hanging else ""
+    children = [f"'{n}'" for n in dropped if n not in {link.name for link, _ in body.links}]
+    if len(children) > _NAMED:
+        children = [*children[: _NAMED - 1], f"{len(children) - _NAMED + 1} more"]
+    others = f" and its children {_listed(children)}" if children else ""
     by = "the root"
     if body.joint:  # a fixed one leads from the world
         verb = "held" if body.joint.kind == "fixed" else "moved"
         by = f"{verb} by the {body.joint.kind} joint '{body.joint.name}'"
     return Finding(
         body.top.at,
-        f"link '{name}' is {by} and has no mass: Gazebo leaves it out{others}",
+        f"link '{name}' is {by} and has no mass: Gazebo drops it{others}",
     )
 
 
 def _listed(names: list[str]) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+
+
+def _of_tiny_mass(subject: Subject) -> Iterator[Finding]:
+    for body in subject.masses.bodies:
+        if body.joint is None or not 0 < body.mass <= NO_MASS:
+            continue
+        link = body.top
+        mass = link.inertial.mass if link.inertial else None
+        yield Finding(
+            mass or link.at,
+            f"link '{link.name}' of {body.mass:.3g} kg is moved by the {body.joint.kind} joint "
+            f"'{body.joint.name}': older Gazebo drops links of up to {NO_MASS:g} kg",
+            "give it a gram, or make its joint fixed",
+            severity=_in_old_gazebo(subject),
+        )
+
+
+def _on_massless_frames(subject: Subject) -> Iterator[Finding]:
+    for body in Conversion(subject.tree, OLD).stranded:
+        joint = body.joint
+        assert joint is not None
+        assert joint.parent is not None
+        yield Finding(
+            joint.at,
+            f"joint '{joint.name}' is a child of link '{joint.parent.value}', which has no mass "
+            f"and is fixed to another link: older Gazebo drops '{body.top.name}' and its children",
+            "make the joint a child of the parent, or give the link a mass of a gram",
+            severity=_in_old_gazebo(subject),
+        )
+
+
+def _in_old_gazebo(subject: Subject) -> Severity:
+    return Severity.WARNING if subject.targets.any_of(_OLD_GAZEBO) else Severity.INFO

@@ -1,13 +1,16 @@
-"""A link that a joint moves has a mass, but no moment of inertia at all.
+"""A link that a joint moves has a mass, but no moment of inertia about some axis.
 
-It can be turned without any effort: the equations of motion have no solution about that axis.
-MuJoCo refuses the robot, other engines divide by zero or let the link spin and vanish. A tensor
-full of zeros comes from an export that failed, or from a value with too few decimal places.
-Compute it from mass and size.
+It can be rotated about that axis without effort: the equations of motion have no solution, or
+engines divide by zero, and the link spins or vanishes. MuJoCo rejects the robot. A tensor of zeros
+comes from a failed export, or from too few decimal places; compute it from mass and size. A single
+zero moment was rounded away, or a CAD program exported a wire or a surface: give the part its
+thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning unless
+MuJoCo is a target.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
     robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
+    Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
 from __future__ import annotations
@@ -17,8 +20,8 @@ from typing import TYPE_CHECKING
 
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.inertials.diagnosis import as_solid, replacement
-from urdfkit.text.diagnostic import Severity
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
@@ -55,23 +58,48 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    yield from together(_findings(subject.masses))
+    yield from together(_zero(subject.masses))
+    thin = sorted(_thin(subject.masses), key=lambda finding: -finding.weight)
+    if thin:
+        worst, *others = thin
+        more = f" (and {len(others)} more like this)" if others else ""
+        yield worst._replace(
+            message=worst.message + more,
+            related=tuple(Related(one.at.span, one.message) for one in others[:MAX_RELATED]),
+            severity=None if subject.targets.any_of(("mujoco",)) else Severity.WARNING,
+        )
 
 
-def _findings(masses: Masses) -> Iterator[tuple[LinkInertia, Finding]]:
+def _zero(masses: Masses) -> Iterator[tuple[LinkInertia, Finding]]:
     for body in masses.without_inertia:
         assert body.joint is not None
         for link, _ in body.links:
-            if weighed := masses.by_name.get(link.name):
-                yield weighed, _finding(weighed, body.joint)
+            if one := masses.by_name.get(link.name):
+                yield one, _finding(one, body.joint)
 
 
-def _finding(weighed: LinkInertia, joint: Joint) -> Finding:
+def _finding(one: LinkInertia, joint: Joint) -> Finding:
     return Finding(
-        weighed.at,
-        f"link '{weighed.link.name}' of {weighed.mass:g} kg has no moment of inertia and is moved "
-        f"by the {joint.kind} joint '{joint.name}'",
-        as_solid(weighed) if weighed.is_measured else "",
-        replacement(weighed, weighed.expected) if weighed.is_measured else None,
-        weight=weighed.mass,
+        one.at,
+        f"link '{one.link.name}' of {one.mass:g} kg has no moment of inertia and is moved by the "
+        f"{joint.kind} joint '{joint.name}'",
+        as_solid(one) if one.is_measured else "",
+        replacement(one, one.expected) if one.is_measured else None,
+        weight=one.mass,
     )
+
+
+def _thin(masses: Masses) -> Iterator[Finding]:
+    for body in masses.singular:
+        assert body.joint is not None
+        one = masses.by_name.get(body.top.name)
+        if one is not None:
+            low, middle, high = masses.moments_of(body)
+            yield Finding(
+                one.at,
+                f"link '{body.top.name}', moved by the {body.joint.kind} joint "
+                f"'{body.joint.name}', has principal moments of inertia of {low:.1g}, "
+                f"{middle:.3g} and {high:.3g} kg m^2: none about one axis",
+                "write the moment about the thin axis as well: mass / 2 * radius^2 for a rod",
+                weight=body.mass,
+            )

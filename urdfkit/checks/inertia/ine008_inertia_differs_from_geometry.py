@@ -1,10 +1,10 @@
-"""The inertia tensor is not that of the link's shape.
+"""The inertia tensor differs from that of the link's shape.
 
 It is possible, but a solid of uniform density has clearly more or less, or has it about other axes.
-Hollow parts have up to twice as much as solid ones, and a motor in the middle means less; where
-neither is so, the numbers were guessed. For a light link, or one that is fixed to a heavy one, that
-hardly matters; a wheel or an arm moves differently than it should. Write the tensor of the shape,
-or ignore this for a link whose tensor you know.
+Hollow parts have up to twice as much as solid ones, and a motor in the middle means less; otherwise
+the numbers were guessed. It hardly matters for a light link, or one that is fixed to a heavy one; a
+wheel or an arm moves incorrectly. Write the tensor of the shape, or suppress this for a link whose
+tensor you know.
 
 Sources:
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertials.diagnoses import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
 from urdfkit.text.diagnostic import Confidence, Severity
 
@@ -45,16 +46,16 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
-    for weighed in masses.diagnoses.get("INE008", ()):
-        assert weighed.expected is not None
-        diagnosis = of_unlike_shape(weighed, masses)
-        ratios = weighed.ratios(weighed.expected)
+    for one in masses.diagnoses.get(InertiaDefect.UNLIKE_SHAPE, ()):
+        assert one.expected is not None
+        diagnosis = of_unlike_shape(one, masses)
+        ratios = one.ratios(one.expected)
         yield Finding(
-            weighed.at,
-            f"link '{weighed.link.name}' of {weighed.mass:g} kg has moments of inertia of "
-            f"{values(weighed.diagonal)}; {as_solid(weighed)}",
-            advice(weighed, diagnosis),
-            replacement(weighed, diagnosis.tensor),
+            one.at,
+            f"link '{one.link.name}' of {one.mass:g} kg has moments of inertia of "
+            f"{values(one.diagonal)}; {as_solid(one)}",
+            advice(one, diagnosis),
+            replacement(one, diagnosis.tensor),
             confidence=Confidence.INFERRED,
             weight=max(*ratios, 1 / max(min(ratios), 1e-9)),
             alike="other shape",

@@ -1,9 +1,9 @@
-"""An inertia tensor is a stand-in such as 1, 1, 1.
+"""An inertia tensor is a placeholder such as 1, 1, 1.
 
-Whoever wrote it knew no value and meant to come back. A moment of 1 kg m^2 is that of a car wheel:
-with it, an arm's link or a gripper's finger resists turning like one, so motors stall, the robot
-shakes, and nothing that is simulated holds for the real one. Take the tensor from the CAD program,
-or compute it from mass and size; with a box around the mesh it is near enough.
+A moment of 1 kg m^2 is that of a car wheel: a link of an arm or a finger of a gripper resists
+rotation like one, so motors stall, the robot oscillates, and the simulation says nothing about the
+real robot. Take the tensor from the CAD program, or compute it from mass and size; a box around the
+mesh is close enough.
 
 Sources:
     Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.inertials.diagnoses import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.text.diagnostic import Confidence, Severity
 
@@ -48,15 +49,15 @@ FILES = {"arm.stl": PLATE}
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    claimed = subject.masses.diagnoses.get("INE009", ())
-    yield from together((weighed, _finding(weighed)) for weighed in claimed)
+    links = subject.masses.diagnoses.get(InertiaDefect.PLACEHOLDER, ())
+    yield from together((one, _finding(one)) for one in links)
 
 
-def _finding(weighed: LinkInertia) -> Finding:
+def _finding(one: LinkInertia) -> Finding:
     return Finding(
-        weighed.at,
-        f"link '{weighed.link.name}' of {weighed.mass:g} kg: placeholder inertia "
-        f"{values(weighed.diagonal)} (radius of gyration {weighed.radius_of_gyration:.3g} m)",
+        one.at,
+        f"link '{one.link.name}' of {one.mass:g} kg: placeholder inertia "
+        f"{values(one.diagonal)} (radius of gyration {one.radius_of_gyration:.3g} m)",
         confidence=Confidence.INFERRED,
-        weight=weighed.radius_of_gyration,
+        weight=one.radius_of_gyration,
     )

@@ -1,11 +1,10 @@
-"""Mass and size of a link make a density that no material of robots has.
+"""Mass and size of a link give a density that no robot material has.
 
 Hollow plastic has some 50 kg/m^3, wood 600, aluminium 2700, steel 7800, lead 11300. A mass in
-grams, a size in millimetres or a forgotten zero puts a link far outside: it falls, grips and tips
-like nothing real, and motors that hold the robot in the simulation are too weak or too strong.
-Correct the mass or the size. Most links of one robot are told as one: somebody mistook a unit for
-all of them. Where a collision shape is deliberately much smaller or larger than the part, ignore
-this.
+grams, a size in millimetres or a missing zero puts a link far outside: forces and torques in the
+simulation are wrong. Correct the mass or the size. If most links of a robot are wrong, they are one
+finding: the unit was mistaken for all of them. Suppress this where a collision shape is
+intentionally much smaller or larger than the part.
 
 Sources:
     measured: mass over volume of 2 042 public links: median 1 180, from 238 to 6 975 for 90 %
@@ -19,7 +18,13 @@ from typing import TYPE_CHECKING
 from urdfkit.checks.inertia.copies import and_more, together
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.inertia import scaled
-from urdfkit.robot.inertials.diagnoses import HEAVIEST, LIGHTEST, implausible_density, unit_mistake
+from urdfkit.robot.inertials.diagnoses import (
+    HEAVIEST,
+    LIGHTEST,
+    InertiaDefect,
+    implausible_density,
+    unit_mistake,
+)
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, replacement
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import rewrite
@@ -50,7 +55,9 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    found = [(one, _finding(one)) for one in subject.masses.diagnoses.get("INE010", ())]
+    found = [
+        (one, _finding(one)) for one in subject.masses.diagnoses.get(InertiaDefect.DENSITY, ())
+    ]
     if subject.masses.consistently_wrong:
         yield _of_the_robot(found)
     else:
@@ -58,7 +65,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
-    """One for most links of a robot: somebody took one unit for another."""
+    """One for most links of a robot: a unit was mistaken for another."""
     (_, worst), *others = sorted(found, key=lambda pair: -pair[1].weight)
     in_grams = [one for one, _ in found if unit_mistake(one) == "g"]
     fixes = [finding.fix for _, finding in found]
@@ -67,7 +74,7 @@ def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
         message=f"{worst.message} ({and_more(others)}: most links of the robot)",
         help="the masses are probably in g: divide them by 1000, and the tensors with them"
         if 2 * len(in_grams) > len(found)
-        else "one slip made them all: masses are in kg, and sizes in m",
+        else "one mistake caused them all: masses are in kg, and sizes in m",
         related=tuple(
             Related(one.at.span, finding.message) for one, finding in others[:MAX_RELATED]
         ),
@@ -77,36 +84,36 @@ def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
     )
 
 
-def _finding(weighed: LinkInertia) -> Finding:
-    density = implausible_density(weighed)
+def _finding(one: LinkInertia) -> Finding:
+    density = implausible_density(one)
     assert density is not None
-    assert weighed.inertial.mass is not None
+    assert one.inertial.mass is not None
     return Finding(
-        weighed.inertial.mass,
-        f"link '{weighed.link.name}': {weighed.mass:g} kg in a {weighed.solid} make "
-        f"{density:.3g} kg/m^3; parts of robots have {LIGHTEST:g} to {HEAVIEST:g}",
-        _advice(weighed),
-        _in_kilograms(weighed) if unit_mistake(weighed) == "g" else None,
+        one.inertial.mass,
+        f"link '{one.link.name}': {one.mass:g} kg in a {one.solid} make "
+        f"{density:.3g} kg/m^3; robot parts have {LIGHTEST:g} to {HEAVIEST:g}",
+        _advice(one),
+        _in_kilograms(one) if unit_mistake(one) == "g" else None,
         confidence=Confidence.INFERRED,
         weight=max(density / HEAVIEST, LIGHTEST / density),
         alike="density",
     )
 
 
-def _in_kilograms(weighed: LinkInertia) -> Fix | None:
+def _in_kilograms(one: LinkInertia) -> Fix | None:
     """The mass by 1000, and the tensor as well if it was computed from the mass in grams."""
-    assert weighed.inertial.mass is not None
-    assert weighed.expected is not None
-    at = weighed.inertial.mass.at
-    edits = rewrite(at, f"{weighed.mass / 1000:g}")
-    if edits and weighed.fits(weighed.expected, 3):
-        tensor = replacement(weighed, scaled(weighed.tensor, 1e-3))
+    assert one.inertial.mass is not None
+    assert one.expected is not None
+    at = one.inertial.mass.at
+    edits = rewrite(at, f"{one.mass / 1000:g}")
+    if edits and one.fits(one.expected, 3):
+        tensor = replacement(one, scaled(one.tensor, 1e-3))
         edits = (*edits, *tensor.edits) if tensor else None
-    return Fix.of(f"write {weighed.mass / 1000:g} kg", edits)
+    return Fix.of(f"write {one.mass / 1000:g} kg", edits)
 
 
-def _advice(weighed: LinkInertia) -> str:
-    unit = unit_mistake(weighed)
+def _advice(one: LinkInertia) -> str:
+    unit = unit_mistake(one)
     if unit == "g":
-        return f"the mass is probably in g: write {weighed.mass / 1000:g}, and the tensor in kg m^2"
+        return f"the mass is probably in g: write {one.mass / 1000:g}, and the tensor in kg m^2"
     return "the size is probably in mm: write it in m" if unit == "mm" else ""

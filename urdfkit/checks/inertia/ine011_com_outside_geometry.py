@@ -1,11 +1,11 @@
 """The centre of mass lies outside the shapes of the link.
 
-The mass of a link is where its parts are. With the centre of mass outside, gravity pulls at a lever
-that is not there: the robot tips over, arms need torque to hold still, and a wheel drives in
-circles. It is measured from the link's own frame. Most often the `<origin>` of the `<inertial>` was
-copied from the joint or from the visual of another link, or is in millimetres: then it is farther
-outside than the link is long. Closer ones are reported where a slip explains them: a sign, two
-coordinates interchanged, or an `<origin>` that was left at zero while the shapes are elsewhere.
+With the centre of mass outside, gravity acts at a wrong lever arm: the robot tips over, arms need
+torque to hold still, and a wheel drives in circles. It is measured in the link's own frame. Most
+often the `<origin>` of the `<inertial>` was copied from the joint or from the visual of another
+link, or is in millimetres: then it is farther outside than the link is long. Closer ones are
+reported where a mistake explains them: a sign, two coordinates swapped, or an `<origin>` left at
+zero while the shapes are elsewhere.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -20,7 +20,7 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.inertials.diagnoses import center_is_outside, center_mistake
+from urdfkit.robot.inertials.diagnoses import InertiaDefect, center_is_outside, center_mistake
 from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
@@ -48,14 +48,14 @@ GOOD = BAD.replace("-0.4 0 0", "0 0 0")
     help="write the <origin> of the <inertial> in the link's own frame, in m",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for weighed in subject.masses.diagnoses.get("INE011", ()):
-        distance = center_is_outside(weighed)
+    for one in subject.masses.diagnoses.get(InertiaDefect.CENTER_OF_MASS, ()):
+        distance = center_is_outside(one)
         assert distance is not None
-        mistake = center_mistake(weighed)
-        outline, center = weighed.outline, weighed.inertial.origin.position
+        mistake = center_mistake(one)
+        outline, center = one.outline, one.inertial.origin.position
         yield Finding(
-            weighed.inertial.at.child("origin") or weighed.inertial.at,
-            f"link '{weighed.link.name}': the centre of mass at {_point(center)} m is "
+            one.inertial.at.child("origin") or one.inertial.at,
+            f"link '{one.link.name}': the centre of mass at {_point(center)} m is "
             f"{distance:.3g} m outside the shapes, which are {max(outline.edges):.3g} m long "
             f"about {_point(outline.center)}{f'; it {mistake}' if mistake else ''}",
             confidence=Confidence.INFERRED,

@@ -1,4 +1,4 @@
-"""Links of different mass have the very same inertia tensor.
+"""Links of different mass have the same inertia tensor.
 
 With the same shape, a link of twice the mass has twice the moments; the tensor was copied along
 with the rest of the link. At most one of the links moves as it should in a simulation. Compute each

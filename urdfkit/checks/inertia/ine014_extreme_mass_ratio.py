@@ -1,9 +1,9 @@
 """A light link between joints carries more than a thousand times its own mass.
 
-Solvers that iterate, as those of Gazebo, Bullet and PhysX (Isaac Sim) do, need as many rounds as
-the masses are apart: the light link cannot take up the force, the joints give way, and the robot
-jitters or bursts. A hand on a heavy arm is no trouble; a gram that holds a kilogram is. Move mass
-from the heavy link to the light one, or merge the two joints into one link.
+Iterative solvers, such as those of Gazebo, Bullet and PhysX (Isaac Sim), converge slowly with a
+large mass ratio: joints separate, and the robot jitters or explodes. A light hand on a heavy arm is
+no problem; a gram that carries a kilogram is. Move mass from the heavy link to the light one, or
+merge the two joints into one link.
 
 Sources:
     gazebosim/gazebo-classic#895: https://github.com/gazebosim/gazebo-classic/issues/895

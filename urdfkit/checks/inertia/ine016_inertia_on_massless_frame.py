@@ -1,8 +1,8 @@
 """A link without mass has an inertia tensor.
 
-Gazebo adds the tensor of a link that a fixed joint ties to another to that of the whole, mass or
-no mass: a sensor frame of 0 kg with 1, 1, 1 makes a small robot turn like a lorry. Readers that go
-by the mass pass over it. A frame needs no `<inertial>`; a part that weighs something needs a mass.
+When Gazebo merges a link into its parent, it adds the tensor, even without mass: a sensor frame of
+0 kg with 1, 1, 1 multiplies the inertia of a small robot. Other programs ignore it. A frame needs
+no `<inertial>`; a real part needs a mass.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -46,7 +46,7 @@ GOOD = BAD.replace('"1"', '"0"')
     "INE016",
     "inertia-on-massless-frame",
     Severity.INFO,
-    help="leave the <inertial> out, or write the mass of the part",
+    help="remove the <inertial>, or write the mass of the part",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
 def check(subject: Subject) -> Iterator[Finding]:

@@ -1,12 +1,18 @@
 """A mesh file does not exist.
 
-RViz shows the link white or not at all, and turns the robot's status red; Gazebo leaves the shape
-out, so that a link without its collision falls through the floor; Pinocchio and MuJoCo refuse the
-model. The package was found, the file in it was not: look for a slip in the name, a folder that
-has moved, or a file that was never committed. A package that is not found is MSH005, a name that
-differs only in upper and lower case MSH002.
+RViz shows the link white or not at all and reports an error; Gazebo leaves the shape out, so that a
+link without its collision falls through the floor; Pinocchio and MuJoCo reject the model. The
+package was found, the file in it was not: the name is misspelt, a directory has moved, or the file
+was never committed. A package that is not found is MSH005. Also reported:
+
+- A name that differs from the file's in upper and lower case: it is found on Windows and on most
+  Macs, and missing on Linux.
+- Backslashes, which only Windows takes for the end of a directory's name. Write `/`.
+- An unknown scheme: only `package://`, `model://` and `file://` lead to files. Meshes on the web,
+  which RViz alone fetches, are not reported.
 
 Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
     RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
     Pinocchio, URDF geometry: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/geometry.cpp
     MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
@@ -19,6 +25,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Fix, Severity
@@ -26,6 +33,7 @@ from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.robot.assets.mesh_files import MeshReference
     from urdfkit.workspace.resolve import ResolvedReference
 
 BAD = """\
@@ -41,46 +49,67 @@ FILES = {
     "meshes/forearm.stl": PLATE,
 }
 
+_SCHEMES = ("package", "model", "file")
+#: Fetched by some programs, and not by urdfkit.
+_REMOTE = ("http", "https", "ftp", "fuel")
+
 
 @rule(
     "MSH001",
     "missing-file",
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
-    help="put the file there, or make one: urdfkit mesh generate --model ROBOT",
+    help="add the file, or generate one: urdfkit mesh generate --model ROBOT",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    files = subject.files
-    for mesh in files.missing:
-        if files.spelt_on_disk(mesh):
-            continue
-        located = mesh.located
-        where = f" in package '{located.package}'" if located.package else ""
-        # An absolute path is what was tried.
-        tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
-        message = f"{mesh.who} does not exist{where}{tried}"
-        suggested = files.nearest(mesh)
-        if suggested is None:
-            yield Finding(mesh.at, message, alike=_lost_folder(located))
-            continue
-        edits = (
-            replace_value(mesh.literal, suggested.reference)
-            if mesh.literal and suggested.sure
-            else None
-        )
-        fix = Fix.of(f"refer to {suggested.reference}", edits)
-        yield Finding(
-            mesh.at,
-            message,
-            f"did you mean '{suggested.reference}'?",
-            fix,
-            alike=f"{'mended' if fix else 'offered'} {_lost_folder(located)}",
-        )
+    missing = set(map(id, subject.files.missing))
+    for mesh in subject.files.meshes:
+        scheme, colon, rest = mesh.at.value.partition("://")
+        if "\\" in mesh.at.value:
+            right = mesh.at.value.replace("\\", "/")
+            message = f"{mesh.who} has backslashes: not found on Linux"
+            fix = _fix(mesh, right, "write / instead of backslashes")
+            yield Finding(mesh.at, message, "write / instead", fix)
+        elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
+            yield _unknown_scheme(mesh, scheme, rest)
+        elif id(mesh) in missing:
+            yield _missing(subject, mesh)
 
 
-def _lost_folder(located: ResolvedReference) -> str:
-    """The topmost folder that is not there; the file's own if that is there."""
+def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
+    message = f"{mesh.who} has the unknown scheme '{scheme}://'"
+    if (right := nearest(scheme.lower(), _SCHEMES)) is None:
+        return Finding(mesh.at, message, "write package://PACKAGE/path")
+    fix = _fix(mesh, f"{right}://{rest}", f"write {right}://")
+    return Finding(mesh.at, message, f"did you mean '{right}://'?", fix)
+
+
+def _missing(subject: Subject, mesh: MeshReference) -> Finding:
+    files, located = subject.files, mesh.located
+    if spelt := files.spelt_on_disk(mesh):
+        message = f"{mesh.who} is called '{spelt.reference}' on disk: not found on Linux"
+        fix = _fix(mesh, spelt.reference, "write the name as on disk")
+        return Finding(mesh.at, message, "write the name as it is on disk", fix)
+    where = f" in package '{located.package}'" if located.package else ""
+    # An absolute path is what was tried.
+    tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
+    message = f"{mesh.who} does not exist{where}{tried}"
+    suggested = files.nearest(mesh)
+    if suggested is None:
+        return Finding(mesh.at, message, alike=_missing_directory(located))
+    new = suggested.reference
+    fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
+    alike = f"{'fixed' if fix else 'suggested'} {_missing_directory(located)}"
+    return Finding(mesh.at, message, f"did you mean '{new}'?", fix, alike=alike)
+
+
+def _fix(mesh: MeshReference, reference: str, title: str) -> Fix | None:
+    return Fix.of(title, replace_value(mesh.literal, reference) if mesh.literal else None)
+
+
+def _missing_directory(located: ResolvedReference) -> str:
+    """The topmost directory that does not exist; the file's own if that exists."""
     lost = os.path.dirname(os.path.abspath(located.tried[0]))
     while not os.path.isdir(above := os.path.dirname(lost)):
         lost = above

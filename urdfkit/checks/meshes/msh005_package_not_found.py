@@ -1,8 +1,8 @@
 """The package of a mesh reference is not found on this machine.
 
-Whether the meshes exist cannot be said without it, and no reader can load them here. It is one
-finding for all references to the package. Where the package is installed elsewhere, name its
-folder or source the workspace that has it; where the name is a slip, mend it.
+Without it, the meshes cannot be checked, and no program can load them here. There is one finding
+for all references to the package. If the package is installed elsewhere, pass its directory or
+source the workspace that has it; if the name is misspelt, correct it.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -44,7 +44,7 @@ FILES = {
     "package-not-found",
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
-    help="name its folder with --package NAME=DIR, or source the workspace that has it",
+    help="pass its directory with --package NAME=DIR, or source the workspace that has it",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
@@ -66,7 +66,7 @@ def _not_found(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
         first.at,
         f"link '{first.link}': package '{name}' is not found on this machine, so {held} of it "
         f"cannot be checked; searched {searched}",
-        f"name its folder with --package {name}=DIR, or source the workspace that has it"
+        f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
     )
 

@@ -1,10 +1,10 @@
-"""A mesh is in a format that the readers of URDF do not load.
+"""A mesh is in a format that Gazebo and other programs do not load.
 
 By content it is a CAD or scene file (STEP, IGES, Blender, 3DS, VRML, X3D, AMF, 3MF, USD), which
-Gazebo, MuJoCo and Drake do not read at all, or it is a mesh under the suffix of another format:
-readers choose by the suffix and then fail or load nothing. Export it as STL, COLLADA or OBJ. PLY,
-glTF and FBX are not reported: RViz, MoveIt and Pinocchio load them through assimp, new Gazebo loads
-glTF and FBX, Gazebo Classic loads none of the three.
+Gazebo, MuJoCo and Drake do not read at all, or it is a mesh with the suffix of another format:
+programs choose their loader by the suffix and then fail or load nothing. Export it as STL, COLLADA
+or OBJ. PLY, glTF and FBX are not reported: RViz, MoveIt and Pinocchio load them through assimp, new
+Gazebo loads glTF and FBX, Gazebo Classic loads none of the three.
 
 Sources:
     RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp

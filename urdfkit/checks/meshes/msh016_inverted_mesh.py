@@ -1,9 +1,9 @@
-"""A closed mesh, or a piece of one, is turned inside out.
+"""A closed mesh, or a piece of one, is inside out.
 
-The corners of a triangle are counter-clockwise as seen from outside. In this mesh they are
-clockwise: its volume is negative, so that tools which compute a mass from it fail or get a negative
-one, MuJoCo refuses it, renderers that draw front sides only show the far inside, and its shading is
-wrong. It comes from a mirrored part or from a flip in the export. `urdfkit mesh repair` turns it.
+The vertices of a triangle are in counter-clockwise order as seen from outside. In this mesh they
+are clockwise: its volume is negative, so that tools which compute a mass from it fail or get a
+negative one, MuJoCo rejects it, renderers that draw front faces only show the far inside, and its
+shading is wrong. It comes from a mirrored part or from the export. `urdfkit mesh repair` flips it.
 
 Sources:
     STL: https://en.wikipedia.org/wiki/STL_(file_format)
@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.mesh.samples import BOX, box, stl
+from urdfkit.robot.assets.mesh_diagnoses import MeshDefect
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -43,9 +44,9 @@ FILES = {
     help="urdfkit mesh repair FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.diagnoses.get("MSH016", ()):
+    for use in subject.measured.diagnoses.get(MeshDefect.INVERTED, ()):
         found = use.measures
-        what = "its triangles look inwards"
+        what = "its triangles face inwards"
         if found.bodies > 1 and found.inverted_bodies:
-            what = f"{found.inverted_bodies} of its {found.bodies} pieces look inwards"
-        yield Finding(use.at, f"{use.who} is turned inside out: {what}", alike="inside out")
+            what = f"{found.inverted_bodies} of its {found.bodies} pieces face inwards"
+        yield Finding(use.at, f"{use.who} is inside out: {what}", alike="inside out")

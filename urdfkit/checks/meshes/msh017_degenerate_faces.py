@@ -1,8 +1,8 @@
 """Triangles of a mesh have no area.
 
-Two of their corners are at the same place, or all three on a line. They show nothing, and they have
-no normal: collision checks may get undefined contact directions from them, and normals computed at
-their corners are wrong. Few of them do little harm. `urdfkit mesh repair` removes them.
+Two of their vertices coincide, or all three are on a line. They are invisible and have no normal:
+collision checks may get undefined contact directions from them, and normals computed at their
+vertices are wrong. A few of them do little harm. `urdfkit mesh repair` removes them.
 
 Sources:
     MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import box, stl
+from urdfkit.robot.assets.mesh_diagnoses import MeshDefect
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ FILES = {
     help="urdfkit mesh repair FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.diagnoses.get("MSH017", ()):
+    for use in subject.measured.diagnoses.get(MeshDefect.DEGENERATE, ()):
         found = use.measures
         yield Finding(
             use.at,

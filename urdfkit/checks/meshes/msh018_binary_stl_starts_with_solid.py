@@ -1,9 +1,9 @@
-"""A binary STL begins with the word that marks a text.
+"""A binary STL begins with `solid`, as an ASCII one does.
 
-A text STL begins with `solid`; the 80 bytes at the start of a binary one are free, and some CAD
-programs write `solid` there too. The readers of RViz, Gazebo, MuJoCo and Python look further and
-load it, RViz with a warning; simple readers take it for a broken text. Writing the file again, with
-`urdfkit mesh convert`, removes the word.
+An ASCII STL begins with `solid`; the header of a binary one is free, and some CAD programs write
+`solid` there too. RViz, Gazebo, MuJoCo and Python libraries read on and load it, RViz with a
+warning; simple parsers take it for a broken ASCII file. Writing the file again, with `urdfkit mesh
+convert`, removes the word.
 
 Sources:
     STL: https://en.wikipedia.org/wiki/STL_(file_format)
@@ -48,5 +48,5 @@ def check(subject: Subject) -> Iterator[Finding]:
     found = [one for one in subject.files.each_file if one.facts and one.facts.starts_with_solid]
     if found:
         mesh, *others = found
-        more = f", as {len(others)} more of this robot do" if others else ""
+        more = f" (and {len(others)} more like this)" if others else ""
         yield Finding(mesh.at, f"{mesh.who} is a binary STL and begins with 'solid'{more}")

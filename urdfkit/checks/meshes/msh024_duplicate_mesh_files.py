@@ -1,7 +1,7 @@
 """Two mesh files of a robot have the same content.
 
-One copy will be mended some day and the other forgotten, and both are loaded. Refer to one file
-from both places; a `<mesh>` may be mirrored with its scale and moved with its `<origin>`.
+One copy gets fixed some day and the other does not, and both are loaded. Refer to one file from
+both places; a `<mesh>` can be mirrored with its scale and moved with its `<origin>`.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not subject.files.copies:
         return
     (copy, first), *others = subject.files.copies
-    more = f" ({len(others)} more files of this robot are copies)" if others else ""
+    more = f" (and {len(others)} more like this)" if others else ""
     yield Finding(
         copy.at,
         f"{copy.who} has the same content as '{first.at.value}'{more}",
-        related=(Related(first.at.span, "the other one"),),
+        related=(Related(first.at.span, "the other file"),),
     )

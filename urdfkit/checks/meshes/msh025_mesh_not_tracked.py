@@ -1,8 +1,8 @@
 """Git ignores a mesh file that the robot needs.
 
-The robot works on this machine; whoever clones the repository gets it without the mesh. Most often
-a pattern for the output of compilers, such as `*.obj`, or for large files, hits it. `git add -f`
-takes the file in; a line such as `!meshes/*.obj` in .gitignore keeps it so.
+The robot works on this machine; a clone of the repository lacks the mesh. Most often a pattern for
+the output of compilers, such as `*.obj`, or for large files, matches it. `git add -f` adds the
+file; a line such as `!meshes/*.obj` in .gitignore is an exception for good.
 
 Sources:
     gitignore: https://git-scm.com/docs/gitignore

@@ -34,7 +34,7 @@ BY_SUFFIX = {
 
 
 class DefectKind(Enum):
-    """What is wrong with a mesh file; a rule for each."""
+    """What is wrong with a mesh file."""
 
     EMPTY = "empty"
     NOT_A_MESH = "not a mesh"
@@ -46,7 +46,7 @@ class Defect(Record):
     """Why a mesh file cannot be used.
 
     Attributes:
-        kind: which rule tells it.
+        kind: in one word.
         reason: a predicate whose subject is the file: ``holds no triangles``.
     """
 
@@ -79,6 +79,16 @@ class MeshFacts(Record):
 def has_other_unit(facts: MeshFacts) -> bool:
     """True if a file says that it is not in metres."""
     return abs(facts.unit - 1) > 1e-6
+
+
+def has_other_up_axis(facts: MeshFacts) -> bool:
+    """True for a COLLADA file that says that x or y is up."""
+    return facts.up_axis not in ("", "Z_UP")
+
+
+def is_gltf(facts: MeshFacts) -> bool:
+    """True for a glTF file that can be read."""
+    return not facts.defect and facts.format in (GLB, GLTF)
 
 
 def empty(reason: str) -> Defect:

@@ -1,4 +1,4 @@
-"""Which colour a visual has, as the readers of URDF find it."""
+"""The colour of a visual, as URDF parsers determine it."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ class Colours:
         self._model = model
         self._named: dict[str, Material] = {}
         for material in chain(
-            model.materials, (m for _, body in _seen(model) if (m := body.material))
+            model.materials, (m for _, body in _visuals(model) if (m := body.material))
         ):
             if material.name and (material.rgba or material.texture):
                 self._named.setdefault(material.name.value, material)
 
     def of(self, body: Body) -> Material | None:
-        """The material of a visual that says how it looks; None if nothing does."""
+        """The material that gives a visual its colour or texture; None if nothing does."""
         material = body.material
         if material is None:
             return None
@@ -34,13 +34,13 @@ class Colours:
 
     def visuals(self) -> Iterator[tuple[Link, Body, Material]]:
         """The visuals that have a colour or a texture, each with the material that gives it."""
-        for link, body in _seen(self._model):
+        for link, body in _visuals(self._model):
             material = self.of(body)
             if material is not None:
                 yield link, body, material
 
 
-def _seen(model: RobotModel) -> Iterator[tuple[Link, Body]]:
+def _visuals(model: RobotModel) -> Iterator[tuple[Link, Body]]:
     for link in model.links:
         for body in link.visuals:
             yield link, body

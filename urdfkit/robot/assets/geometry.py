@@ -21,7 +21,7 @@ def body_mesh(robot: Robot, body: Body, *, unit: bool = True) -> Mesh | None:
         unit: apply the unit of length that a COLLADA file states.
 
     Returns:
-        None where the shape is no known primitive and its file is not to be had.
+        None where the shape is no known primitive and its file cannot be loaded.
     """
     if body.shape is None:
         return None

@@ -1,4 +1,4 @@
-"""The mesh files of a robot, measured, and what is doubtful about them."""
+"""The mesh files of a robot, measured, and their defects."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.mesh.measure_cache import Store
+    from urdfkit.robot.assets.mesh_diagnoses import MeshDefect
     from urdfkit.robot.assets.mesh_files import Files
     from urdfkit.robot.model import RobotModel
 
@@ -121,6 +122,11 @@ class UnmeasuredMesh(Record):
     role: str
     reason: str
 
+    @property
+    def who(self) -> str:
+        """The subject of a message."""
+        return f"link '{self.link}': the {self.role} mesh '{self.at.value}'"
+
 
 class MeasuredMeshes:
     """The meshes of one model that can be measured.
@@ -129,7 +135,7 @@ class MeasuredMeshes:
         model: that names them.
         files: finds them.
         store: measures them.
-        progress: is told how many files have been measured, and how many there are.
+        progress: called with the number of files measured, and of all.
     """
 
     def __init__(
@@ -209,14 +215,14 @@ class MeasuredMeshes:
         return {id(use.body): use for use in self.uses}
 
     @cached_property
-    def diagnoses(self) -> dict[str, list[MeshUse]]:
-        """The doubtful meshes by the code of the rule that tells it."""
+    def diagnoses(self) -> dict[MeshDefect, list[MeshUse]]:
+        """The meshes with each defect."""
         from urdfkit.robot.assets.mesh_diagnoses import diagnoses
 
         return diagnoses(self)
 
     def _use(self, link: Link, role: str, body: Body) -> MeshUse | UnmeasuredMesh | None:
-        """A use of a mesh; None for what is no mesh, and for files that other rules tell of."""
+        """A use of a mesh; None for what is no mesh, and for files with a defect."""
         shape = body.shape
         path = self._files.path(shape) if shape else None
         if shape is None or shape.filename is None or path is None:

@@ -1,40 +1,25 @@
-"""The mesh files that a model names: where they are, what their bytes say, what was meant."""
+"""The mesh files that a model names: their places, formats and defects, and suggestions."""
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
 from functools import cached_property
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
-from urdfkit.mesh.io.facts import (
-    BY_SUFFIX,
-    GLB,
-    GLTF,
-    MAX_BYTES,
-    DefectKind,
-    MeshFacts,
-    has_other_unit,
-)
+from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
 from urdfkit.robot.model import Body, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
 from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
 #: Folders of a package that are searched for a file of the wanted name.
 MAX_FOLDERS = 2000
-#: Two words are one word misspelt above this ratio of common letters.
+#: Above this ratio of common letters, one word is a typo of the other.
 _TYPO = 0.75
-#: How like another name that of a file must be to be offered; "base_link" is no "lidar_link".
+#: How similar the name of a file must be to be suggested; "base_link" is not "lidar_link".
 _LIKE = 0.7
 
-_CODES = {
-    DefectKind.EMPTY: "MSH008",
-    DefectKind.UNREADABLE: "MSH009",
-    DefectKind.NOT_A_MESH: "MSH010",
-    DefectKind.TRUNCATED: "MSH011",
-}
 _SEPARATORS = str.maketrans("_-.", "   ")
 
 
@@ -68,12 +53,12 @@ class MeshReference(Record):
 
 
 class Suggestion(Record):
-    """What a reference may have meant.
+    """A file that a reference probably means.
 
     Attributes:
         reference: to write instead.
         path: the file that it leads to.
-        sure: True if nothing else comes into question.
+        sure: True if it is the only candidate.
     """
 
     reference: str
@@ -112,7 +97,7 @@ class Files:
 
     @cached_property
     def each_file(self) -> tuple[MeshReference, ...]:
-        """The first reference to each file that is there; links to one file are one."""
+        """The first reference to each file that is there; symbolic links count once."""
         first: dict[str, MeshReference] = {}
         for mesh in self.meshes:
             if mesh.located.path:
@@ -141,12 +126,11 @@ class Files:
             self._facts[path] = sniff_file(path)
         return self._facts[path]
 
-    def is_turned_by_some(self, body: Body) -> bool:
-        """True for a mesh whose axes programs read differently: MSH014 and MSH035."""
+    def has_ambiguous_axes(self, body: Body) -> bool:
+        """True for a mesh whose axes programs read differently (MSH013)."""
         path = self.path(body.shape) if body.shape else None
-        return path is not None and not {"MSH014", "MSH035"}.isdisjoint(
-            _codes(self.facts(path), path)
-        )
+        facts = self.facts(path) if path else None
+        return facts is not None and (has_other_up_axis(facts) or is_gltf(facts))
 
     @cached_property
     def missing(self) -> tuple[MeshReference, ...]:
@@ -186,35 +170,6 @@ class Files:
         return [mesh for mesh in self.each_file if mesh.located.path in ignored]
 
     @cached_property
-    def case_collisions(self) -> list[tuple[MeshReference, str]]:
-        """The references to files, and the name beside each that differs in case only."""
-        found = []
-        for mesh in self.each_file:
-            folder, name = os.path.split(mesh.located.path or "")
-            entries = self.resolver.folders.entries(folder) or {}
-            others = [one for one in entries if one != name and one.casefold() == name.casefold()]
-            found += [(mesh, other) for other in sorted(others)[:1]]
-        return found
-
-    @cached_property
-    def unreferenced(self) -> list[str]:
-        """The mesh files beside those of this model that its workspace mentions nowhere."""
-        package = self.resolver.packages.enclosing(os.path.abspath(self.top))
-        if package is None or not self._used:
-            return []
-        from urdfkit.robot.assets.unreferenced import unreferenced
-
-        workspace = self.resolver.packages.workspace(self.top)
-        return unreferenced(self._used, package[1], workspace, self.resolver.folders)
-
-    def with_defect(self, kind: DefectKind) -> Iterator[tuple[MeshReference, str]]:
-        """The references whose file cannot be used for a reason of this kind, and the reason."""
-        for mesh in self.meshes:
-            defect = mesh.facts.defect if mesh.facts else None
-            if defect and defect.kind is kind:
-                yield mesh, defect.reason
-
-    @cached_property
     def without_package(self) -> dict[str, list[MeshReference]]:
         """The references whose package is not found, by its name."""
         found: dict[str, list[MeshReference]] = {}
@@ -233,10 +188,10 @@ class Files:
         return Suggestion(self.reference_to(path, mesh.located), path, sure=True)
 
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
-        """What a missing file may have been meant to be.
+        """The file that a reference to a missing one probably means.
 
         A file of the same name elsewhere in the package, else one of a similar name in the same
-        folder. It is sure if nothing else comes into question and no other link uses it.
+        directory. It is sure if it is the only candidate and no other link uses it.
         """
         path = self._same_name_elsewhere(mesh.located)
         if path is None:
@@ -292,13 +247,13 @@ class Files:
             path
             for path in self._below[base]
             if os.path.basename(path).casefold() == wanted.casefold()
-            # The same part of another model of the series is not what was meant.
+            # Not the same part of another model of the series.
             and (not numbers or _numbers(_relative(path, base)) in ([], numbers))
         ]
         return found[0] if len(found) == 1 else None
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
-        """A mesh file of a similar name in the same folder, and whether that name is a slip."""
+        """A mesh file of a similar name in the same folder, and whether that is a typo."""
         base, relative = self._expected(located)
         folder, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
         entries = self.resolver.folders.entries(folder) or {}
@@ -316,25 +271,6 @@ class Files:
         return os.path.join(folder, stems[stem]), is_typo(wanted, stems[stem])
 
 
-def _codes(facts: MeshFacts, path: str) -> set[str]:
-    """The codes of the rules that explain what is wrong with the content of a file."""
-    codes = {"MSH026"} if facts.non_finite else set()
-    if has_other_unit(facts):
-        codes.add("MSH013")
-    if facts.up_axis not in ("", "Z_UP"):
-        codes.add("MSH014")
-    if facts.starts_with_solid:
-        codes.add("MSH018")
-    if facts.defect:
-        codes.add(_CODES[facts.defect.kind])
-    else:
-        if facts.format not in BY_SUFFIX.get(_suffix(path), ()):
-            codes.add("MSH007")
-        if facts.format in (GLB, GLTF):
-            codes.add("MSH035")
-    return codes
-
-
 def _content(mesh: MeshReference) -> bytes:
     """The bytes of a file; its path where they cannot be read, which equals no other."""
     path = mesh.located.path or ""
@@ -346,7 +282,7 @@ def _content(mesh: MeshReference) -> bytes:
 
 
 def is_typo(wrong: str, right: str) -> bool:
-    """True if the name of a file or a package is another one misspelt.
+    """True if the name of a file or a package is a typo of another one.
 
     ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
     alike for itself, and all numbers equal.

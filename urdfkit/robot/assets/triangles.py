@@ -18,7 +18,7 @@ class Meshes:
 
     Args:
         files: the mesh files that it names.
-        progress: is told how many of them have been loaded, and how many there are.
+        progress: called with the number of files loaded, and of all.
     """
 
     def __init__(self, files: Files, progress: Callable[[int, int], None] | None = None) -> None:
@@ -27,12 +27,12 @@ class Meshes:
         self._loaded: dict[str, Mesh | str] = {}
 
     def mesh(self, shape: Shape) -> Mesh | None:
-        """What the file of a shape holds, in its own units; None if it is not to be had."""
+        """What the file of a shape holds, in its own units; None if it cannot be loaded."""
         loaded = self._load(shape)
         return None if isinstance(loaded, str) else loaded
 
     def reason(self, shape: Shape) -> str:
-        """Why the mesh of a shape is not to be had; empty if it is."""
+        """Why the mesh of a shape cannot be loaded; empty if it can."""
         loaded = self._load(shape)
         return loaded if isinstance(loaded, str) else ""
 

@@ -1,12 +1,13 @@
-"""The collisions of a link beside its visuals, and the slip that explains why they are unlike.
+"""The collisions of a link compared with its visuals.
 
-The two are drawn apart: the collision is simpler, a little larger, or leaves parts out. What is
-compared is the bounding box of each along the axes of the link, in m.
+The collision may be simpler, a little larger, or without some parts. What is compared is the
+bounding box of each along the axes of the link, in m.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from enum import Enum
 from functools import cached_property
 from itertools import permutations, product
 from math import hypot, log
@@ -30,14 +31,14 @@ from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, solid
 #: the half of its height was rounded.
 LEAST_OVERLAP = 0.34
 
-#: A box with this part of its volume within the other one is larger or smaller on purpose.
+#: A box with this part of its volume within the other one is intentionally larger or smaller.
 NESTED = 0.9
 
 #: Shapes with no edge over this, in m, mark a place.
 MARKER = 0.005
 
 #: Edges of a cube differ by less; and how many times as large as what is too small by a thousand a
-#: part may be, as a rough likeness.
+#: part may be, being only similar.
 CUBE, THOUSAND = 1.1, (600.0, 1600.0)
 
 #: A box that is longer, wider and higher by this factor was drawn in another unit.
@@ -47,7 +48,7 @@ LARGER = 5.0
 LARGER_ALIKE, ALIKE = 1.5, 1.02
 
 #: Boxes in one place that would have this much in common are those of one part; those of a motor
-#: and of the cylinder that stands for its neighbour have 0.66.
+#: and of a cylinder in the place of its neighbour have 0.66.
 SAME = 0.72
 
 #: What a turn must add to the common volume.
@@ -58,13 +59,21 @@ GAIN = 0.3
 SAME_MESH, ALIGNED = 0.97, 0.85
 
 
+class Mismatch(Enum):
+    """How collision and visual of a link differ."""
+
+    SIZE = "size"
+    ROTATION = "rotation"
+    APART = "apart"
+
+
 class QuarterTurn(Record):
-    """A turn by which one of the two comes to lie where the other is.
+    """A rotation by which one of the two coincides with the other.
 
     Attributes:
-        body: the visual or collision that is to be turned.
-        rpy: of its ``<origin>`` then, in rad.
-        overlap: common volume by that of both together, then.
+        body: the visual or collision to rotate.
+        rpy: of its ``<origin>`` after that, in rad.
+        overlap: common volume by that of both together, after that.
     """
 
     body: Body
@@ -73,24 +82,24 @@ class QuarterTurn(Record):
 
 
 class VisualCollisionPair:
-    """The collisions of a link beside its visuals.
+    """The collisions and the visuals of a link.
 
     Attributes:
         link: the link.
-        touched, seen: its collisions and its visuals as solids.
+        collision, visual: all its collisions, and all its visuals, as solids.
     """
 
-    def __init__(self, link: Link, touched: LinkSolid, seen: LinkSolid) -> None:
+    def __init__(self, link: Link, collision: LinkSolid, visual: LinkSolid) -> None:
         self.link = link
-        self.touched = touched
-        self.seen = seen
+        self.collision = collision
+        self.visual = visual
 
     @property
     def is_marker(self) -> bool:
         """True if one of the two only marks a place."""
         return any(
             max(one.bounds.edges) <= MARKER and not _is_mesh(one)
-            for one in (self.touched, self.seen)
+            for one in (self.collision, self.visual)
         )
 
     @cached_property
@@ -99,7 +108,7 @@ class VisualCollisionPair:
 
         A marker is a cube or a ball; a shrunk shape has the proportions of its link.
         """
-        small, large = sorted((self.touched.bounds.edges, self.seen.bounds.edges), key=max)
+        small, large = sorted((self.collision.bounds.edges, self.visual.bounds.edges), key=max)
         ratios = [a / b if b > 0 else 0.0 for a, b in zip(large, small, strict=True)]
         is_cube = max(small) < CUBE * min(small)
         return not is_cube and all(THOUSAND[0] <= ratio <= THOUSAND[1] for ratio in ratios)
@@ -107,18 +116,18 @@ class VisualCollisionPair:
     @cached_property
     def overlap(self) -> float:
         """The common volume by that of both together."""
-        return _overlap(self.touched.bounds, self.seen.bounds)
+        return _overlap(self.collision.bounds, self.visual.bounds)
 
     @property
     def is_nested(self) -> bool:
-        """True if one of the two is larger about the same place, or stands for a part."""
-        one, other = self.touched.bounds, self.seen.bounds
+        """True if one of the two is larger about the same place, or replaces a part."""
+        one, other = self.collision.bounds, self.visual.bounds
         return one.common_volume(other) >= NESTED * min(one.volume, other.volume)
 
     @cached_property
     def factor(self) -> float | None:
-        """How many times as large as the collision the visual is; None if that is no slip."""
-        edges = zip(self.seen.bounds.edges, self.touched.bounds.edges, strict=True)
+        """How many times as large as the collision the visual is; None if that may be intended."""
+        edges = zip(self.visual.bounds.edges, self.collision.bounds.edges, strict=True)
         low, middle, high = sorted(a / b if b > 0 else 0.0 for a, b in edges)
         if low <= 0:
             return None
@@ -128,8 +137,8 @@ class VisualCollisionPair:
     @cached_property
     def turn(self) -> QuarterTurn | None:
         """The quarter turns that lay one over the other; None if they hardly help."""
-        turns = [*self._turns(self.link.visuals, self.seen, self.touched)]
-        turns += self._turns(self.link.collisions, self.touched, self.seen)
+        turns = [*self._turns(self.link.visuals, self.visual, self.collision)]
+        turns += self._turns(self.link.collisions, self.collision, self.visual)
         best = max(turns, key=lambda turn: round(turn.overlap, 3), default=None)
         least = max(SAME, self.overlap + GAIN)
         if self._has_meshes:
@@ -139,7 +148,7 @@ class VisualCollisionPair:
     @property
     def _has_meshes(self) -> bool:
         """True if collision and visual are meshes: drawn from one part, with one outline."""
-        return _is_mesh(self.touched) and _is_mesh(self.seen)
+        return _is_mesh(self.collision) and _is_mesh(self.visual)
 
     @staticmethod
     def _turns(bodies: tuple[Body, ...], one: LinkSolid, other: LinkSolid) -> Iterator[QuarterTurn]:
@@ -152,16 +161,16 @@ class VisualCollisionPair:
 
     @property
     def is_apart(self) -> bool:
-        """True if they have little in common, and are not a rough likeness of one another.
+        """True if they have little in common, and are not merely simplified.
 
-        Makers of legs give a hip the cylinder of the motor beside it: that is no slip. The same
-        shape at another place is one, and so are shapes that are farther apart than they are long.
+        Legs often give a hip the cylinder of the motor next to it, intentionally. The same shape at
+        another place is a mistake, and so are shapes that are farther apart than they are long.
         """
         if self.overlap >= LEAST_OVERLAP or self.is_nested:
             return False
-        if not (_is_mesh(self.touched) or _is_mesh(self.seen)) or self.has_one_shape:
+        if not (_is_mesh(self.collision) or _is_mesh(self.visual)) or self.has_one_shape:
             return True
-        one, other = self.touched.bounds, self.seen.bounds
+        one, other = self.collision.bounds, self.visual.bounds
         shift = [a - b for a, b in zip(one.center, other.center, strict=True)]
         if _overlap(one, other, (shift[0], shift[1], shift[2])) >= SAME:
             return True
@@ -185,19 +194,19 @@ class VisualCollisionPair:
         visual, collision = self.link.visuals[0], self.link.collisions[0]
         if span <= 0:
             return visual
-        seen, touched = (
-            abs(log(max(one.bounds.edges) / span)) for one in (self.seen, self.touched)
+        of_visual, of_collision = (
+            abs(log(max(one.bounds.edges) / span)) for one in (self.visual, self.collision)
         )
-        return visual if seen >= touched else collision
+        return visual if of_visual >= of_collision else collision
 
 
 class VisualCollisionPairs:
-    """The links of a robot that are both touched and seen.
+    """The links of a robot that have both visuals and collisions.
 
     Args:
         model: of the robot.
         lump: measures visuals and collisions that are meshes; None for one that is not measured.
-        is_ambiguous: tells of a visual or collision that programs turn in different ways.
+        is_ambiguous: True for a visual or collision that programs rotate differently.
     """
 
     def __init__(
@@ -211,12 +220,12 @@ class VisualCollisionPairs:
         self._is_ambiguous = is_ambiguous
 
     @cached_property
-    def diagnoses(self) -> dict[str, list[VisualCollisionPair]]:
-        """The links that are unlike, by the code of the one rule that tells it."""
-        found: dict[str, list[VisualCollisionPair]] = {}
+    def diagnoses(self) -> dict[Mismatch, list[VisualCollisionPair]]:
+        """The links with each mismatch; each link has at most one."""
+        found: dict[Mismatch, list[VisualCollisionPair]] = {}
         for one in self._each():
-            if code := self._code(one):
-                found.setdefault(code, []).append(one)
+            if mismatch := self._mismatch(one):
+                found.setdefault(mismatch, []).append(one)
         return found
 
     @property
@@ -228,22 +237,22 @@ class VisualCollisionPairs:
     def _each(self) -> Iterator[VisualCollisionPair]:
         for link in self._model.links:
             if link.visuals and link.collisions:
-                touched, seen = (solid(b, self._lump) for b in (link.collisions, link.visuals))
-                if touched and seen and touched.parts != seen.parts:
-                    yield VisualCollisionPair(link, touched, seen)
+                collision = solid(link.collisions, self._lump)
+                visual = solid(link.visuals, self._lump)
+                if collision and visual and collision.parts != visual.parts:
+                    yield VisualCollisionPair(link, collision, visual)
 
-    def _code(self, one: VisualCollisionPair) -> str:
+    def _mismatch(self, one: VisualCollisionPair) -> Mismatch | None:
         if one.overlap >= ALIGNED or (one.is_marker and not one.is_shrunk):
-            return ""
+            return None
         if one.factor:
-            return "GEO016"
-        if one.has_one_shape:  # whose origins tell what happened
-            return "GEO004" if one.is_apart else ""
-        if any(map(self._is_ambiguous, (*one.link.visuals, *one.link.collisions))):
-            return ""
-        if one.turn:
-            return "GEO017"
-        return "GEO004" if one.is_apart else ""
+            return Mismatch.SIZE
+        if not one.has_one_shape:  # else the origins explain it
+            if any(map(self._is_ambiguous, (*one.link.visuals, *one.link.collisions))):
+                return None
+            if one.turn:
+                return Mismatch.ROTATION
+        return Mismatch.APART if one.is_apart else None
 
 
 def turned(box: BoundingBox, rotation: Rotation, about: Transform) -> BoundingBox:

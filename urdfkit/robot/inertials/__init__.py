@@ -1,1 +1,1 @@
-"""Masses and inertia tensors as declared, beside those of shapes; what was meant."""
+"""Declared masses and inertia tensors, compared with those of shapes; corrections."""

@@ -1,11 +1,8 @@
-"""Which inertias are doubtful, each given to the one rule that tells it best.
-
-A tensor can be wrong in several ways at once, and one finding says enough. Meshes are not measured
-here; a link that has one is judged only where its numbers give themselves away.
-"""
+"""The defects of masses and inertia tensors; of a tensor, the one that explains it best."""
 
 from __future__ import annotations
 
+from enum import Enum
 from math import dist
 from typing import TYPE_CHECKING
 
@@ -19,8 +16,8 @@ if TYPE_CHECKING:
     from urdfkit.robot.inertials.masses import Masses
     from urdfkit.robot.shapes import BoundingBox, Primitive
 
-#: Times the largest possible moment that is taken for impossible: the matter of a link may reach
-#: somewhat farther than its collision shape.
+#: Times the largest possible moment from which on it is reported: a link may be somewhat larger
+#: than its collision shape.
 TOO_LARGE = 2.0
 
 #: Part of the uniform solid's moment below which no mass in the middle explains it.
@@ -32,64 +29,77 @@ LIGHTEST, HEAVIEST = 20.0, 12000.0
 #: A density outside by less than this factor may be that of a shape drawn a little too small.
 NEAR = 1.2
 
-#: Densities of most of them; a slip of the unit must lead to one of these.
+#: Densities of most of them; a mistake in the unit must lead to one of these.
 USUAL = (100.0, 8000.0)
 
 #: Parts of robots are smaller than this, in m; their sizes in millimetres are larger.
 LARGEST_PART = 10.0
 
-#: A centre of mass outside the shapes by this part of their length, where a slip explains it; and
-#: where it stands at zero, as on many links whose makers knew it and did not mind.
-SLIPPED, LEFT_BEHIND = 0.15, 0.5
+#: A centre of mass outside the shapes by this part of their length, where a mistake explains it;
+#: and where it was left at zero, as on many links.
+MISTAKEN, LEFT_AT_ORIGIN = 0.15, 0.5
 
-#: Part of its rigid body's mass that a link has whose centre somebody should have looked up.
-NOTICED = 0.1
+#: Part of its rigid body's mass from which on the centre of a link matters.
+NOTICEABLE = 0.1
 
-#: A radius of gyration over this, in m, is larger than most robots are; and of so many links with
-#: equal tensors nobody has measured any.
+#: A radius of gyration over this, in m, is larger than most robots; and so many links with equal
+#: tensors were not measured.
 WIDE, MANY = 0.3, 3
 
 
-def diagnoses(masses: Masses) -> dict[str, list[LinkInertia]]:
-    """The doubtful inertias by the code of the rule that tells them."""
-    found: dict[str, list[LinkInertia]] = {}
+class InertiaDefect(Enum):
+    """What is wrong with the inertial of a link."""
+
+    INDEFINITE = "indefinite"
+    TRIANGLE_INEQUALITY = "triangle inequality"
+    TOO_LARGE = "too large"
+    TOO_SMALL = "too small"
+    WRONG_AXES = "wrong axes"
+    UNLIKE_SHAPE = "unlike shape"
+    PLACEHOLDER = "placeholder"
+    DENSITY = "density"
+    CENTER_OF_MASS = "center of mass"
+
+
+def diagnoses(masses: Masses) -> dict[InertiaDefect, list[LinkInertia]]:
+    """The links with each defect."""
+    found: dict[InertiaDefect, list[LinkInertia]] = {}
     placeholders: list[LinkInertia] = []
-    for weighed in masses.weighed:
-        code = _judge(weighed, masses)
-        if code:
-            found.setdefault(code, []).append(weighed)
-        elif weighed.is_placeholder and not weighed.is_measured:
-            placeholders.append(weighed)
-        elif _is_unlike_shape(weighed):
-            found.setdefault("INE008", []).append(weighed)
-        if center_is_outside(weighed) and weighed.mass >= SIGNIFICANT * weighed.body.mass:
-            found.setdefault("INE011", []).append(weighed)
+    for one in masses.weighed:
+        if defect := _defect(one, masses):
+            found.setdefault(defect, []).append(one)
+        elif one.is_placeholder and not one.is_measured:
+            placeholders.append(one)
+        elif _is_unlike_shape(one):
+            found.setdefault(InertiaDefect.UNLIKE_SHAPE, []).append(one)
+        if center_is_outside(one) and one.mass >= SIGNIFICANT * one.body.mass:
+            found.setdefault(InertiaDefect.CENTER_OF_MASS, []).append(one)
     _sort_placeholders(placeholders, masses, found)
     return found
 
 
-def _judge(weighed: LinkInertia, masses: Masses) -> str:
-    """The rule that tells what is impossible or implausible; empty if nothing is."""
-    if weighed.is_indefinite:
-        return "INE002"
-    if weighed.breaks_triangle:
-        return "INE003"
-    if weighed.is_noise or not weighed.is_measured or weighed.body.is_ground:
-        return ""
-    implausible = implausible_density(weighed) is not None
-    if implausible and unit_mistake(weighed):
-        return "INE010"
-    assert weighed.expected is not None
-    high, expected = weighed.moments[2], principal_moments(weighed.expected)[2]
-    if high > TOO_LARGE * weighed.largest_possible and masses.matters(weighed.body, high):
-        return "INE006"
-    if high < TOO_SMALL * expected and masses.matters(weighed.body, expected):
-        return "INE007"
+def _defect(one: LinkInertia, masses: Masses) -> InertiaDefect | None:
+    """What makes a tensor or a mass impossible or implausible; None if nothing does."""
+    if one.is_indefinite:
+        return InertiaDefect.INDEFINITE
+    if one.breaks_triangle:
+        return InertiaDefect.TRIANGLE_INEQUALITY
+    if one.is_noise or not one.is_measured or one.body.is_ground:
+        return None
+    implausible = implausible_density(one) is not None
+    if implausible and unit_mistake(one):
+        return InertiaDefect.DENSITY
+    assert one.expected is not None
+    high, expected = one.moments[2], principal_moments(one.expected)[2]
+    if high > TOO_LARGE * one.largest_possible and masses.matters(one.body, high):
+        return InertiaDefect.TOO_LARGE
+    if high < TOO_SMALL * expected and masses.matters(one.body, expected):
+        return InertiaDefect.TOO_SMALL
     if implausible:
-        return "INE010"
-    if weighed.is_at_wrong_axes and masses.matters(weighed.body, high):
-        return "INE015"
-    return ""
+        return InertiaDefect.DENSITY
+    if one.is_at_wrong_axes and masses.matters(one.body, high):
+        return InertiaDefect.WRONG_AXES
+    return None
 
 
 def implausible_density(weighed: LinkInertia) -> float | None:
@@ -115,9 +125,9 @@ def unit_mistake(weighed: LinkInertia) -> str:
 
 
 def center_is_outside(weighed: LinkInertia) -> float | None:
-    """How far the centre of mass is outside the shapes, in m, if that is hardly meant.
+    """How far the centre of mass is outside the shapes, in m, if that is probably a mistake.
 
-    More than their size; or less, where a slip explains it.
+    More than their size; or less, where a mistake explains it.
     """
     if not weighed.is_measured or weighed.solid is None or weighed.body.is_ground:
         return None
@@ -126,7 +136,7 @@ def center_is_outside(weighed: LinkInertia) -> float | None:
     if any(2 * dist(center, part.origin.position) <= part.longest for part in weighed.solid.parts):
         return None
     distance, longest = _outside(center, weighed.outline), max(weighed.outline.edges)
-    if distance > longest or (distance > SLIPPED * longest and not weighed.is_marker):
+    if distance > longest or (distance > MISTAKEN * longest and not weighed.is_marker):
         return distance if distance > longest or center_mistake(weighed) else None
     return None
 
@@ -135,8 +145,8 @@ def center_mistake(weighed: LinkInertia) -> str:
     """What explains that the centre of mass is outside: a predicate whose subject is the centre."""
     center, outline = weighed.inertial.origin.position, weighed.outline
     if center == ORIGIN:
-        far = _outside(center, outline) > LEFT_BEHIND * max(outline.edges)
-        matters = weighed.mass > NOTICED * weighed.body.mass
+        far = _outside(center, outline) > LEFT_AT_ORIGIN * max(outline.edges)
+        matters = weighed.mass > NOTICEABLE * weighed.body.mass
         return "was left at the origin of the link" if far and matters else ""
     if any(_is_gltf(part) for one in weighed.solids for part in one.parts):
         return ""  # whose axes programs do not agree on
@@ -148,7 +158,7 @@ def center_mistake(weighed: LinkInertia) -> str:
     swapped = {"x and y": (y, x, z), "x and z": (z, y, x), "y and z": (x, z, y)}
     for axes, point in swapped.items():
         if _outside(point, outline) <= 0:
-            return f"would be inside with {axes} interchanged"
+            return f"would be inside with {axes} swapped"
     return ""
 
 
@@ -164,7 +174,7 @@ def _outside(point: Vector, box: BoundingBox) -> float:
 def _is_unlike_shape(weighed: LinkInertia) -> bool:
     """True if people wrote the tensor and it is not that of the shapes.
 
-    Beside a mesh the collision is a rough likeness; then only a round tensor is doubted.
+    With a mesh, the collision is only similar; then only a round tensor is reported.
     """
     if weighed.is_noise or weighed.body.is_ground or not weighed.differs or weighed.is_marker:
         return False
@@ -172,18 +182,18 @@ def _is_unlike_shape(weighed: LinkInertia) -> bool:
 
 
 def _sort_placeholders(
-    placeholders: list[LinkInertia], masses: Masses, found: dict[str, list[LinkInertia]]
+    placeholders: list[LinkInertia], masses: Masses, found: dict[InertiaDefect, list[LinkInertia]]
 ) -> None:
-    """Placeholders beside a mesh, or without a shape, that cannot be near the truth."""
-    reported = {weighed.tensor for weighed in found.get("INE006", ())}
+    """Placeholders next to a mesh, or without a shape, that cannot be nearly right."""
+    reported = {weighed.tensor for weighed in found.get(InertiaDefect.TOO_LARGE, ())}
     by_macro = {link.name for links in masses.shared_by_macro.values() for link in links}
     for group in by_tensor(placeholders):
         free = [weighed for weighed in group if weighed.link.name not in by_macro]
         unknown = len(free) >= MANY or any(w.radius_of_gyration > WIDE for w in free)
         shape_mass = any(masses.matters(w.body, w.moments[2]) for w in free)
         if unknown and shape_mass and group[0].tensor not in reported:
-            found.setdefault("INE009", []).extend(free)
+            found.setdefault(InertiaDefect.PLACEHOLDER, []).extend(free)
         else:
             unlike = [weighed for weighed in group if _is_unlike_shape(weighed)]
             if unlike:
-                found.setdefault("INE008", []).extend(unlike)
+                found.setdefault(InertiaDefect.UNLIKE_SHAPE, []).extend(unlike)

@@ -1,7 +1,7 @@
-"""Why a tensor is wrong and what was probably meant, for the rules that find one.
+"""Why a tensor is wrong and which one was probably intended.
 
-A diagnosis is a guess that the numbers bear out: put right in this way, they agree with the shape
-of the link, or become possible at all. It says how sure it is.
+A diagnosis is a guess that the numbers support: corrected in this way, they agree with the shape of
+the link, or become possible at all. It has a confidence.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ UNITS = (
     ("lb ft^2", 0.45359237 * 0.3048**2),
 )
 
-#: Put right, the moments must be this near to those of the shape, as a factor.
+#: Corrected, the moments must be this near to those of the shape, as a factor.
 NEAR = 1.5
 
 #: Products of inertia below this part of the largest moment come from angles such as 1.57 or 3.14.
@@ -48,7 +48,7 @@ _CELLS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 #: Moments nearer to one another than this factor are as good as equal.
 _EVEN = 1.01
 
-#: Places that a finding about many links lists beside the first.
+#: Other places that a finding about many links lists.
 MAX_RELATED = 20
 
 
@@ -57,7 +57,7 @@ class Diagnosis(Record):
 
     Attributes:
         cause: after "the tensor", such as ``is in g mm^2``; empty if nothing explains it.
-        tensor: that was meant, in kg m^2; None if the numbers do not tell it.
+        tensor: the intended one, in kg m^2; None if it is unknown.
         confidence: how sure the proposal is.
     """
 
@@ -93,7 +93,7 @@ def _is_invented(weighed: LinkInertia, expected: Tensor) -> bool:
 
     Three equal moments of a shape that has none, or of one digit, are a guess; moments in the very
     proportions of the shape were computed from it; and no rough shape is wrong by a factor of 100.
-    Others may be published for the real robot, beside which the shape may be a placeholder.
+    Others may be published for the real robot, whose shape here may be a placeholder.
     """
     moment = weighed.tensor.ixx
     if weighed.is_diagonal and {*weighed.diagonal} == {moment}:
@@ -110,7 +110,7 @@ def _of_shape(weighed: LinkInertia) -> Tensor | None:
 
 
 def _mistakes(weighed: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
-    """Slips without which the tensor agrees with the shape, each with the tensor meant."""
+    """Mistakes without which the tensor agrees with the shape, each with the intended tensor."""
     if weighed.is_at_wrong_axes:
         yield of_wrong_axes(weighed)
     # Three equal moments of a shape that has none were made up, in whatever unit they fit.
@@ -135,7 +135,7 @@ def _is_even(tensor: Tensor) -> bool:
 
 
 def of_wrong_axes(weighed: LinkInertia) -> tuple[str, Tensor]:
-    """Why a tensor with the moments of the shape has other axes, and the tensor meant.
+    """Why a tensor with the moments of the shape has other axes, and the intended tensor.
 
     Its own entries, as far as possible: moved as little as needed, or with other signs.
     """
@@ -183,7 +183,7 @@ def opposite(tensor: Tensor, other: Tensor) -> list[str]:
 
 
 def of_impossible(weighed: LinkInertia, masses: Masses) -> Diagnosis:
-    """Why no body can have a tensor, and which was meant if the numbers tell it."""
+    """Why no body can have a tensor, and the intended one if the numbers show it."""
     if weighed.is_measured and weighed.expected:
         suggested = _rearranged(weighed, weighed.expected, [range(3)])
         if suggested and is_possible(suggested) and (keys := opposite(weighed.tensor, suggested)):
@@ -191,10 +191,10 @@ def of_impossible(weighed: LinkInertia, masses: Masses) -> Diagnosis:
             return Diagnosis(cause, suggested, Confidence.INFERRED)
     for cause, tensor in _rewritten(weighed):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
-    for twin in _symmetric_pairs(weighed, masses):
-        mirrored = twin.tensor._replace(ixy=-twin.tensor.ixy, iyz=-twin.tensor.iyz)
+    for other in _symmetric_pairs(weighed, masses):
+        mirrored = other.tensor._replace(ixy=-other.tensor.ixy, iyz=-other.tensor.iyz)
         if is_possible(mirrored):
-            cause = f"of its twin '{twin.link.name}' is possible"
+            cause = f"of its counterpart '{other.link.name}' is possible"
             return Diagnosis(cause, mirrored, Confidence.INFERRED)
     if weighed.is_measured:
         return Diagnosis("", _of_shape(weighed), Confidence.INFERRED)
@@ -202,7 +202,7 @@ def of_impossible(weighed: LinkInertia, masses: Masses) -> Diagnosis:
 
 
 def _rewritten(weighed: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
-    """Ways of writing it that make the tensor possible, each with the tensor meant."""
+    """Ways of writing it that make the tensor possible, each with the intended tensor."""
     a, b, c, d, e, f = weighed.tensor
     as_in_sdf = Tensor(a, d, e, b, f, c)
     if min(a, b, c) > 0 and is_possible(as_in_sdf):

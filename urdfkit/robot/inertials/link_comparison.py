@@ -1,4 +1,4 @@
-"""A link with a mass and an inertia tensor, beside the shapes that it has."""
+"""A link with a mass and an inertia tensor, compared with its shapes."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ LEAST, MOST, MOST_COMPUTED = 0.3, 2.0, 3.5
 #: What people write where they know no value, in kg m^2.
 PLACEHOLDERS = (1.0, 0.1, 0.01, 0.001)
 
-#: Shapes without an edge over this, in m, mark a place and are not the matter of the link.
+#: Shapes without an edge over this, in m, mark a place and are not the body of the link.
 MARKER = 0.005
 
 
@@ -216,7 +216,7 @@ class LinkInertia:
 
     @property
     def is_marker(self) -> bool:
-        """True if a shape marks a place and is not the matter of the link."""
+        """True if a shape marks a place and is not the body of the link."""
         return any(all(part.longest <= MARKER for part in one.parts) for one in self.solids)
 
     @cached_property

@@ -1,9 +1,10 @@
-"""The masses and inertia tensors of a robot, and which rules may have something to say of them."""
+"""The masses and inertia tensors of a robot, and their defects."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
@@ -14,17 +15,20 @@ from urdfkit.robot.symmetry import numbered_pairs, pairs
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.document import Element, Tag
 
+if TYPE_CHECKING:
+    from urdfkit.robot.inertials.diagnoses import InertiaDefect
+
 #: Masses this close together may well share a tensor that a macro holds.
 SAME_MASS = 1.05
 
 #: Masses of links that share a tensor, largest by smallest, over which it cannot fit all of them.
 SPREAD = 1.5
 
-#: How far twins may differ in mass and in moments: real parts are not quite symmetric.
-TWIN_MASS, TWIN_MOMENTS = 1.2, 1.5
+#: How far counterparts may differ in mass and in moments: real parts are not quite symmetric.
+PAIR_MASS, PAIR_MOMENTS = 1.2, 1.5
 
 #: Links of implausible density, of more than half of those whose density is known, have one cause.
-LIKEWISE = 3
+COMMON_CAUSE = 3
 
 #: The smallest moment of inertia in kg m^2 that MuJoCo takes for one: its mjMINVAL.
 LEAST_MOMENT = 1e-15
@@ -42,7 +46,7 @@ class Masses:
 
     Attributes:
         model, tree: of the robot.
-        bodies: the rigid bodies, each before those that hang on it.
+        bodies: the rigid bodies, each before its children.
         total: the mass of all links in kg.
     """
 
@@ -86,8 +90,8 @@ class Masses:
         return {one.tensor: one for one in reversed(self.weighed) if one.is_of_shape}
 
     @cached_property
-    def diagnoses(self) -> dict[str, list[LinkInertia]]:
-        """The doubtful inertias, each under the code of the one rule that tells it."""
+    def diagnoses(self) -> dict[InertiaDefect, list[LinkInertia]]:
+        """The links with each defect of mass or inertia."""
         from urdfkit.robot.inertials.diagnoses import diagnoses
 
         return diagnoses(self)
@@ -96,12 +100,14 @@ class Masses:
     def consistently_wrong(self) -> list[LinkInertia]:
         """The links with implausible densities, if they are most and all too high, or too low.
 
-        One slip made them, such as a unit of the whole robot.
+        One mistake caused them, such as a unit of the whole robot.
         """
-        from urdfkit.robot.inertials.diagnoses import HEAVIEST
+        from urdfkit.robot.inertials.diagnoses import HEAVIEST, InertiaDefect
 
-        dense = self.diagnoses.get("INE010", [])
-        if len(dense) < LIKEWISE or 2 * len(dense) <= sum(bool(w.densities) for w in self.weighed):
+        dense = self.diagnoses.get(InertiaDefect.DENSITY, [])
+        if len(dense) < COMMON_CAUSE or 2 * len(dense) <= sum(
+            bool(w.densities) for w in self.weighed
+        ):
             return []
         are_high = {bool(w.densities and w.densities[0] > HEAVIEST) for w in dense}
         return dense if len(are_high) == 1 else []
@@ -128,10 +134,11 @@ class Masses:
 
     @cached_property
     def singular(self) -> list[RigidBody]:
-        """The bodies that joints move and that are infinitely thin about some axis."""
-        wrong = {
-            w.body.top.name for code in ("INE002", "INE003") for w in self.diagnoses.get(code, ())
-        }
+        """The bodies that joints move and that have no moment of inertia about some axis."""
+        from urdfkit.robot.inertials.diagnoses import InertiaDefect
+
+        impossible = (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY)
+        wrong = {one.body.top.name for key in impossible for one in self.diagnoses.get(key, ())}
         found = []
         for body in self.bodies:
             if body.joint and body.mass > 0 and body.top.name not in wrong:
@@ -154,7 +161,7 @@ class Masses:
 
     @cached_property
     def symmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
-        """The links of the left and of the right that hang on the same link, or on twins."""
+        """The links of the left and of the right that are children of one link, or of a pair."""
         named = pairs(self.tree.parents)
         numbered = numbered_pairs(
             {
@@ -176,16 +183,22 @@ class Masses:
         joint = next(iter(self.tree.parents[name]), None)
         return joint.parent.value if joint and joint.parent else ""
 
+    @property
+    def _defective(self) -> list[LinkInertia]:
+        """The links with a defect other than a tensor unlike that of their shape."""
+        from urdfkit.robot.inertials.diagnoses import InertiaDefect
+
+        others = (key for key in self.diagnoses if key is not InertiaDefect.UNLIKE_SHAPE)
+        return [one for key in others for one in self.diagnoses[key]]
+
     @cached_property
     def asymmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
-        """Twins of which one has clearly more mass or larger moments, and no other rule says so."""
-        claimed = {
-            w.link.name for code in self.diagnoses if code != "INE008" for w in self.diagnoses[code]
-        }
+        """Pairs of which one has clearly more mass or larger moments, without another defect."""
+        wrong = {one.link.name for one in self._defective}
         return [
             (left, right)
             for left, right in self.symmetric_pairs
-            if claimed.isdisjoint((left.link.name, right.link.name)) and unlike(left, right)
+            if wrong.isdisjoint((left.link.name, right.link.name)) and unlike(left, right)
         ]
 
     @cached_property
@@ -201,9 +214,7 @@ class Masses:
     @cached_property
     def copies(self) -> list[list[LinkInertia]]:
         """The links of clearly different mass that have the same tensor, if no rule says so."""
-        reported = {
-            w.tensor for code in self.diagnoses if code != "INE008" for w in self.diagnoses[code]
-        }
+        reported = {one.tensor for one in self._defective}
         reported.update(w.tensor for pair in self.asymmetric_pairs for w in pair)
         by_macro = {link.name for links in self.shared_by_macro.values() for link in links}
         free = (
@@ -224,11 +235,11 @@ class Masses:
 def unlike(left: LinkInertia, right: LinkInertia) -> str:
     """In what two links differ beyond tolerance: ``mass``, ``inertia``, or nothing."""
     light, heavy = sorted((left.mass, right.mass))
-    if heavy > TWIN_MASS * light:
+    if heavy > PAIR_MASS * light:
         return "mass"
     for a, b in zip(left.moments, right.moments, strict=True):
         low, high = sorted((a, b))
-        if high > TWIN_MOMENTS * max(low, SIGNIFICANT * max(left.moments[2], right.moments[2])):
+        if high > PAIR_MOMENTS * max(low, SIGNIFICANT * max(left.moments[2], right.moments[2])):
             return "inertia"
     return ""
 

@@ -1,4 +1,4 @@
-"""The inertia of links as declared, beside that of their shapes; and the edits that replace it."""
+"""Declared inertia of links, compared with that of their shapes; edits that replace it."""
 
 from __future__ import annotations
 

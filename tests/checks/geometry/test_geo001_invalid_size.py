@@ -1,0 +1,101 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.massive import BOX, link, shape
+from tests.reported import messages, places
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
+
+
+@pytest.mark.parametrize(
+    ("geometry", "expected"),
+    [
+        ('<box size="1 -2 -3"/>', "the <box> in its collision has size 1 -2 -3 m"),
+        ('<sphere radius="-0.1"/>', "the <sphere> in its collision has radius -0.1 m"),
+        ('<cylinder radius="1" length="-2"/>', "the <cylinder> in its collision has length -2 m"),
+        ('<cylinder radius="-1"/>', "the <cylinder> in its collision has radius -1 m"),
+        ('<capsule radius="2" length="-1"/>', "the <capsule> in its collision has length -1 m"),
+    ],
+)
+def test_every_primitive(geometry: str, expected: str) -> None:
+    assert messages("GEO001", link("arm", shape("collision", geometry))) == [
+        f"link 'arm': {expected}"
+    ]
+
+
+def test_the_place_is_the_value_of_each() -> None:
+    robot = link("arm", shape("visual", '<cylinder radius="-1" length="-2"/>'))
+    assert places("GEO001", robot) == [(2, "-1"), (2, "-2")]
+
+
+@pytest.mark.parametrize(
+    "geometry",
+    [
+        '<box size="1 2 -"/>',  # URD005
+        '<box size="-1 2"/>',  # URD006
+        '<sphere radius="1" length="-1"/>',  # URD002
+        '<mesh filename="a.stl" scale="1 -1 1"/>',  # GEO006
+    ],
+)
+def test_what_another_rule_reports(geometry: str) -> None:
+    assert messages("GEO001", link("arm", shape("collision", geometry))) == []
+
+
+EMPTY = link("tool", shape("collision", '<box size="0 0 0"/>'))
+
+
+@pytest.mark.parametrize(
+    ("geometry", "expected"),
+    [
+        ('<box size="0 0 0"/>', "the <box> in its collision has size 0 0 0 m"),
+        ('<box size="1 1 0"/>', "the <box> in its collision has size 1 1 0 m"),
+        ('<sphere radius="0"/>', "the <sphere> in its collision has radius 0 m"),
+        ('<cylinder radius="1" length="0"/>', "the <cylinder> in its collision has length 0 m"),
+        ('<capsule radius="1" length="0"/>', "the <capsule> in its collision has length 0 m"),
+    ],
+)
+def test_zero(geometry: str, expected: str) -> None:
+    assert messages("GEO001", link("tool", shape("collision", geometry))) == [
+        f"link 'tool': {expected}"
+    ]
+
+
+def test_the_place_of_zero() -> None:
+    assert places("GEO001", EMPTY) == [(2, "0 0 0")]
+
+
+@pytest.mark.parametrize("geometry", ['<box size="1 1 1e-9"/>', ""])
+def test_a_small_extent(geometry: str) -> None:
+    assert messages("GEO001", link("tool", shape("collision", geometry))) == []
+
+
+@pytest.mark.parametrize(
+    ("target", "severity"),
+    [("drake", Severity.INFO), ("gz-harmonic", Severity.INFO), ("mujoco", Severity.ERROR)],
+)
+def test_the_severity_of_zero(target: str, severity: Severity) -> None:
+    source = Source("robot.urdf", whole_robot(EMPTY).encode())
+    (found,) = engine.check(source, select=["GEO001"], targets=[target]).diagnostics
+    assert found.severity is severity
+
+
+def mesh(scale: str) -> str:
+    return link("arm", shape("collision", f'<mesh filename="a.stl" scale="{scale}"/>'))
+
+
+def test_a_zero_scale() -> None:
+    assert messages("GEO001", mesh("0.001 0 0.001")) == [
+        "link 'arm': the <mesh> in its collision has scale 0.001 0 0.001"
+    ]
+    assert places("GEO001", mesh("0 0 0")) == [(2, "0 0 0")]
+
+
+@pytest.mark.parametrize("scale", ["1 1 1", "1e-9 1 1", "-1 1 1", "0", "0 1", "x 0 0"])
+def test_other_scales(scale: str) -> None:
+    assert messages("GEO001", mesh(scale)) == []
+    assert (
+        messages("GEO001", link("a", shape("visual", BOX.replace("/>", ' scale="0 0 0"/>')))) == []
+    )

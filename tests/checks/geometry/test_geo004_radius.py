@@ -1,0 +1,46 @@
+"""GEO004, radius: see the rule."""
+
+import pytest
+
+from tests.reported import messages, places
+
+LINK = (
+    '<link name="a"><visual><geometry>{}</geometry></visual>\n'
+    "<collision>{}<geometry>{}</geometry></collision></link>"
+)
+SMALL = '<cylinder radius="0.1" length="0.05"/>'
+LARGE = '<cylinder radius="0.2" length="0.05"/>'
+
+
+def test_twice_the_radius() -> None:
+    text = LINK.format(SMALL, "", LARGE)
+    assert messages("GEO004", text) == [
+        "link 'a': the radius of the collision, 0.2 m, is twice that of the visual, 0.1 m"
+    ]
+    assert places("GEO004", text) == [(3, LARGE)]
+
+
+@pytest.mark.parametrize(
+    ("seen", "origin", "touched"),
+    [
+        (SMALL, "", SMALL),
+        (SMALL, "", LARGE.replace("0.2", "0.19")),
+        (SMALL, "", LARGE.replace("0.05", "0.1")),
+        (SMALL, '<origin xyz="0 0 1"/>', LARGE),
+        (SMALL, "", '<sphere radius="0.2"/>'),
+    ],
+)
+def test_other_shapes(seen: str, origin: str, touched: str) -> None:
+    found = messages("GEO004", LINK.format(seen, origin, touched))
+    assert not any("radius" in message for message in found)
+
+
+def test_of_several_shapes_none_is_the_other_of_one() -> None:
+    text = LINK.format(SMALL, "", LARGE)
+    one, other = (
+        text[text.index(f"<{tag}>") : text.index(f"</{tag}>")] + f"</{tag}>"
+        for tag in ("visual", "collision")
+    )
+    assert len(messages("GEO004", f'<link name="a">{one}{other}</link>')) == 1
+    assert messages("GEO004", f'<link name="a">{one}{one}{other}</link>') == []
+    assert messages("GEO004", f'<link name="a">{one}{other}{other}</link>') == []

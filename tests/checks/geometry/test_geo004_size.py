@@ -1,0 +1,110 @@
+"""GEO004, size: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests import meshed
+from tests.massive import joint, link, shape
+from tests.reported import messages, places
+
+HAND = '<box size="0.1 0.2 0.3"/>'
+
+
+def pair(seen: str, touched: str) -> str:
+    return link("a", shape("visual", seen), shape("collision", touched))
+
+
+@pytest.mark.parametrize(
+    ("seen", "said"),
+    [
+        ('<box size="100 200 300"/>', "the visual is 1000 times as large as the collision, as by"),
+        ('<box size="2.54 5.08 7.62"/>', "the visual is 25.4 times as large as the collision, as"),
+        ('<box size="0.01 0.02 0.03"/>', "the collision is 10 times as large as the visual, as by"),
+        ('<box size="0.6 1.2 1.8"/>', "the visual is 6 times as large as the collision: 0.6 x"),
+    ],
+)
+def test_a_factor_in_every_direction(seen: str, said: str) -> None:
+    (message,) = messages("GEO004", pair(seen, HAND))
+    assert message.startswith(f"link 'a': {said}")
+
+
+@pytest.mark.parametrize(
+    "seen",
+    [
+        '<box size="0.4 0.8 1.2"/>',  # a margin
+        '<box size="0.1 2 3"/>',  # a beam, and a pad on it
+        '<box size="0.005 0.005 0.005"/>',  # a marker
+        '<box size="100 200 0"/>',
+        "",
+    ],
+)
+def test_what_may_be_intended(seen: str) -> None:
+    assert messages("GEO004", pair(seen, HAND)) == []
+
+
+def test_the_one_that_is_not_of_the_size_of_the_robot_is_named() -> None:
+    rest = link("b") + joint("a", "b", xyz="0 0 0.3")
+    for seen, touched in ((HAND, '<box size="100 200 300"/>'), ('<box size="1 2 3"/>', HAND)):
+        ((_, text),) = places("GEO004", pair(seen, touched) + rest)
+        assert text == (touched if seen == HAND else seen)
+
+
+def test_two_meshes_of_one_part_differ_less(tmp_path: Path) -> None:
+    for library in ("numpy", "lxml", "manifold3d"):
+        pytest.importorskip(library)
+
+    def said(more: str) -> list[str]:
+        robot = meshed.link(meshed.mesh("a.stl", "visual", more), meshed.mesh("b.stl"))
+        files = {"a.stl": meshed.SOUND, "b.stl": meshed.SOUND}
+        return meshed.messages(tmp_path, "GEO004", robot, files)
+
+    assert said(' scale="2 2 2"') == [
+        (
+            "link 'arm': the visual is 2 times as large as the collision: "
+            "0.2 x 0.2 x 0.6 m (visual), 0.1 x 0.1 x 0.3 m (collision)"
+        )
+    ]
+    assert said(' scale="0.001 0.001 0.001"')[0].startswith("link 'arm': the collision is 1000")
+    assert said(' scale="1.4 1.4 1.4"') == said(' scale="2 2 2.5"') == []
+
+
+@pytest.mark.parametrize(
+    ("factor", "why"),
+    [
+        (1000, "millimetres taken for metres"),
+        (100, "centimetres taken for metres"),
+        (39.37, "inches taken for metres"),
+        (25.4, "inches taken for millimetres, or the other way round"),
+        (10, "a decimal point"),
+    ],
+)
+def test_the_units_that_were_confused(factor: float, why: str) -> None:
+    def said(times: float) -> str:
+        (message,) = messages(
+            "GEO004", pair(f'<box size="{0.1 * times} {0.2 * times} {0.3 * times}"/>', HAND)
+        )
+        return message
+
+    assert f" as the collision, as by {why}:" in said(factor)
+    assert why in said(1.05 * factor)
+    assert why in said(factor / 1.05)
+    assert "as by" not in said(1.12 * factor)
+    assert "as by" not in said(factor / 1.12)
+
+
+@pytest.mark.parametrize(
+    ("box", "found"),
+    [
+        ("0.0001 0.0002 0.0003", 1),
+        ("0.00012 0.0002 0.0002", 1),  # a similar shape
+        ("0.001 0.001 0.001", 0),  # a marker
+        ("0.0002 0.0002 0.0002", 0),
+        ("0.0003 0.0002 0.0001", 0),
+    ],
+)
+def test_a_shape_that_is_a_thousand_times_too_small(box: str, found: int) -> None:
+    seen = '<box size="0.1 0.2 0.3"/>'
+    assert len(messages("GEO004", pair(seen, f'<box size="{box}"/>'))) == found

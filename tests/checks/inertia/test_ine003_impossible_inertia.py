@@ -1,0 +1,101 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.massive import BALL, BOX, inertial, joint, link, part
+from tests.reported import messages, places, reported
+
+
+def test_moments_of_a_diagonal_tensor() -> None:
+    assert messages("INE003", link("arm", inertial(2, (0.01, 0.03, 0.01)))) == [
+        (
+            "link 'arm': the moments of inertia violate the triangle inequality: "
+            "0.03 > 0.01 + 0.01 kg m^2"
+        )
+    ]
+
+
+def test_principal_moments_and_not_the_diagonal() -> None:
+    # 0.02, 0.02, 0.04 +- 0.01: the diagonal is a flat disc, which exists.
+    robot = link("arm", inertial(2, (0.02, 0.01, 0, 0.02, 0, 0.04)))
+    assert messages("INE003", robot) == []
+    robot = link("arm", inertial(2, (0.03, 0.02, 0, 0.03, 0, 0.03)))
+    assert messages("INE003", robot) == [
+        (
+            "link 'arm': the principal moments of inertia violate the triangle inequality: "
+            "0.05 > 0.01 + 0.03 kg m^2"
+        )
+    ]
+
+
+@pytest.mark.parametrize(("high", "found"), [(2.0, 0), (2.019, 0), (2.021, 1), (20, 1)])
+def test_rounding_is_no_defect(high: float, found: int) -> None:
+    assert len(messages("INE003", link("arm", inertial(2, (1, 1, high))))) == found
+
+
+def test_a_moment_that_stands_alone() -> None:
+    (found,) = reported("INE003", part("base", 12, (0, 0, 0.9), BOX))
+    assert found.message.endswith("0.9 > 0 + 0 kg m^2")
+    assert found.help == 'write ixx="0.1" iyy="0.05" izz="0.13"'
+
+
+def test_a_counterpart_gives_the_value() -> None:
+    robot = (
+        link("hip")
+        + link("l_ankle", inertial(0.2, (1e-4, 0, 7e-6, 3.7e-4, 0, 4.2e-4)))
+        + link("r_ankle", inertial(0.2, (1e-4, 0, -1.2e-4, 3.7e-4, 0, 4.2e-4)))
+        + joint("hip", "l_ankle")
+        + joint("hip", "r_ankle")
+    )
+    (found,) = reported("INE003", robot)
+    assert found.element == "link/r_ankle/inertial/inertia"
+    assert found.help == (
+        "the tensor of its counterpart 'l_ankle' is possible: write "
+        'ixx="0.0001" ixz="7e-06" iyy="0.00037" izz="0.00042"'
+    )
+
+
+def test_without_a_diagnosis_the_help_is_the_rule_s() -> None:
+    (found,) = reported("INE003", link("arm", inertial(2, (1, 1, 50))))
+    assert found.help.startswith("take the tensor about the centre of mass from")
+
+
+def test_the_message_has_all_three_moments() -> None:
+    robot = link("arm", inertial(2, (0.01, 0.03, 0, 0.01, 0, 0.02)))
+    assert messages("INE003", robot) == [
+        ("link 'arm': principal moments of inertia -0.02, 0.02, 0.04 kg m^2 are not all positive")
+    ]
+    assert places("INE003", robot) == [
+        (3, '<inertia ixx="0.01" ixy="0.03" ixz="0" iyy="0.01" iyz="0" izz="0.02"/>')
+    ]
+
+
+@pytest.mark.parametrize("low", [-1e-20, -1e-15, -0.00019])
+def test_rounding_below_zero_is_no_defect(low: float) -> None:
+    assert messages("INE003", link("arm", inertial(2, (low, 0.02, 0.02)))) == []
+
+
+def test_noise_is_no_defect() -> None:
+    assert messages("INE003", link("arm", inertial(1e-9, (-1e-18, 1e-38, 1e-17)))) == []
+
+
+def test_a_link_without_mass_is_not_judged() -> None:
+    assert messages("INE003", link("arm", inertial(0, (-1, 1, 1)))) == []
+
+
+def test_one_finding() -> None:
+    robot = part("arm", 2, (-1, 1, 3), BALL)
+    assert len(messages("INE003", robot)) == 1
+    assert messages("INE006", robot) == []
+
+
+def test_copies_are_one_finding_and_the_order_of_sdf_is_known() -> None:
+    wrong = (0.03, 0.02, 0.01, 0.001, 0, 0)
+    robot = "".join(link(name, inertial(2, wrong)) for name in ("a", "b")) + joint("a", "b")
+    (found,) = reported("INE003", robot)
+    assert found.message.endswith("are not all positive (also 'b')")
+    assert [note.span.line for note in found.related] == [5]
+    assert found.help == (
+        "perhaps the tensor is in the order ixx iyy izz ixy ixz iyz; then it is "
+        'ixx="0.03" ixy="0.001" iyy="0.02" izz="0.01"'
+    )

@@ -1,0 +1,115 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.massive import BALL, MESH, WHEEL, inertial, joint, link, part, shape
+from tests.reported import fixed, messages, places, reported
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Confidence, Severity
+
+MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+
+
+def test_a_wheel() -> None:
+    robot = part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)
+    (found,) = reported("INE006", robot)
+    assert found.message == (
+        "link 'wheel': 0.1 kg m^2 is 47.3 times the most that 0.5 kg can have within 0.065 m of "
+        "the centre of mass; a solid cylinder of radius 0.06 m and length 0.05 m has "
+        "0.000554, 0.000554, 0.0009 kg m^2"
+    )
+    assert found.help == 'write ixx="0.000554167" iyy="0.000554167" izz="0.0009"'
+    assert (found.severity, found.confidence) == (Severity.WARNING, Confidence.INFERRED)
+    assert places("INE006", robot) == [
+        (3, '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>')
+    ]
+
+
+@pytest.mark.parametrize(("moment", "found"), [(0.019, 0), (0.021, 1)])
+def test_twice_the_bound(moment: float, found: int) -> None:
+    assert len(messages("INE006", part("ball", 1, (moment,) * 3, BALL))) == found
+
+
+def test_the_bound_is_met_by_a_shell_that_is_all_rim() -> None:
+    ring = part("ring", 1, (0.005, 0.005, 0.01), '<cylinder radius="0.1" length="0.001"/>')
+    assert messages("INE006", ring) == []
+
+
+def test_a_mesh_may_reach_farther() -> None:
+    robot = link("a", shape("collision", BALL), shape("visual", MESH), inertial(1, (5, 5, 5)))
+    assert messages("INE006", robot) == []
+
+
+def test_a_striking_radius_of_gyration_is_reported() -> None:
+    (message,) = messages("INE006", part("dot", 1e-4, (0.1, 0.1, 0.1), BALL))
+    assert message.endswith("; its radius of gyration is 31.6 m")
+
+
+def test_the_share_of_a_merged_body_is_reported() -> None:
+    robot = part("base", 1, (0.3, 0.3, 0.3), '<box size="1 1 1"/>') + part(
+        "ball", 1, (0.1, 0.1, 0.1), BALL
+    )
+    (message,) = messages("INE006", robot + joint("base", "ball"))
+    assert message.endswith("; it is 25% of what a simulator merges into 'base'")
+
+
+def test_no_share_of_a_body_whose_other_links_are_frames() -> None:
+    robot = part("ball", 1, (0.1, 0.1, 0.1), BALL) + link("tool") + joint("ball", "tool")
+    (message,) = messages("INE006", robot)
+    assert "merges" not in message
+
+
+def test_copies_are_one_finding_and_one_fix() -> None:
+    robot = part("a", 1, (7, 7, 7), BALL) + part("b", 0.1, (7, 7, 7), BALL)
+    (found,) = reported("INE006", robot)
+    assert found.message.startswith("link 'b': 7 kg m^2 is 7e+03 times")
+    assert found.message.endswith("(also 'a')")
+    after = fixed("INE006", robot)
+    assert messages("INE006", after) == messages("INE008", after) == []
+    assert 'ixx="0.004"' in after
+    assert 'ixx="0.0004"' in after
+
+
+def test_one_macro_of_the_mission_s_model_with_five_calls_the_worst_first() -> None:
+    (found,) = engine.check(MODEL, select=["INE006"]).diagnostics
+    assert found.span.text.startswith('<inertia ixx="0.1"')
+    assert [call.via[-1].name for call in found.calls] == ["default_inertial"] * 5
+    assert [call.element.split("/")[1] for call in found.calls] == [
+        "base_footprint",
+        "wheel_1",
+        "wheel_2",
+        "wheel_3",
+        "wheel_4",
+    ]
+    first, *wheels = (call.message for call in found.calls)
+    assert (
+        first
+        == found.message
+        == (
+            "link 'base_footprint': 0.1 kg m^2 is 1.33e+09 times the most that 0.0001 kg can have "
+            "within 0.000866 m of the centre of mass; a solid box of 0.001 x 0.001 x 0.001 m has "
+            "1.67e-11 kg m^2 each; its radius of gyration is 31.6 m; it is 50% of what a simulator "
+            "merges into 'dummy'"
+        )
+    )
+    for number, message in enumerate(wheels, 1):
+        assert message == (
+            f"link 'wheel_{number}': 0.1 kg m^2 is 47.3 times the most that 0.5 kg can have within "
+            "0.065 m of the centre of mass; a solid cylinder of radius 0.06 m and length 0.05 m "
+            "has 0.000554, 0.000554, 0.0009 kg m^2"
+        )
+    assert found.fix is None
+
+
+@pytest.mark.parametrize(
+    ("edge", "mass", "proposed"), [(0.006, 1e-3, True), (0.006, 1e-2, False), (0.005, 1e-4, False)]
+)
+def test_a_speck_that_stands_for_another_part_gives_no_tensor(
+    edge: float, mass: float, proposed: bool
+) -> None:
+    """A box of 6 mm is the shape of a gramme, not of ten; one of 5 mm marks a place."""
+    box = f'<box size="{edge} {edge} {edge}"/>'
+    (found,) = reported("INE006", part("dot", mass, (1e-2,) * 3, box))
+    assert (found.fix is not None) is proposed
+    assert found.help.startswith("write ixx=") is proposed

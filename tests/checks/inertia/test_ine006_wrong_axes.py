@@ -1,0 +1,80 @@
+from __future__ import annotations
+
+from math import cos, pi, radians, sin
+
+import pytest
+
+from tests.massive import BOX, WHEEL, inertial, joint, link, part, shape
+from tests.reported import fixed, messages, reported
+from urdfkit.lint.rule_examples import whole_robot
+
+ACROSS, ALONG = 0.5 * (3 * 0.06**2 + 0.05**2) / 12, 0.5 * 0.06**2 / 2
+LYING = shape("collision", WHEEL, rpy=f"{pi / 2!r} 0 0")
+
+
+def test_a_wheel_that_lies_along_y() -> None:
+    robot = link("wheel", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG)))
+    (found,) = reported("INE006", robot)
+    assert found.message == (
+        "link 'wheel' has moments of inertia of 0.000554, 0.000554, 0.0009 kg m^2 about x, y and "
+        "z; a solid cylinder of radius 0.06 m and length 0.05 m has 0.000554, 0.0009, 0.000554 "
+        "kg m^2 in its orientation"
+    )
+    assert found.help == (
+        'write iyy="0.0009" izz="0.0005541666666666667", or rotate the <inertial>'
+    )
+    assert messages("INE006", fixed("INE006", robot)) == []
+
+
+def test_the_sign_of_one_product_is_all_that_is_edited() -> None:
+    turned = shape("collision", BOX, rpy="0 0 0.4")
+    robot = link("wrist", turned, inertial(12, (0.0923, -0.0178, 0, 0.0576, 0, 0.1303)))
+    (found,) = reported("INE006", robot)
+    assert found.message == (
+        "link 'wrist' has ixy -0.0178 kg m^2, with the sign opposite to that of the solid box of "
+        "0.2 x 0.3 x 0.1 m, which has 0.0179"
+    )
+    assert found.help == 'write ixy="0.0178", or rotate the <inertial>'
+    assert fixed("INE006", robot) == whole_robot(robot.replace("-0.0178", "0.0178"))
+
+
+def test_turned_with_the_shape_it_is_right() -> None:
+    turned = inertial(0.5, (ACROSS, ACROSS, ALONG), rpy=f"{pi / 2!r} 0 0")
+    assert messages("INE006", link("wheel", LYING, turned)) == []
+
+
+def test_other_values_are_another_rule_s() -> None:
+    robot = link("wheel", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG * 1.1)))
+    assert messages("INE006", robot) == []
+
+
+def test_a_small_part_of_a_large_body_does_not_matter() -> None:
+    imu = link("imu", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG)))
+    robot = part("base", 60, (0.5, 0.25, 0.65), BOX) + imu + joint("base", "imu")
+    assert messages("INE006", robot) == []
+
+
+def turned(degrees: float) -> tuple[float, ...]:
+    """The six entries of a rod along x of 1 kg, 0.6 x 0.1 x 0.1 m, that is turned about z."""
+    across, along, angle = (0.6**2 + 0.1**2) / 12, 2 * 0.1**2 / 12, radians(degrees)
+    c, s = cos(angle), sin(angle)
+    ixx, iyy = along * c * c + across * s * s, along * s * s + across * c * c
+    return (ixx, (along - across) * s * c, 0, iyy, 0, across)
+
+
+@pytest.mark.parametrize(
+    ("shape_at", "tensor_at", "found"),
+    [
+        (30, 30, 0),
+        (30, -30, 1),  # the sign of ixy
+        (45, -45, 1),
+        (0, 60, 1),
+        (0, 10, 0),  # a part that is not quite straight
+        (90, 90, 0),
+    ],
+)
+def test_a_tensor_with_products(shape_at: float, tensor_at: float, found: int) -> None:
+    rod = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy=f"0 0 {radians(shape_at)!r}")
+    robot = link("rod", rod, inertial(1, turned(tensor_at)))
+    assert len(messages("INE006", robot)) == found
+    assert messages("INE006", fixed("INE006", robot)) == []

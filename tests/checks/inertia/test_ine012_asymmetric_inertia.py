@@ -1,0 +1,68 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.massive import inertial, joint, link
+from tests.reported import messages, places, reported
+
+MOMENTS = (2e-6, 2e-6, 1e-6)
+
+
+def hand(left: str, right: str) -> str:
+    return (
+        link("hand")
+        + link("left_finger", left)
+        + link("right_finger", right)
+        + joint("hand", "left_finger", "prismatic", "0 0.1 0")
+        + joint("hand", "right_finger", "prismatic", "0 -0.1 0")
+    )
+
+
+def test_a_slip_of_a_digit() -> None:
+    robot = hand(inertial(0.015, MOMENTS), inertial(0.15, MOMENTS))
+    (found,) = reported("INE012", robot)
+    assert found.message == (
+        "link 'right_finger' has 0.15 kg, its counterpart 'left_finger' 0.015 kg: a factor of 10"
+    )
+    assert places("INE012", robot) == [(5, "0.15")]
+    assert [(note.span.line, note.message) for note in found.related] == [
+        (3, "'left_finger' has 0.015 kg")
+    ]
+
+
+def test_the_other_side() -> None:
+    robot = hand(inertial(0.15, MOMENTS), inertial(0.015, MOMENTS))
+    assert messages("INE012", robot) == [
+        "link 'right_finger' has 0.015 kg, its counterpart 'left_finger' 0.15 kg: a factor of 10"
+    ]
+
+
+def test_moments() -> None:
+    robot = hand(inertial(0.1, MOMENTS), inertial(0.1, (4e-6, 2e-6, 2.1e-6)))
+    assert messages("INE012", robot) == [
+        (
+            "link 'right_finger' has principal moments of inertia of 2e-06, 2.1e-06, 4e-06 kg m^2, "
+            "its counterpart 'left_finger' of the same mass 1e-06, 2e-06, 2e-06 kg m^2"
+        )
+    ]
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (inertial(0.1, MOMENTS), inertial(0.11, MOMENTS)),  # real parts differ
+        (inertial(0.1, (3, 0.1, 0.2, 2, 0.3, 2)), inertial(0.1, (3, -0.1, 0.2, 2, -0.3, 2))),
+        (inertial(0.1, MOMENTS), ""),  # INE004
+        (inertial(0.1, MOMENTS), inertial(0.1, (1e-6, 1e-6, 9e-6))),  # INE003
+    ],
+)
+def test_what_is_all_right_or_another_rule_s(left: str, right: str) -> None:
+    assert messages("INE012", hand(left, right)) == []
+
+
+def test_names_alone_make_no_pairs() -> None:
+    # An arm with the joints s, l, u, r, b, t.
+    robot = link("s") + link("link_l", inertial(5, (1, 1, 1))) + link("u")
+    robot += link("link_r", inertial(3, (1, 1, 1)))
+    robot += joint("s", "link_l") + joint("link_l", "u") + joint("u", "link_r")
+    assert messages("INE012", robot) == []

@@ -1,0 +1,68 @@
+"""A size or a scale of a shape is negative or zero.
+
+- A negative size is an error: MuJoCo rejects the robot, other engines fail or make an inverted box,
+  RViz draws it inside out. Often a formula in the xacro subtracts more than there is.
+- A size of 0 is often written to mean "no shape here". RViz draws nothing, Gazebo and Drake make a
+  point of it; MuJoCo rejects the robot, and some collision engines divide by the volume. Remove the
+  whole `<visual>` or `<collision>`: a link without one is valid. An error for MuJoCo, else an info.
+- A scale factor of 0 makes a mesh a sheet, a line or a point, on whose triangles without area
+  collision engines fail: an error. A decimal point was misplaced, as in `0.000 0.001 0.001`, or an
+  argument of the xacro was left at 0. Millimetres are `0.001 0.001 0.001`.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.shapes import shaped, sizes
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Attribute
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><box size="0.1 -0.2 0.3"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("-0.2", "0.2")
+FIXED = GOOD
+
+
+@rule("GEO001", "invalid-size", Severity.ERROR, help="write a positive size in m", fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    for link, body, shape in shaped(subject.model):
+        who = f"link '{link.name}': the <{shape.kind}> in its {body.at.tag} has"
+        for attribute, values in sizes(shape):
+            message = f"{who} {attribute.name} {_numbers(values)} m"
+            if min(values) < 0:
+                yield Finding(attribute, message, fix=_fix(attribute))
+            elif min(values) == 0:
+                is_fatal = subject.targets.any_of(("mujoco",))
+                help = "remove the whole <visual> or <collision>"
+                severity = None if is_fatal else Severity.INFO
+                yield Finding(attribute, message, help, severity=severity)
+        if shape.kind == "mesh" and 0 in shape.scale:
+            message = f"{who} scale {_numbers(shape.scale)}"
+            yield Finding(shape.at.attributes["scale"], message, "write three factors other than 0")
+
+
+def _numbers(values: tuple[float, ...]) -> str:
+    return " ".join(f"{value:g}" for value in values)
+
+
+def _fix(attribute: Attribute) -> Fix | None:
+    """The same numbers without their signs."""
+    text = " ".join(part.lstrip("-") for part in attribute.value.split())
+    edits = replace_value(attribute, text)
+    return Fix.of(f'write {attribute.name}="{text}"', edits)

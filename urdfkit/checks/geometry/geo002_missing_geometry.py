@@ -1,0 +1,169 @@
+"""A link has no collision, no visual, or neither.
+
+- A visual and no collision: in Gazebo it passes through the floor and other objects, and a lidar
+  simulated on the CPU does not see it; MoveIt plans through it. That is right for a label, a marker
+  or the glass of a lens. Otherwise add a `<collision>` with a simple shape. It is a warning for
+  MoveIt, and for a caster or wheel without which a robot on wheels does not stand.
+- A collision and no visual: RViz and Gazebo show nothing where the robot collides. That is right
+  for a bumper zone or a sphere that replaces a caster. Otherwise copy the shape to a `<visual>`.
+- A link with mass at the end of a chain that moves, with neither, while other links have
+  collisions: forces act on it, and nothing can touch it.
+- A robot without any shape: RViz shows frames only. That is right for a purely kinematic model;
+  otherwise the shapes were lost, for instance in an include that an argument switched off.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
+from urdfkit.robot.stability import is_freestanding, stand
+from urdfkit.text.diagnostic import Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.stability import Stability
+
+BAD = """\
+<link name="base">
+  <visual>
+    <geometry><box size="0.4 0.3 0.1"/></geometry>
+  </visual>
+  <collision>
+    <geometry><box size="0.4 0.3 0.1"/></geometry>
+  </collision>
+</link>
+<link name="mast">
+  <visual>
+    <geometry><cylinder radius="0.02" length="0.5"/></geometry>
+  </visual>
+</link>
+<joint name="mast_mount" type="fixed">
+  <parent link="base"/>
+  <child link="mast"/>
+</joint>"""
+GOOD = BAD.replace(
+    """length="0.5"/></geometry>
+  </visual>""",
+    """length="0.5"/></geometry>
+  </visual>
+  <collision>
+    <geometry><cylinder radius="0.02" length="0.5"/></geometry>
+  </collision>""",
+)
+
+
+#: In kg: less is a number that a simulator required.
+_HEAVY = 1e-3
+
+
+@rule(
+    "GEO002",
+    "missing-geometry",
+    Severity.INFO,
+    help="add a <collision> with a simple shape if the link can be touched",
+    by_target={"moveit": Severity.WARNING},
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    links = subject.model.links
+    if any(link.visuals or link.collisions for link in links):
+        yield from _without_collision(subject)
+        yield from _without_visual(subject)
+        yield from _without_both(subject)
+    elif not subject.is_part:
+        message = "the link has neither visual nor collision"
+        if len(links) > 1:
+            message = f"none of the {len(links)} links has a visual or a collision"
+        help = "give the links visuals and collisions"
+        yield Finding(subject.model.root, message, help, severity=Severity.INFO)
+
+
+def _without_collision(subject: Subject) -> Iterator[Finding]:
+    links = [link for link in subject.model.links if link.visuals]
+    if len(links) > 1 and not any(link.collisions for link in subject.model.links):
+        message = f"none of the {len(links)} links with a visual has a collision"
+        yield Finding(subject.model.root, message)
+        return
+    bare = [link for link in links if not link.collisions]
+    needed = _needed(subject) if bare else ()
+    for link in bare:
+        supports = link.name in needed
+        yield Finding(
+            link.visuals[0].at,
+            f"link '{link.name}' has a visual and no collision"
+            + ("; without it the robot does not stand" if supports else ""),
+            help="add a <collision> with the shape that touches the ground" if supports else "",
+            alike="no support" if supports else "no collision",
+            severity=Severity.WARNING if supports else None,
+        )
+
+
+def _without_visual(subject: Subject) -> Iterator[Finding]:
+    for link in subject.model.links:
+        if link.collisions and not link.visuals:
+            yield Finding(
+                link.collisions[0].at,
+                f"link '{link.name}' has a collision and no visual",
+                "add a <visual> if the link should be visible",
+                alike="no visual",
+                severity=Severity.INFO,
+            )
+
+
+def _without_both(subject: Subject) -> Iterator[Finding]:
+    if not any(link.collisions for link in subject.model.links) or subject.is_part:
+        return
+    for body in rigid_bodies(subject.tree):
+        if body.joint and body.mass > _HEAVY and _is_bare_end(body, subject):
+            yield Finding(
+                body.top.at,
+                f"link '{body.top.name}' of {body.mass:g} kg moves and has neither visual nor "
+                "collision",
+                "add <visual> and <collision>, if the part exists",
+                severity=Severity.INFO,
+            )
+
+
+def _is_bare_end(body: RigidBody, subject: Subject) -> bool:
+    links = [link for link, _ in body.links]
+    children = sum(len(subject.tree.children[link.name]) for link in links)
+    return children == len(links) - 1 and not any(link.visuals or link.collisions for link in links)
+
+
+def _needed(subject: Subject) -> tuple[str, ...]:
+    """The links whose visuals a robot on wheels stands on, if it falls over on its collisions.
+
+    None where its meshes cannot be read.
+    """
+    wheeled = any(joint.kind == "continuous" for joint in subject.model.joints)
+    if not wheeled or subject.is_part or not subject.tree.is_sound:
+        return ()
+    links = subject.model.links_by_name
+    try:
+        looks = stand(subject, visuals=True)
+        if looks is None or looks.tips or not is_freestanding(subject.tree, looks.links):
+            return ()
+        touching = [name for name in looks.links if links[name].collisions]
+        found = stand(subject, contacts=touching)
+        return () if _holds(found) or _lacks_meshes(subject) else looks.links
+    except ImportError:
+        return ()
+
+
+def _holds(found: Stability | None) -> bool:
+    return found is not None and not found.tips
+
+
+def _lacks_meshes(subject: Subject) -> bool:
+    """True if a collision may reach the ground in a mesh that cannot be read."""
+    return any(
+        body.shape and body.shape.filename and subject.meshes.mesh(body.shape) is None
+        for link in subject.model.links
+        for body in link.collisions
+    )

@@ -1,0 +1,211 @@
+"""The collision geometry of a link does not match the visual geometry.
+
+What is compared is the bounding boxes of all collisions and of all visuals of a link.
+
+- Their sizes differ by a factor of 5 in every direction; for two meshes, by 1.5 if it is the same
+  factor in all. One of the two has the wrong unit: a mesh in millimetres or inches without its
+  `scale`, one with a scale that it does not need, a radius in centimetres.
+- One is rotated: after a quarter turn about the origin of one, the boxes would nearly coincide.
+  Often a mesh was exported with other axes, or an `rpy` was written for the visual only. Meshes
+  that programs rotate differently (MSH013) are not reported.
+- They are apart, with no more than a third of their volume in common, as where the `<origin>` of
+  half the height stands in the visual alone: visual and collision do not share it. A collision that
+  is larger or smaller about the same place is not reported, nor is a primitive in the place of a
+  part of a mesh.
+- A radius is exactly twice that of the same shape in the other: a diameter. An info.
+
+Wheels sink into the floor or hover, grippers close on nothing, and MoveIt avoids a place that is
+free while it drives into what is there.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    measured: of 579 public robots, nine differ in size, eight of them by a scale
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.spatial import Transform
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, Mismatch
+from urdfkit.text.diagnostic import Confidence, Edit, Fix, Related, Severity
+from urdfkit.text.editing.edits import insert_first, remove_element
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.assets.visual_collision import VisualCollisionPair
+    from urdfkit.robot.model import Body, Link
+    from urdfkit.robot.shapes import BoundingBox
+    from urdfkit.text.document import Element
+
+BAD = """\
+<link name="base">
+  <visual>
+    <origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>
+    <geometry><box size="0.2 0.3 0.1"/></geometry>
+  </visual>
+  <collision>
+    <geometry><box size="0.2 0.3 0.1"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace(
+    "<collision>", '<collision>\n    <origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>'
+)
+FIXED = GOOD
+
+
+#: Factors between units of length, and what they are made of.
+_UNITS = {
+    1000.0: "millimetres taken for metres",
+    100.0: "centimetres taken for metres",
+    39.37: "inches taken for metres",
+    25.4: "inches taken for millimetres, or the other way round",
+    10.0: "a decimal point",
+}
+#: A factor is that of two units if it is this near to it: visual and collision are rarely equal.
+_NEAR = 1.08
+
+
+@rule(
+    "GEO004",
+    "visual-collision-mismatch",
+    Severity.WARNING,
+    help="compare both in RViz, and correct the one that is wrong",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    pairs = subject.visual_collision_pairs
+    for one in pairs.diagnoses.get(Mismatch.APART, ()):
+        yield _apart(one)
+    for one in pairs.diagnoses.get(Mismatch.SIZE, ()):
+        yield _of_size(one, pairs.span)
+    for one in pairs.diagnoses.get(Mismatch.ROTATION, ()):
+        yield _rotated(one)
+    yield from _diameters(subject)
+
+
+def _apart(one: VisualCollisionPair) -> Finding:
+    link = one.link
+    how = _how(link) if one.has_one_shape else ""
+    wrong, right = _sides(link)
+    return Finding(
+        wrong.at,
+        f"link '{link.name}': the bounding boxes of collision and visual have only "
+        f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{how}",
+        f"give the {wrong.at.tag} the <origin> of the {right.at.tag}",
+        _fix(wrong.at, right.at) if how else None,
+        (Related(right.at.span, f"the {right.at.tag}"),),
+        confidence=Confidence.INFERRED,
+        weight=1 - one.overlap,
+        alike="moved" if how else "apart",
+    )
+
+
+def _of_size(one: VisualCollisionPair, span: float) -> Finding:
+    assert one.factor
+    larger, smaller = ("visual", "collision") if one.factor > 1 else ("collision", "visual")
+    factor = max(one.factor, 1 / one.factor)
+    wrong = one.unusual(span)
+    is_visual = wrong is one.link.visuals[0]
+    other = one.link.collisions[0] if is_visual else one.link.visuals[0]
+    times = f"{factor:.3g}" if factor < 999.5 else f"{factor:.0f}"
+    units = (text for unit, text in _UNITS.items() if unit / _NEAR < factor < unit * _NEAR)
+    unit = next((f", as by {text}" for text in units), "")
+    return Finding(
+        wrong.shape.at if wrong.shape else wrong.at,
+        f"link '{one.link.name}': the {larger} is {times} times as large as the {smaller}{unit}: "
+        f"{_edges(one.visual.bounds)} (visual), {_edges(one.collision.bounds)} (collision)",
+        "correct the scale or the size of the one that is wrong",
+        related=(Related(other.at.span, "the collision" if is_visual else "the visual"),),
+        confidence=Confidence.INFERRED,
+        weight=factor,
+    )
+
+
+def _rotated(one: VisualCollisionPair) -> Finding:
+    turn = one.turn
+    assert turn is not None
+    is_visual = turn.body in one.link.visuals
+    role, other = ("visual", "collision") if is_visual else ("collision", "visual")
+    others = one.link.collisions if is_visual else one.link.visuals
+    rpy = " ".join(f"{round(angle, 4) + 0.0:g}" for angle in turn.rpy)
+    return Finding(
+        turn.body.at.child("origin") or turn.body.at,
+        f"link '{one.link.name}': the bounding boxes of visual and collision have "
+        f'{one.overlap:.0%} of their volume in common; with rpy="{rpy}" for the {role} it '
+        f"would be {turn.overlap:.0%}",
+        related=(Related(others[0].at.span, f"the {other}"),),
+        confidence=Confidence.INFERRED,
+        weight=turn.overlap - one.overlap,
+    )
+
+
+def _diameters(subject: Subject) -> Iterator[Finding]:
+    for link in subject.model.links:
+        if len(link.visuals) != 1 or len(link.collisions) != 1:
+            continue
+        visual, collision = link.visuals[0], link.collisions[0]
+        first, second = _radius(visual, collision), _radius(collision, visual)
+        if first and second and abs(max(first, second) / min(first, second) - 2) < 1e-6:
+            large, small = (visual, collision) if first > second else (collision, visual)
+            assert large.shape is not None
+            yield Finding(
+                large.shape.at,
+                f"link '{link.name}': the radius of the {large.at.tag}, {max(first, second):g} m, "
+                f"is twice that of the {small.at.tag}, {min(first, second):g} m",
+                "write the radius in both",
+                related=(Related(small.at.span, f"the {small.at.tag}"),),
+                confidence=Confidence.INFERRED,
+                severity=Severity.INFO,
+            )
+
+
+def _radius(body: Body, other: Body) -> float | None:
+    """The radius of a shape that equals the other one in all but the radius."""
+    one, two = body.shape, other.shape
+    if one is None or two is None or one.kind != two.kind or one.length != two.length:
+        return None
+    return one.radius if body.origin == other.origin else None
+
+
+def _edges(box: BoundingBox) -> str:
+    return " x ".join(f"{edge:.3g}" for edge in box.edges) + " m"
+
+
+def _sides(link: Link) -> tuple[Body, Body]:
+    """The body that is probably misplaced, and the other one.
+
+    That is the collision, unless its origin is that of the inertia as well.
+    """
+    collision, visual = link.collisions[0], link.visuals[0]
+    inertial = link.inertial.origin if link.inertial else Transform()
+    if Transform() != inertial == collision.origin != visual.origin:
+        return visual, collision
+    return collision, visual
+
+
+def _fix(wrong: Element, right: Element) -> Fix | None:
+    """Gives one body the origin of the other, which has the same shape."""
+    if wrong.frame is not right.frame:  # expressions mean something else there
+        return None
+    old, new = wrong.child("origin"), right.child("origin")
+    title = f"give the {wrong.tag} the <origin> of the {right.tag}"
+    if new is None:
+        return Fix(f"remove the <origin> of the {wrong.tag}", remove_element(old)) if old else None
+    if old is None:
+        return Fix(title, insert_first(wrong, (new.tag_at.whole_span.text,)))
+    return Fix(title, (Edit(old.tag_at.whole_span, new.tag_at.whole_span.text),))
+
+
+def _how(link: Link) -> str:
+    """How the origins of two equal shapes differ."""
+    (one,), (other,) = link.collisions, link.visuals
+    shift = [b - a for a, b in zip(one.origin.position, other.origin.position, strict=True)]
+    parts = []
+    if one.origin.rotation != other.origin.rotation:
+        parts.append("rotated")
+    if any(shift):
+        parts.append("moved by {:.3g} {:.3g} {:.3g} m".format(*shift))
+    return f"; the visual is the same shape, {' and '.join(parts)}"

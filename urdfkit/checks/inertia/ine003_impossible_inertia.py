@@ -1,0 +1,80 @@
+"""No body can have the inertia tensor: it is physically inconsistent.
+
+The three principal moments, the eigenvalues of the matrix, must all be positive, and none may
+exceed the sum of the other two (the triangle inequality). The diagonal alone does not show that:
+large products of inertia make an eigenvalue negative. Gazebo and MuJoCo reject such a body; engines
+that accept it gain energy from nothing or diverge, and controllers that compute with it are wrong.
+
+Most often a digit is wrong, the numbers are in the wrong order (URDF has ixx ixy ixz iyy iyz izz,
+SDF and many programs ixx iyy izz first), the products have the opposite sign, or the tensor is
+about another frame. Take it from the CAD program, or compute it from the shape.
+
+Sources:
+    Traversaro et al. 2016, physical consistency: https://arxiv.org/abs/1610.08703
+    Wensing et al. 2017, physical consistency: https://arxiv.org/abs/1701.04395
+    sdformat, Link.cc: https://github.com/gazebosim/sdformat/blob/main/src/Link.cc
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    gazebosim/ros_gz#155: https://github.com/gazebosim/ros_gz/issues/155
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.checks.inertia.copies import together
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
+from urdfkit.text.diagnostic import Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
+    from urdfkit.robot.inertials.masses import Masses
+
+BAD = """\
+<link name="arm">
+  <inertial>
+    <mass value="2"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.15"/>
+  </inertial>
+</link>"""
+GOOD = BAD.replace('"0.15"', '"0.015"')
+FIXED = GOOD
+
+
+@rule(
+    "INE003",
+    "impossible-inertia",
+    Severity.ERROR,
+    help="take the tensor about the centre of mass from the CAD program, or compute it",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    masses = subject.masses
+    for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
+        links = masses.diagnoses.get(defect, ())
+        yield from together((one, _finding(one, masses)) for one in links)
+
+
+def _finding(one: LinkInertia, masses: Masses) -> Finding:
+    low, middle, high = one.moments
+    if one.is_indefinite:
+        message = f"principal moments of inertia {values(one.moments)} are not all positive"
+        weight = -low / max(abs(high), -low)
+    else:
+        which = "moments" if one.is_diagonal else "principal moments"
+        message = (
+            f"the {which} of inertia violate the triangle inequality: "
+            f"{high:.3g} > {low:.3g} + {middle:.3g} kg m^2"
+        )
+        weight = (high - low - middle) / high
+    diagnosis = of_impossible(one, masses)
+    return Finding(
+        one.at,
+        f"link '{one.link.name}': {message}",
+        str(diagnosis),
+        replacement(one, diagnosis.tensor),
+        weight=weight,
+    )

@@ -1,0 +1,165 @@
+"""The inertia tensor is implausible for the mass and the shapes of the link.
+
+- Too large: more than twice `mass * r^2`, where r is the distance of the farthest point of the
+  shapes from the centre of mass; no body of that extent has more. Such a link resists rotation like
+  a flywheel: Gazebo needs a huge torque to accelerate a wheel, and light links make the solver
+  unstable.
+- Too small: less than a hundredth of the moments of the uniform solid; no mass in the middle
+  explains that. Controllers tuned on it oscillate, and next to heavier links the solver becomes
+  unstable.
+- About the wrong axes: the moments are those of the shape in another order, or a product of inertia
+  has the wrong sign. URDF rotates the tensor with the `<origin>` of the `<inertial>`, not with that
+  of the collision or visual. Swap the values, or give the `<inertial>` the `rpy` of the shape.
+
+The tensor comes from another link or in another unit, is a placeholder, or was not updated with the
+mass. Compute it from mass and size: for a box of x, y, z it is `ixx = mass / 12 * (y*y + z*z)`, for
+a cylinder along z `ixx = iyy = mass / 12 * (3*r*r + l*l)` and `izz = mass / 2 * r*r`, for a sphere
+`2 / 5 * mass * r*r`.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
+    Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.checks.inertia.copies import together
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertia import principal_moments
+from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.diagnosis import (
+    advice,
+    as_solid,
+    of_unlike_shape,
+    of_wrong_axes,
+    opposite,
+    replacement,
+    values,
+)
+from urdfkit.text.diagnostic import Confidence, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
+    from urdfkit.robot.inertials.masses import Masses
+
+BAD = """\
+<link name="wheel">
+  <collision>
+    <geometry><cylinder radius="0.06" length="0.05"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="0.5"/>
+    <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
+  </inertial>
+</link>"""
+FIXED = GOOD = BAD.replace(
+    'ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"',
+    'ixx="0.000554167" ixy="0" ixz="0" iyy="0.000554167" iyz="0" izz="0.0009"',
+)
+
+#: A radius of gyration this many times the reach of the link is named.
+_STRIKING = 10.0
+
+#: A share in the inertia of a whole rigid body that is named.
+_SHARE = 0.1
+
+
+@rule(
+    "INE006",
+    "implausible-inertia",
+    Severity.WARNING,
+    help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    masses = subject.masses
+    too_large = masses.diagnoses.get(InertiaDefect.TOO_LARGE, ())
+    # One value for all small links, below which no moment goes, is one decision.
+    found = ((one, _too_large(one, masses)) for one in too_large)
+    yield from together(found, by=lambda one: max(one.diagonal))
+    too_small = masses.diagnoses.get(InertiaDefect.TOO_SMALL, ())
+    yield from together((one, _too_small(one, masses)) for one in too_small)
+    yield from map(_wrong_axes, masses.diagnoses.get(InertiaDefect.WRONG_AXES, ()))
+
+
+def _too_large(one: LinkInertia, masses: Masses) -> Finding:
+    diagnosis = of_unlike_shape(one, masses)
+    high, bound = one.moments[2], one.largest_possible
+    return Finding(
+        one.at,
+        f"link '{one.link.name}': {high:.3g} kg m^2 is {high / bound:.3g} times the most that "
+        f"{one.mass:g} kg can have within {one.reach:.3g} m of the centre of mass; "
+        f"{as_solid(one)}{_radius(one)}{_share(one, masses)}",
+        advice(one, diagnosis),
+        replacement(one, diagnosis.tensor),
+        confidence=Confidence.INFERRED,
+        weight=high / bound,
+    )
+
+
+def _radius(one: LinkInertia) -> str:
+    radius = one.radius_of_gyration
+    striking = radius > _STRIKING * one.reach
+    return f"; its radius of gyration is {radius:.3g} m" if striking else ""
+
+
+def _share(one: LinkInertia, masses: Masses) -> str:
+    """How much of a simulated body's inertia it is, if fixed joints make it a part of one."""
+    if sum(link.mass > 0 for link, _ in one.body.links) < 2:
+        return ""
+    share = one.moments[2] / masses.moments_of(one.body)[2]
+    top = one.body.top.name
+    return f"; it is {share:.0%} of what a simulator merges into '{top}'" if share > _SHARE else ""
+
+
+def _too_small(one: LinkInertia, masses: Masses) -> Finding:
+    diagnosis = of_unlike_shape(one, masses)
+    assert one.expected is not None
+    high, expected = one.moments[2], principal_moments(one.expected)[2]
+    return Finding(
+        one.at,
+        f"link '{one.link.name}' of {one.mass:g} kg has at most {high:.3g} kg m^2, "
+        f"1/{expected / high:.0f} of its shape; {as_solid(one)}",
+        advice(one, diagnosis),
+        replacement(one, diagnosis.tensor),
+        confidence=Confidence.INFERRED,
+        weight=expected / high,
+    )
+
+
+def _wrong_axes(one: LinkInertia) -> Finding:
+    _, tensor = of_wrong_axes(one)
+    flipped = opposite(one.tensor, tensor)
+    fix = replacement(one, tensor)
+    return Finding(
+        one.at,
+        _signs(one, flipped) if flipped else _moments(one),
+        f"{fix.title}, or rotate the <inertial>"
+        if fix
+        else "swap the values, or give the <inertial> the rpy of the shape",
+        fix,
+        confidence=Confidence.INFERRED,
+    )
+
+
+def _moments(one: LinkInertia) -> str:
+    return (
+        f"link '{one.link.name}' has moments of inertia of {values(one.diagonal)}"
+        f" about x, y and z; {as_solid(one)} in its orientation"
+    )
+
+
+def _signs(one: LinkInertia, keys: list[str]) -> str:
+    """Products of inertia, of which only the sign differs from that of the shape."""
+    pairs = [(getattr(one.tensor, key), getattr(one.expected, key)) for key in keys]
+    return (
+        f"link '{one.link.name}' has "
+        + " and ".join(f"{key} {old:.3g}" for key, (old, _) in zip(keys, pairs, strict=True))
+        + f" kg m^2, with the sign opposite to that of the solid {one.solid}, which has "
+        + " and ".join(f"{new:.3g}" for _, new in pairs)
+    )

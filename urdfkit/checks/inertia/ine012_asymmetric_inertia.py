@@ -1,0 +1,85 @@
+"""A link and its left/right counterpart differ in mass or inertia.
+
+Mirror images have the same mass and the same principal moments. One side here has clearly more: a
+decimal point was misplaced, or one side was edited and the other was not. The robot pulls to one
+side, and a controller tuned for one hand oscillates with the other. Compare the two, and give both
+the right value.
+
+Sources:
+    robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertials.diagnosis import values
+from urdfkit.robot.inertials.masses import unlike
+from urdfkit.text.diagnostic import Confidence, Related, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
+
+BAD = """\
+<link name="hand"/>
+<link name="left_finger">
+  <inertial>
+    <mass value="0.015"/>
+    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
+  </inertial>
+</link>
+<link name="right_finger">
+  <inertial>
+    <mass value="0.15"/>
+    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
+  </inertial>
+</link>
+<joint name="left" type="fixed">
+  <origin xyz="0 0.02 0"/>
+  <parent link="hand"/>
+  <child link="left_finger"/>
+</joint>
+<joint name="right" type="fixed">
+  <origin xyz="0 -0.02 0"/>
+  <parent link="hand"/>
+  <child link="right_finger"/>
+</joint>"""
+GOOD = BAD.replace('"0.15"', '"0.015"')
+
+
+@rule(
+    "INE012",
+    "asymmetric-inertia",
+    Severity.WARNING,
+    help="compare the two, and give both the right value",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for left, right in subject.masses.asymmetric_pairs:
+        yield _of_mass(left, right) if unlike(left, right) == "mass" else _of_inertia(left, right)
+
+
+def _of_mass(left: LinkInertia, right: LinkInertia) -> Finding:
+    assert left.inertial.mass is not None
+    assert right.inertial.mass is not None
+    ratio = max(left.mass, right.mass) / min(left.mass, right.mass)
+    return Finding(
+        right.inertial.mass,
+        f"link '{right.link.name}' has {right.mass:g} kg, its counterpart '{left.link.name}' "
+        f"{left.mass:g} kg: a factor of {ratio:.3g}",
+        related=(Related(left.inertial.mass.span, f"'{left.link.name}' has {left.mass:g} kg"),),
+        confidence=Confidence.INFERRED,
+        weight=ratio,
+    )
+
+
+def _of_inertia(left: LinkInertia, right: LinkInertia) -> Finding:
+    return Finding(
+        right.at,
+        f"link '{right.link.name}' has principal moments of inertia of {values(right.moments)}"
+        f", its counterpart '{left.link.name}' of the same mass {values(left.moments)}",
+        related=(Related(left.at.span, f"the inertia of '{left.link.name}'"),),
+        confidence=Confidence.INFERRED,
+    )

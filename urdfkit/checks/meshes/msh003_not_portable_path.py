@@ -1,0 +1,98 @@
+"""A mesh reference works on one machine only.
+
+An absolute path is that of one machine: on every other one, in a container and in continuous
+integration, the mesh is missing. Refer to it by its package: `package://my_robot/meshes/arm.stl`.
+In a xacro, `file://$(find my_robot)/meshes/arm.stl` is fine as well, since each machine puts its
+own path there.
+
+A reference that leaves its package with `..` works in the source tree, where the packages lie side
+by side. A build installs each package in a directory of its own, where the file is another one or
+none. Refer to the package that holds the file.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    REP 122, installed files: https://ros.org/reps/rep-0122.html
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute
+from urdfkit.text.editing.edits import replace_value
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.assets.mesh_files import MeshReference
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="file:///home/student/arm_description/meshes/forearm.stl"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("file:///home/student/arm_description", "package://arm_description")
+FIXED = GOOD
+FILES = {
+    "package.xml": b"<package><name>arm_description</name></package>",
+    "meshes/forearm.stl": PLATE,
+}
+
+_WRITTEN_ABSOLUTE = re.compile(
+    r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z]:[/\\])"
+)
+
+
+@rule(
+    "MSH003",
+    "not-portable-path",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.FILES),
+    help="refer to it as package://PACKAGE/...",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for mesh in subject.files.meshes:
+        path = mesh.located.path
+        if path is None:
+            continue
+        if _is_absolute(mesh):
+            reference = subject.files.reference_to(path, mesh.located)
+            known = reference.startswith("package://")
+            edits = replace_value(mesh.literal, reference) if mesh.literal and known else None
+            fix = Fix.of(f"refer to {reference}", edits)
+            message = f"{mesh.who} is an absolute path, which exists on this machine only"
+            yield Finding(mesh.at, message, fix=fix, alike="absolute")
+        if package := _left(subject, mesh, path):
+            message = f"{mesh.who} leaves package '{package}': not found once installed"
+            home = subject.resolver.packages.enclosing(path)
+            yield Finding(mesh.at, message, f"write package://{home[0]}/..." if home else "")
+
+
+def _is_absolute(mesh: MeshReference) -> bool:
+    """True for a path that the source holds, not one that $(find pkg) made absolute."""
+    at = mesh.at.at
+    return (
+        mesh.located.scheme == "absolute"
+        and isinstance(at, Attribute)
+        and bool(_WRITTEN_ABSOLUTE.match(at.span.text))
+    )
+
+
+def _left(subject: Subject, mesh: MeshReference, path: str) -> str | None:
+    """The package that a reference starts in and leaves."""
+    located = mesh.located
+    if ".." not in located.relative:
+        return None
+    if located.package:
+        left = posixpath.normpath(located.relative).startswith("../")
+        return located.package if left else None
+    packages = subject.resolver.packages
+    package = packages.enclosing(subject.files.top)
+    return package[0] if package and packages.enclosing(path) != package else None

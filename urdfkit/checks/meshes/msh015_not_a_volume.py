@@ -1,0 +1,93 @@
+"""A collision mesh does not enclose a volume.
+
+- Its surface has holes, triangles that face opposite ways along an edge, or is a sheet with two
+  sides. Inside and outside are undefined: no volume, mass or inertia can be computed from it,
+  MuJoCo may reject it, and a thin object can enter through a hole. A quarter of the collision
+  meshes of real robots are like that, and simulators that only test triangles live with it.
+  `urdfkit mesh repair` closes small holes; `urdfkit mesh hull` makes a closed convex shape. An
+  info.
+- It is flat: all of it lies in one plane. Simulators that take the convex hull reject it (MuJoCo:
+  "volume too small") or make it a sheet that fast parts tunnel through. Use a thin `<box>`. A
+  warning.
+- Its closed pieces overlap by more than a twentieth of the volume, which then counts twice in the
+  volume, centre of mass and inertia that Gazebo, MeshLab and `urdfkit inertia` compute. Unite them,
+  as with `urdfkit mesh repair --union`, or write the inertial by hand. An info; it is also reported
+  for a visual of a link without collisions.
+
+Sources:
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    Mirtich, Fast and accurate computation of polyhedral mass properties: https://doi.org/10.1080/10867651.1996.10487458
+    Gazebo, MeshInertiaCalculator.cc: https://github.com/gazebosim/gz-sim/blob/main/src/MeshInertiaCalculator.cc
+    measured: 380 of 1 513 public collision meshes are open
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.mesh.io.facts import counted
+from urdfkit.mesh.samples import BOX, box, stl
+from urdfkit.robot.assets.mesh_diagnoses import MeshDefect
+from urdfkit.text.diagnostic import Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.assets.measured_meshes import MeshUse
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3), BOX[2:])),
+    "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
+}
+
+
+@rule(
+    "MSH015",
+    "not-a-volume",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.MESHES),
+    help="urdfkit mesh repair FILE, or urdfkit mesh hull FILE",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    diagnoses = subject.measured.diagnoses
+    for use in diagnoses.get(MeshDefect.FLAT, ()):
+        x, y, z = use.edges
+        message = f"{use.who} is flat: {x:.3g} x {y:.3g} x {z:.3g} m"
+        yield Finding(use.at, message, "use a thin <box>", severity=Severity.WARNING)
+    yield from map(_open, diagnoses.get(MeshDefect.OPEN, ()))
+    for use in diagnoses.get(MeshDefect.OVERLAPPING, ()):
+        yield Finding(
+            use.at,
+            f"{use.who} has {use.measures.bodies} pieces that overlap: a mass computed from it is "
+            f"{100 * use.measures.overlap:.0f} % too large",
+            "unite the pieces: urdfkit mesh repair --union FILE",
+            alike="overlap",
+        )
+
+
+def _open(use: MeshUse) -> Finding:
+    found = use.measures
+    parts = [
+        counted(number, f"{kind} edge")
+        for number, kind in ((found.open_edges, "open"), (found.flipped_edges, "inconsistent"))
+        if number
+    ]
+    among = counted(found.triangles, "triangle")
+    what = f"is not closed: {' and '.join(parts)} among {among}"
+    if not parts:
+        what = f"encloses nothing: its {among} are two sides of a sheet"
+    return Finding(
+        use.at,
+        f"{use.who} {what}",
+        "" if parts else "urdfkit mesh repair --one-sided FILE, or urdfkit mesh hull FILE",
+        weight=found.open_edges,
+        alike="open",
+    )
