@@ -57,15 +57,22 @@ FILES = {
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
     help="make a lighter one: urdfkit mesh collision FILE, or urdfkit mesh simplify FILE",
+    options={"triangles": DENSE_COLLISION},
 )
 def check(subject: Subject) -> Iterator[Finding]:
     diagnoses = subject.measured.diagnoses
-    for use in diagnoses.get(MeshDefect.DENSE_COLLISION, ()):
+    bound = check.option(subject, "triangles")
+    dense = {
+        use.path: use
+        for use in reversed(subject.measured.files)
+        if use.role == "collision" and use.measures.triangles > bound
+    }
+    for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
         rejected = f", and MuJoCo rejects more than {MUJOCO_MOST:,}" if number > MUJOCO_MOST else ""
         yield Finding(
             use.at,
-            f"{use.who} has {number:,} triangles; more than {DENSE_COLLISION:,} make collision "
+            f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
             f"checking slow{rejected}",
             weight=number,
             alike="collision",

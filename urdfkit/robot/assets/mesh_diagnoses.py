@@ -51,7 +51,6 @@ class MeshDefect(Enum):
     OVERLAPPING = "overlapping pieces"
     INVERTED = "inside out"
     DEGENERATE = "degenerate triangles"
-    DENSE_COLLISION = "dense collision"
     DENSE_SHARED = "dense visual used for collision"
     DENSE_VISUAL = "dense visual"
     MISSING_TEXTURES = "missing textures"
@@ -169,9 +168,6 @@ OF_FILES: dict[MeshDefect, Callable[[MeshUse], bool]] = {
     MeshDefect.OPEN: _is_open,
     MeshDefect.INVERTED: lambda use: use.measures.inside_out or use.measures.inverted_bodies > 0,
     MeshDefect.DEGENERATE: _is_degenerate,
-    MeshDefect.DENSE_COLLISION: lambda use: (
-        use.role == "collision" and use.measures.triangles > DENSE_COLLISION
-    ),
     MeshDefect.DENSE_VISUAL: lambda use: (
         use.role == "visual" and use.measures.triangles > DENSE_VISUAL
     ),
