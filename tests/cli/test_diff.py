@@ -80,7 +80,7 @@ def test_the_configuration_holds_for_both(new: str, tmp_path: Path) -> None:
         ([OLD], "name two files"),
         ([OLD, OLD, OLD], "name two files"),
         ([OLD, "none.urdf"], "none.urdf"),
-        ([OLD, OLD, "-o", "x.doc"], "the suffix is none of"),
+        ([OLD, OLD, "-o", "x.doc"], "the suffix is not one of"),
         ([OLD, OLD, "--fail-on", "colour"], "--fail-on colour: write some of any, none, links"),
         ([OLD, OLD, "--tolerance", "mass"], "--tolerance mass: write a number from 0"),
         ([OLD, OLD, "--tolerance", "mass=nan"], "--tolerance mass=nan: write a number"),

@@ -31,7 +31,7 @@ def test_a_family_is_no_rule(capsys: pytest.CaptureFixture[str]) -> None:
 def test_the_page_of_a_rule() -> None:
     page = render(rules.get("TRE006"))
     assert page.startswith("TRE006 joint-to-itself (error, without a fix)\n\nA joint has the same")
-    assert "\n\nNeeds: a robot that can be read\n\nHelp: name the link" in page
+    assert "\n\nNeeds: a readable robot model\n\nHelp: name the link" in page
     assert '\n\nBad:\n\n    <link name="base"/>\n' in page
     assert '\n\nGood:\n\n    <link name="base"/>\n' in page
     assert "Fixed:" not in page
@@ -83,7 +83,7 @@ def test_severities_of_targets_are_gathered() -> None:
 
 
 def test_a_good_robot_that_is_the_fixed_one_is_shown_once() -> None:
-    assert "\n\nGood, as the fix makes it:\n" in render(rules.get("GAZ001"))
+    assert "\n\nGood, after the fix:\n" in render(rules.get("GAZ001"))
     assert "\n\nFixed:\n" not in render(rules.get("GAZ001"))
     page = render(rules.get("GAZ010"))
     assert page.index("\n\nGood:\n") < page.index("\n\nFixed:\n")
@@ -91,5 +91,5 @@ def test_a_good_robot_that_is_the_fixed_one_is_shown_once() -> None:
 
 def test_what_a_rule_needs_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", "SRD009"]) == 0
-    needs = "Needs: a robot that can be read, an SRDF beside the robot, coal (pip install "
+    needs = "Needs: a readable robot model, an SRDF of the robot, coal (pip install "
     assert needs in " ".join(capsys.readouterr().out.split())

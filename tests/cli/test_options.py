@@ -149,12 +149,12 @@ def test_outputs(words: list[str], outputs: list[tuple[str, str]]) -> None:
         (["prefix=left_"], "a xacro argument is written prefix:=left_"),
         (["a", "--package", "p"], "'=' and its folder"),
         (["a", "--package", "=."], "'=' and its folder"),
-        (["a", "--package", "p=/no/such"], "there is no folder '/no/such'"),
+        (["a", "--package", "p=/no/such"], "no such directory '/no/such'"),
         (["a", "--format", "yaml"], "only "),
         (["a", "--format", "_paths"], "only "),
         (["a", "--format", "json:"], "a file after the colon"),
-        (["a", "--format", "json", "--format", "text"], "two formats for standard output"),
-        (["a", "--format", "json:x", "--format", "text:x"], "two formats for x"),
+        (["a", "--format", "json", "--format", "text"], "two formats write to standard output"),
+        (["a", "--format", "json:x", "--format", "text:x"], "two formats write to x"),
     ],
 )
 def test_what_cannot_be_is_said(words: list[str], reason: str) -> None:

@@ -233,7 +233,7 @@ def test_the_summary_leads_to_what_was_uploaded(runner: Runner) -> None:
 def test_what_cannot_be_done_fails_without_reports(runner: Runner) -> None:
     done = runner.run("Check", files="missing.urdf")
     assert done.returncode == 0
-    assert "missing.urdf: there is no such file" in done.stderr
+    assert "missing.urdf: file not found" in done.stderr
     assert not runner.summary.exists()
     assert "steps.check.outputs.reports" not in runner.values
     assert runner.run("Result").returncode == 2

@@ -53,8 +53,8 @@ def test_what_cannot_be_made_is_exit_code_1(capsys: pytest.CaptureFixture[str]) 
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ([], "name the robot with --model"),
-        (["a.stl"], "name the robot with --model"),
+        ([], "pass the robot with --model"),
+        (["a.stl"], "pass the robot with --model"),
         (["a.stl", "b.stl"], "name one mesh"),
         (["a.stl", "--part", "wheel", "--size", "1", "0", "1"], "every edge must be from 1e-06"),
         (["a.stl", "--part", "wheel", "--size", "1", "inf", "1"], "every edge must be from 1e-06"),

@@ -68,7 +68,7 @@ def test_each_shape_has_its_closed_form(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("above", "told"),
+    ("above", "reported"),
     [("  <!-- all alike -->\n", True), ("  <!-- robot -->\n\n", False), ("", False)],
 )
 def test_a_comment_above_the_macro_stays_and_is_told(

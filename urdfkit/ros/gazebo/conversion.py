@@ -188,12 +188,12 @@ class Conversion:
             return None
         parent = body.joint.parent.value
         if parent in self.dropped:
-            return f"hangs on '{parent}', which is dropped"
+            return f"child of '{parent}', which is dropped"
         if self.converter.stops_at_merged:
             for link in self._merged_above(parent):
                 if self._is_massless(self._mass_below(link)):
                     self.stranded.append(body)
-                    return f"hangs on '{link.name}', which is merged and has no mass"
+                    return f"child of '{link.name}', which is merged and has no mass"
         return None
 
     def _merged_above(self, name: str) -> Iterator[Link]:
