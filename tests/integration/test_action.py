@@ -194,7 +194,7 @@ def test_a_picture_that_is_missing_is_told(runner: Runner) -> None:
         for what in ("picture", "tree")
     ]
     assert "x.urdf" in done.stderr
-    assert "No picture of `1-x.urdf`." in runner.summary.read_text()
+    assert "No image of `1-x.urdf`." in runner.summary.read_text()
 
 
 @needs_bash
