@@ -91,7 +91,7 @@ def test_the_configuration_that_would_count(doctor: Doctor, tmp_path: Path) -> N
     (tmp_path / "urdfkit.toml").write_text("selct = []")
     assert "unknown setting 'selct'; did you mean 'select'?" in doctor()
     (tmp_path / "r.urdf").write_text("<robot/>")
-    assert "no setting 'selct'" in doctor("r.urdf", code=2)
+    assert "unknown setting 'selct'" in doctor("r.urdf", code=2)
 
 
 def test_targets_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:

@@ -140,11 +140,11 @@ def test_missing_meshes_are_made(robot: Path, capsys: pytest.CaptureFixture[str]
     mesh = robot.parents[1] / "meshes" / "hokuyo.dae"
     words = ["fix", str(robot), "--generate-meshes", "--select", "MSH", "--fail-on", "info"]
     assert main([*words, "--diff"]) == 1
-    assert f"# would make {mesh}:\n" in capsys.readouterr().out
+    assert f"# would generate {mesh}:\n" in capsys.readouterr().out
     assert not mesh.exists()
     assert main(words) == 0
     out = capsys.readouterr().out
-    assert out.startswith(f"made {mesh}:\n  Hokuyo")
+    assert out.startswith(f"generated {mesh}:\n  Hokuyo")
     assert out.endswith("\n0 fixed in 0 files, 0 left\n")
     assert main(["check", str(robot), "--select", "MSH", "--fail-on", "info"]) == 0
 
@@ -158,5 +158,5 @@ def test_meshes_of_other_workspaces_are_not_made(
     (other / "package.xml").write_text("<package><name>gazebo_pkg</name></package>")
     words = ["fix", str(robot), "--generate-meshes", "--package", f"gazebo_pkg={other}"]
     assert main(words) == 0
-    assert "cannot make" in capsys.readouterr().out
+    assert "cannot generate" in capsys.readouterr().out
     assert [path.name for path in other.iterdir()] == ["package.xml"]

@@ -196,7 +196,7 @@ def test_an_exception_of_ours_asks_to_report_it(
     captured = capsys.readouterr()
     assert captured.out == ""
     assert "ValueError: boom" in captured.err
-    assert "bug of urdfkit" in captured.err
+    assert "bug in urdfkit" in captured.err
     assert "Traceback" not in captured.err
     monkeypatch.setenv("URDFKIT_DEBUG", "1")
     assert main(["check", GOOD]) == 3
@@ -338,7 +338,7 @@ def test_a_file_name_that_is_no_text(tmp_path: Path) -> None:
     ("error", "message"),
     [
         (OSError(errno.ENOSPC, "No space left on device"), "error: No space left on device\n"),
-        (MemoryError(), "error: there is not enough memory\n"),
+        (MemoryError(), "error: not enough memory\n"),
     ],
     ids=["disk", "memory"],
 )

@@ -97,7 +97,7 @@ def test_trust_takes_a_word_of_the_user(project: Project, words: list[str]) -> N
     project.write("urdfkit.toml", SETTINGS + "trust = true\n")
     code, _, err = project.check("good.urdf", *words)
     assert code == (0 if words else 2)
-    assert ("'trust' counts only if you say so yourself" in err) is not bool(words)
+    assert ("'trust' must be confirmed on the command line" in err) is not bool(words)
 
 
 def test_a_baseline_tolerates_what_was_there(project: Project) -> None:

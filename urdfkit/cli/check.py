@@ -36,7 +36,7 @@ command = click.Command(
         click.Argument([FILES], nargs=-1, metavar="FILE... [NAME:=VALUE]..."),
         *map(click_option, CHECK),
     ],
-    help="""Check robot models and report every problem at its source line.
+    help="""Check robot models; report problems at their source lines.
 
     FILE is a URDF or xacro file, or a directory; '-' is standard input.
     NAME:=VALUE is a xacro argument.

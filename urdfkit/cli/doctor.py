@@ -66,7 +66,7 @@ _PROGRAMS = {"git": "comparison with an earlier git revision"}
 @click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
 @click.option("--trust", is_flag=True, help="Let the model run any expression and read any file.")
 def command(words: tuple[str, ...], **values: Any) -> int:
-    """Show the environment, the optional dependencies and the configuration.
+    """Show the environment and optional dependencies.
 
     With FILE, a model or a directory, also shows what a check of it uses: the packages found, the
     targets and why they were detected, and the rules that are skipped and why.

@@ -43,7 +43,7 @@ _HARD = "\0"
     help="Rule packages to load: installed names, or modules.",
 )
 def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
-    """Explain a rule: what it reports, why it matters, how to fix it.
+    """Explain a rule: what it reports, why, and how to fix it.
 
     RULE is a code such as XML001 or a name such as not-well-formed.
 

@@ -54,7 +54,7 @@ command = click.Command(
         ),
         *(click_option(one) for one in options.CHECK if one.flag[2:] in _OPTIONS),
     ],
-    help="""Apply auto-fixes to source files, keeping their layout and comments.
+    help="""Apply auto-fixes to source files; keep layout and comments.
 
     FILE is a URDF or xacro file, or a directory of them. Comments, quotes, indentation and line
     ends are kept; files are written atomically. Without --unsafe-fixes, only fixes that cannot

@@ -64,7 +64,7 @@ def command(
     diff: bool,
     form: str,
 ) -> int:
-    """Compare declared inertias with those of the geometry, and suggest values.
+    """Compare inertias with those of the geometry; suggest values.
 
     Shapes count as solids of uniform density with the declared mass. Suggests values for inertias
     that are missing, impossible, rotated, or off by more than a factor of three; with --link, for

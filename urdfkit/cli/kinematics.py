@@ -49,7 +49,7 @@ def command(
     mass_matrix: bool,
     form: str,
 ) -> int:
-    """Compute link frames, transforms, Jacobians and the mass matrix.
+    """Compute link frames, transforms, Jacobian, mass matrix.
 
     Without further options, lists all link frames relative to their root. The Jacobian and the
     mass matrix have a column for each independent joint; they need Pinocchio.

@@ -18,7 +18,7 @@ class NotInstalled(UrdfkitError):
     help="Communicate over standard input and output, which is the default.",
 )
 def command(stdio: bool) -> int:
-    """Start the language server: findings, hover, completion, rename, fixes.
+    """Start the language server for editors.
 
     Editors start it themselves and communicate over standard input and output. It needs the extra
     [lsp].

@@ -27,7 +27,7 @@ from urdfkit.text.terminal import printable
     "--to", "target", type=click.Choice(GAZEBO), required=True, help="Target Gazebo generation."
 )
 def command(asked: dict[str, Any], target: str) -> int:
-    """Show the changes that a model needs for another Gazebo generation.
+    """Show the changes that a model needs for another Gazebo.
 
     Pure renames are printed as a diff for 'patch -p0'; nothing is written. Changes that need a
     decision follow as comments, with the replacement.

@@ -69,7 +69,7 @@ def command(
     visuals: bool,
     form: str,
 ) -> int:
-    """Compare gravity torques with the joint efforts, and test whether it tips.
+    """Compare gravity torques with effort limits; test for tipping.
 
     Gravity torques over many poses (zero, the limits, SAMPLES drawn with SEED, and a search for
     the worst) against the effort of each joint; and the centre of mass over the support polygon,

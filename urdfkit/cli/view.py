@@ -27,7 +27,7 @@ from urdfkit.viewer.state import ViewRequest
 @click.option("--no-open", is_flag=True, help="Print the URL; do not open a browser.")
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
 def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
-    """Show a robot in the browser, and reload it when one of its files changes.
+    """Show a robot in the browser; reload it when files change.
 
     The page is that of urdfkit report, with the xacro arguments as inputs. The server listens on
     this machine only, at an address with a random token. Ctrl-C stops it.

@@ -145,5 +145,5 @@ def rename(robot: OpenRobot, page: Page, offset: int, new: str) -> list[Edit]:
     same = robot.names.same(name)
     kinds = {one.kind for one in same if one.is_definition}
     if new in robot.given(*kinds):
-        raise CannotRename(f"there is already a {name.kind} '{new}' already")
+        raise CannotRename(f"there is already a {name.kind} '{new}'")
     return [Edit(span, new) for span in (*(one.span for one in same), *_beside(robot, name, same))]

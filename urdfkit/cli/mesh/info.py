@@ -25,7 +25,7 @@ VERSION = 1
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(files: tuple[str, ...], form: str) -> int:
-    """Show the properties of mesh files: size, triangles, unit, defects.
+    """Show size, triangles, unit and defects of mesh files.
 
     Exit codes: 0 done, 2 a file has no triangles.
     """

@@ -38,7 +38,7 @@ def command(
     one_sided: bool,
     union: bool,
 ) -> int:
-    """Repair a mesh: weld vertices, remove degenerates, orient, fill holes.
+    """Repair a mesh: weld, clean, orient, fill holes.
 
     Prints what was wrong, what was done, and how far the surface has moved. A mesh that is a
     closed solid is not changed; a repair that makes it no better is discarded. From a broken file,
