@@ -102,7 +102,7 @@ def test_limits(tmp_path):
         "joint 'shoulder': upper 2 is outside -0.5 to 1\n"
         "joint 'elbow' has no lower\n"
         "joint 'elbow' has no upper\n"
-        "there is no joint 'nothing'"
+        "no joint 'nothing'"
     )
 
 
@@ -258,7 +258,7 @@ def test_a_hook_of_another_repository_does_not_matter(repository, monkeypatch, t
 def test_an_unknown_revision_is_an_error(repository, revision):
     with pytest.raises(UrdfkitError) as error:
         assert_unchanged_since(repository.robot(), revision)
-    assert str(error.value) == f"there is no git revision '{revision}' in {repository.folder}"
+    assert str(error.value) == f"no git revision '{revision}' in {repository.folder}"
 
 
 def test_a_file_that_was_not_there_yet_is_an_error(repository):

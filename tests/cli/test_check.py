@@ -105,7 +105,7 @@ def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
     code, out, err = check(bad, "--exit-zero")
     assert (code, err) == (3, "")
     assert "error ABC123 it is there" in " ".join(out.split())
-    assert "ABC001 failed with ValueError: boom. This is a bug of urdfkit" in " ".join(out.split())
+    assert "ABC001 failed with ValueError: boom. This is a bug in urdfkit" in " ".join(out.split())
     monkeypatch.setenv("URDFKIT_DEBUG", "1")
     code, again, err = check(bad, "--exit-zero")
     assert again == out

@@ -84,9 +84,9 @@ def test_an_srdf_is_written_compared_and_brought_up_to_date(
     )
     srdf.write_text(wrong)
     assert main(["collisions", bent, *FEW, "--compare", str(srdf)]) == 1
-    assert "disabled by the SRDF, and can collide" in capsys.readouterr().out
+    assert "disabled in the SRDF, but can collide" in capsys.readouterr().out
     assert main(["collisions", bent, *FEW, "--srdf", str(srdf)]) == 0
-    assert capsys.readouterr().err == f"{srdf} brought up to date\n"
+    assert capsys.readouterr().err == f"{srdf} updated\n"
     assert 'link1="tip"' not in srdf.read_text()
 
 
@@ -94,9 +94,9 @@ def test_an_srdf_is_written_compared_and_brought_up_to_date(
     ("words", "reason"),
     [
         (["--compare", "no.srdf"], "no.srdf"),
-        (["--srdf", "no/such/folder/r.srdf"], "there is no folder"),
+        (["--srdf", "no/such/folder/r.srdf"], "no such directory"),
         (["--samples", "-1"], "--samples"),
-        (["--joint", "none=1"], "there is no joint 'none'"),
+        (["--joint", "none=1"], "no joint 'none'"),
     ],
 )
 def test_what_cannot_be_done_is_said(
@@ -123,5 +123,5 @@ def test_a_urdf_is_no_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     path.write_bytes(text)
     for option in ("--srdf", "--compare"):
         assert main(["collisions", str(path), option, str(path), "--samples", "0"]) == 2
-        assert "is no SRDF" in capsys.readouterr().err
+        assert "is not an SRDF file" in capsys.readouterr().err
     assert path.read_bytes() == text

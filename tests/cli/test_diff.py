@@ -39,7 +39,7 @@ def test_the_centre_of_mass_fits_a_terminal(
         (tmp_path / f"{name}.urdf").write_text(text, encoding="utf-8")
     assert main(["diff", str(tmp_path / "a.urdf"), str(tmp_path / "b.urdf")]) == 1
     total = capsys.readouterr().out.split("\n\n")[1].splitlines()
-    assert total[2].startswith("  centre of mass  -0.01235 0.01235 -0.01235 became -0.1235 0 ")
+    assert total[2].startswith("  centre of mass  -0.01235 0.01235 -0.01235 -> -0.1235 0 ")
     assert " ".join(total).endswith("mm)")
     assert max(map(len, total)) <= 80
 
@@ -77,10 +77,10 @@ def test_the_configuration_holds_for_both(new: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        ([OLD], "name two files"),
-        ([OLD, OLD, OLD], "name two files"),
+        ([OLD], "expected two files"),
+        ([OLD, OLD, OLD], "expected two files"),
         ([OLD, "none.urdf"], "none.urdf"),
-        ([OLD, OLD, "-o", "x.doc"], "the suffix is none of"),
+        ([OLD, OLD, "-o", "x.doc"], "the suffix is not one of"),
         ([OLD, OLD, "--fail-on", "colour"], "--fail-on colour: write some of any, none, links"),
         ([OLD, OLD, "--tolerance", "mass"], "--tolerance mass: write a number from 0"),
         ([OLD, OLD, "--tolerance", "mass=nan"], "--tolerance mass=nan: write a number"),

@@ -89,9 +89,9 @@ def test_the_configuration_that_would_count(doctor: Doctor, tmp_path: Path) -> N
     assert doctor("--config", "other.toml").endswith("configuration: other.toml\n")
     assert doctor("--isolated").endswith("configuration: none\n")
     (tmp_path / "urdfkit.toml").write_text("selct = []")
-    assert "there is no setting 'selct'; did you mean 'select'?" in doctor()
+    assert "unknown setting 'selct'; did you mean 'select'?" in doctor()
     (tmp_path / "r.urdf").write_text("<robot/>")
-    assert "no setting 'selct'" in doctor("r.urdf", code=2)
+    assert "unknown setting 'selct'" in doctor("r.urdf", code=2)
 
 
 def test_targets_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
@@ -99,7 +99,7 @@ def test_targets_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> Non
     file = "gazebo_pkg/urdf/waking_robot_new.xacro"
     out = doctor(file)
     assert f"\n{file}: xacro\n" in out
-    why = "no .git, workspace or licence around it"
+    why = "no repository or workspace found around it"
     assert f"  packages are searched in gazebo_pkg ({why})\n    package gazebo_pkg: " in out
     assert "  targets: ros1, classic-ros1\n    ros1: package.xml\n    classic-ros1: plugin " in out
     assert "  targets: mujoco (given)\n" in doctor(file, "--target", "mujoco")
@@ -114,7 +114,7 @@ def test_packages_that_were_named(doctor: Doctor, tmp_path: Path) -> None:
     out = doctor("r.urdf", "--package", "my_parts=parts")
     assert "\nr.urdf: plain XML\n" in out
     assert "  package my_parts: parts (given)\n" in out
-    assert "  targets: none; name them with --target\n" in out
+    assert "  targets: none detected; select with --target\n" in out
     (tmp_path / "urdfkit.toml").write_text('[packages]\nmy_parts = "parts"')
     assert "  package my_parts: parts (given)\n" in doctor("r.urdf")
 
@@ -154,18 +154,18 @@ def test_a_folder_is_told_by_its_robots(doctor: Doctor, tmp_path: Path) -> None:
         f'{HEAD}<xacro:macro name="m"><link/></xacro:macro></robot>'
     )
     assert doctor(".").endswith(
-        "\n.: 1 robots\n  a.urdf\n  lib.xacro: makes no link itself, and no file includes it\n"
-        "  packages are searched in . (no .git, workspace or licence around it)\n"
+        "\n.: 1 robots\n  a.urdf\n  lib.xacro: defines no link, and no file includes it\n"
+        "  packages are searched in . (no repository or workspace found around it)\n"
     )
     (tmp_path / "urdfkit.toml").write_text(
         '[[robot]]\nfile = "lib.xacro"\nvariants = { l = { side = "l" }, r = { side = "r" } }'
     )
     assert doctor(".").endswith(
         "\n.: 2 robots (named by the configuration)\n  lib.xacro side:=l\n  lib.xacro side:=r\n"
-        "  a.urdf: the configuration has no [[robot]] for it\n"
+        "  a.urdf: no [[robot]] in the configuration for it\n"
         "  packages are searched in . (because of urdfkit.toml)\n"
     )
 
 
 def test_what_cannot_be_read(doctor: Doctor) -> None:
-    assert doctor("none.urdf", code=2).startswith("error: none.urdf: there is no such file")
+    assert doctor("none.urdf", code=2).startswith("error: none.urdf: file not found")

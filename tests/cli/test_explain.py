@@ -25,13 +25,13 @@ def test_several_rules_are_explained_one_after_the_other(
 
 def test_a_family_is_no_rule(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", "msh"]) == 2
-    assert "it is the family about mesh files" in capsys.readouterr().err
+    assert "a rule family (mesh files)" in capsys.readouterr().err
 
 
 def test_the_page_of_a_rule() -> None:
     page = render(rules.get("TRE006"))
     assert page.startswith("TRE006 joint-to-itself (error, without a fix)\n\nA joint has the same")
-    assert "\n\nNeeds: a robot that can be read\n\nHelp: name the link" in page
+    assert "\n\nNeeds: a readable robot model\n\nHelp: name the link" in page
     assert '\n\nBad:\n\n    <link name="base"/>\n' in page
     assert '\n\nGood:\n\n    <link name="base"/>\n' in page
     assert "Fixed:" not in page
@@ -58,7 +58,7 @@ def test_every_rule_can_be_explained(code: str) -> None:
     assert " ".join(rule.explanation.split()) in flat
     assert head.endswith(", with a fix)" if rule.fixable else ", without a fix)")
     assert "\n\nBad:\n\n    " in page
-    assert re.search(r"\n\nGood(, as the fix makes it)?:\n\n    ", page)
+    assert re.search(r"\n\nGood(, after the fix)?:\n\n    ", page)
     assert [source for source in rule.sources if f"    {source}\n" not in page] == []
 
 
@@ -83,7 +83,7 @@ def test_severities_of_targets_are_gathered() -> None:
 
 
 def test_a_good_robot_that_is_the_fixed_one_is_shown_once() -> None:
-    assert "\n\nGood, as the fix makes it:\n" in render(rules.get("GAZ001"))
+    assert "\n\nGood, after the fix:\n" in render(rules.get("GAZ001"))
     assert "\n\nFixed:\n" not in render(rules.get("GAZ001"))
     page = render(rules.get("GAZ010"))
     assert page.index("\n\nGood:\n") < page.index("\n\nFixed:\n")
@@ -91,5 +91,5 @@ def test_a_good_robot_that_is_the_fixed_one_is_shown_once() -> None:
 
 def test_what_a_rule_needs_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", "SRD009"]) == 0
-    needs = "Needs: a robot that can be read, an SRDF beside the robot, coal (pip install "
+    needs = "Needs: a readable robot model, an SRDF of the robot, coal (pip install "
     assert needs in " ".join(capsys.readouterr().out.split())

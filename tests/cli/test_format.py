@@ -23,9 +23,9 @@ def test_a_file_is_laid_out_once(robot: Path, capsys: pytest.CaptureFixture[str]
     assert robot.read_text() == NEAT
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert captured.err == f"laid out: {robot}\n1 laid out, 0 as they should be\n"
+    assert captured.err == f"reformatted: {robot}\n1 reformatted, 0 unchanged\n"
     assert main(["format", str(robot), "--check"]) == 0
-    assert capsys.readouterr().err == "0 would change, 1 as they should be\n"
+    assert capsys.readouterr().err == "0 would be reformatted, 1 unchanged\n"
 
 
 @pytest.mark.parametrize("option", ["--check", "--diff"])
@@ -35,7 +35,7 @@ def test_checking_writes_nothing(
     assert main(["format", str(robot), option]) == 1
     assert robot.read_text() == UGLY
     captured = capsys.readouterr()
-    assert captured.err == f"would change: {robot}\n1 would change, 0 as they should be\n"
+    assert captured.err == f"would be reformatted: {robot}\n1 would be reformatted, 0 unchanged\n"
     assert ('+  <link name="a"/>\n' in captured.out) is (option == "--diff")
 
 

@@ -57,7 +57,7 @@ def test_names_are_aligned_and_do_not_steer_the_terminal(
     rows = capsys.readouterr().out.splitlines()
     start = next(at for at, row in enumerate(rows) if row.startswith("link "))
     assert rows[start : start + 3] == [
-        "link      mass / kg  in Gazebo",
-        "底盘              1  stays",
-        "a\\u202eb          1  stays",
+        "link      mass / kg  after conversion",
+        "底盘              1  kept",
+        "a\\u202eb          1  kept",
     ]

@@ -41,7 +41,7 @@ def test_write_and_diff(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert main(["inertia", str(file), "--write"]) == 1
     text = capsys.readouterr().out
     assert f"wrote {file}" in text
-    assert "link 'wheel_1' stays as it is: a macro wrote it" in text
+    assert "link 'wheel_1' is unchanged: a macro wrote it" in text
     assert file.read_bytes() != before
     assert main(["inertia", str(file), "--write", "--link", "imu_link"]) == 0
     assert capsys.readouterr().out == "nothing to write\n"

@@ -92,7 +92,7 @@ def test_a_robot_that_cannot_be_read_says_why(
     reported = capsys.readouterr().err
     assert reported.startswith(f"error: {file}:1:")
     assert "'nothing'" in reported
-    assert reported.endswith(f"; see 'urdfkit check {file}', which tells 1 error more\n")
+    assert reported.endswith(f"; see 'urdfkit check {file}', which reports 1 error more\n")
 
 
 @pytest.mark.parametrize(
@@ -100,9 +100,12 @@ def test_a_robot_that_cannot_be_read_says_why(
     [
         (["no.urdf"], "no.urdf"),
         ([ARM, ARM], "name one file"),
-        ([ARM, "--joint", "elbow"], "--joint elbow: write the joint, '=' and its position"),
+        (
+            [ARM, "--joint", "elbow"],
+            "--joint elbow: expected NAME=VALUE: the joint and its position",
+        ),
         ([ARM, "--joint", "elbwo=1"], "did you mean 'elbow'?"),
-        ([ARM, "--pose", "ready"], "there is no pose file 'ready'"),
+        ([ARM, "--pose", "ready"], "no pose file 'ready'"),
     ],
 )
 def test_what_cannot_be_done_is_said(
@@ -133,9 +136,9 @@ def test_instead_of_a_folder_its_robots_are_named(
 ) -> None:
     assert main(["info", str(MODELS / "good" / "two_link_arm")]) == 2
     reported = capsys.readouterr().err
-    assert f"is a folder; name one of its robots: {os.path.relpath(ARM)}\n" in reported
+    assert f"is a directory; pass one of its robots: {os.path.relpath(ARM)}\n" in reported
     assert main(["info", str(tmp_path)]) == 2
-    assert capsys.readouterr().err.endswith("is a folder; name the file of a robot\n")
+    assert capsys.readouterr().err.endswith("is a directory; pass a robot file\n")
 
 
 @pytest.mark.parametrize(

@@ -37,24 +37,24 @@ def test_every_robot_with_the_arguments_it_needs(project: Path, capsys) -> None:
     assert (
         (project / "urdfkit.toml").read_text()
         == """\
-# Settings of urdfkit. It takes no notice of lines that begin with '#'.
+# Settings of urdfkit. Lines starting with '#' are comments.
 
-# The programs that will read the robots; without them, what each robot gives away.
+# Target programs; if not set, they are detected for each robot.
 # targets = ["ros2", "gz-harmonic"]
 
-# Rules that are left out: codes, or the beginning of codes.
+# Rules to ignore: codes, or prefixes of codes.
 # ignore = ["URD001"]
 
 [[robot]]
 file = "urdf/arm.xacro"
-arguments.side = ""  # it must be given: write the value
+arguments.side = ""  # required: fill in the value
 # arguments.scale = "1.0"
 # arguments.label = "say \\"hi\\""
 
 [[robot]]
 file = "urdf/base.urdf"
 
-# urdf/rod.xacro: no robot, and no file includes it
+# urdf/rod.xacro: defines no link, and no file includes it
 """
     )
 

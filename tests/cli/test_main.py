@@ -55,7 +55,7 @@ def test_a_command_of_another_tool(
     word: str, suggested: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main([word]) == 2
-    assert f"there is no command '{word}'; did you mean '{suggested}'?" in capsys.readouterr().err
+    assert f"unknown command '{word}'; did you mean '{suggested}'?" in capsys.readouterr().err
 
 
 needs_meshes = pytest.mark.skipif(bool(missing_for_meshes()), reason="it needs the extra meshes")
@@ -109,11 +109,11 @@ def test_to_ignore_a_rule_that_is_none_is_warned_of(capsys: pytest.CaptureFixtur
         (["check", "a", "--select"], "--select"),
         (["check", GOOD, "--select", "XLM001"], "did you mean 'XML001'?"),
         (["check", GOOD, "--target", "movit"], "did you mean 'moveit'?"),
-        (["check", "no_such.urdf"], "no_such.urdf: there is no such file"),
-        (["check", GOOD, "no_such.urdf"], "no_such.urdf: there is no such file"),
+        (["check", "no_such.urdf"], "no_such.urdf: file not found"),
+        (["check", GOOD, "no_such.urdf"], "no_such.urdf: file not found"),
         (["check", GOOD.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),
-        (["check", "/no/such/folder/robot.urdf"], "there is no folder '/no/such/folder'"),
-        (["check", GOOD, "--format", "json:/no/such/r.json"], "there is no folder '/no/such'"),
+        (["check", "/no/such/folder/robot.urdf"], "no such directory '/no/such/folder'"),
+        (["check", GOOD, "--format", "json:/no/such/r.json"], "no such directory '/no/such'"),
         (["explain"], "RULE"),
         (["explain", "XML0001"], "did you mean 'XML001'?"),
         (["rules", "--format", "yaml"], "'text', 'json'"),
@@ -132,7 +132,7 @@ def test_what_cannot_be_done_is_one_line_and_exit_2(
 
 def test_an_error_does_not_steer_the_terminal(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", "no\x1b[2J\n.urdf"]) == 2
-    assert capsys.readouterr().err == "error: no\\x1b[2J .urdf: there is no such file\n"
+    assert capsys.readouterr().err == "error: no\\x1b[2J .urdf: file not found\n"
 
 
 @UNIX
@@ -196,7 +196,7 @@ def test_an_exception_of_ours_asks_to_report_it(
     captured = capsys.readouterr()
     assert captured.out == ""
     assert "ValueError: boom" in captured.err
-    assert "bug of urdfkit" in captured.err
+    assert "bug in urdfkit" in captured.err
     assert "Traceback" not in captured.err
     monkeypatch.setenv("URDFKIT_DEBUG", "1")
     assert main(["check", GOOD]) == 3
@@ -338,7 +338,7 @@ def test_a_file_name_that_is_no_text(tmp_path: Path) -> None:
     ("error", "message"),
     [
         (OSError(errno.ENOSPC, "No space left on device"), "error: No space left on device\n"),
-        (MemoryError(), "error: there is not enough memory\n"),
+        (MemoryError(), "error: not enough memory\n"),
     ],
     ids=["disk", "memory"],
 )
@@ -363,7 +363,9 @@ def test_expand_makes_the_folder_of_its_output_unless_a_file_is_in_the_way(
     assert (tmp_path / "new" / "r.urdf").exists()
     (tmp_path / "file").touch()
     assert main(["expand", GOOD, "-o", str(tmp_path / "file" / "r.urdf")]) == 2
-    assert f"{tmp_path / 'file'}: cannot be made a folder: File exists" in capsys.readouterr().err
+    assert (
+        f"{tmp_path / 'file'}: cannot create this directory: File exists" in capsys.readouterr().err
+    )
 
 
 @pytest.mark.parametrize(("columns", "expected"), [("40", 40), ("200", 200), ("0", 80), ("x", 80)])
@@ -377,9 +379,9 @@ def test_the_width_is_that_of_the_variable(
 @pytest.mark.parametrize(
     ("word", "message"),
     [
-        ("chekc", "there is no command 'chekc'; did you mean 'check'?"),
-        (GOOD, f"there is no command '{GOOD}'; to check that file: urdfkit check {GOOD}"),
-        ("nothing", "there is no command 'nothing'"),
+        ("chekc", "unknown command 'chekc'; did you mean 'check'?"),
+        (GOOD, f"unknown command '{GOOD}'; to check that file: urdfkit check {GOOD}"),
+        ("nothing", "unknown command 'nothing'"),
     ],
 )
 def test_a_slip_in_the_name_of_a_command(

@@ -66,7 +66,7 @@ def test_a_folder_without_robots_cannot_be_checked(project: Project) -> None:
     (project.folder / "empty").mkdir()
     code, out, err = project.check("empty")
     assert (code, out) == (2, "")
-    assert err == "error: empty: no .urdf, no .xacro with a <robot> and no launch file in it\n"
+    assert err == "error: empty: contains no .urdf, no .xacro with a <robot> and no launch file\n"
 
 
 def test_the_nearest_configuration_counts_unless_told_otherwise(project: Project) -> None:
@@ -87,11 +87,9 @@ def test_a_slip_in_the_configuration_stops_the_check(project: Project) -> None:
     project.write("urdfkit.toml", "selct = []")
     code, out, err = project.check(".")
     assert (code, out) == (2, "")
-    assert "urdfkit.toml: there is no setting 'selct'; did you mean 'select'?" in err
+    assert "urdfkit.toml: unknown setting 'selct'; did you mean 'select'?" in err
     assert project.check(".", "--isolated", "--select", "TRE006")[0] == 1
-    assert project.check(".", "--config", "none.toml")[2] == (
-        "error: none.toml: there is no such file\n"
-    )
+    assert project.check(".", "--config", "none.toml")[2] == ("error: none.toml: file not found\n")
 
 
 @pytest.mark.parametrize("words", [[], ["--trust"], ["--config", "urdfkit.toml"]])
@@ -99,7 +97,7 @@ def test_trust_takes_a_word_of_the_user(project: Project, words: list[str]) -> N
     project.write("urdfkit.toml", SETTINGS + "trust = true\n")
     code, _, err = project.check("good.urdf", *words)
     assert code == (0 if words else 2)
-    assert ("'trust' counts only if you say so yourself" in err) is not bool(words)
+    assert ("'trust' must be confirmed on the command line" in err) is not bool(words)
 
 
 def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
@@ -125,7 +123,7 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
     ("words", "reported"),
     [
         (["--write-baseline"], "--write-baseline needs --baseline FILE"),
-        (["--baseline", "none.json"], "none.json: there is no such file"),
+        (["--baseline", "none.json"], "none.json: file not found"),
     ],
 )
 def test_a_baseline_that_is_missing_is_told_before_the_check(
@@ -153,7 +151,7 @@ def test_what_is_wrong_with_a_baseline(project: Project) -> None:
     assert err == "error: --write-baseline needs --baseline FILE to write to\n"
     code, out, err = project.check(".", "--baseline", "none.json")
     assert (code, out) == (2, "")
-    assert err == "error: none.json: there is no such file\n"
+    assert err == "error: none.json: file not found\n"
     project.write("known.json", "[]")
     assert project.check(".", "--baseline", "known.json")[0] == 2
 

@@ -101,7 +101,7 @@ def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
         ([ARM, "--diff", ARM, "--size", "100000x100000"], "million pixels"),
         ([ARM, "--layers", "frame"], "did you mean"),
         ([ARM, "--diff"], "two files"),
-        ([ARM, "--diff", "--thumbnail", ARM], "do not go together"),
+        ([ARM, "--diff", "--thumbnail", ARM], "exclude one another"),
         ([ARM, "--sweep", "knee"], "no joint 'knee'"),
         ([ARM, "--diff", ARM, "--view", "all"], "only one"),
     ],

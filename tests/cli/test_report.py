@@ -46,9 +46,9 @@ def test_findings_make_it_fail_if_asked(
     [
         ([MISSION, MISSION], "name one file"),
         (["none.urdf"], "none.urdf"),
-        ([MISSION, "-o", "r.pdf"], "the suffix is none of"),
-        ([MISSION, "-o", "/nowhere/r.md"], "there is no folder"),
-        ([MISSION, "--target", "mars"], "there is no target 'mars'"),
+        ([MISSION, "-o", "r.pdf"], "the suffix is not one of"),
+        ([MISSION, "-o", "/nowhere/r.md"], "no such directory"),
+        ([MISSION, "--target", "mars"], "unknown target 'mars'"),
     ],
 )
 def test_what_cannot_be_done_is_said(

@@ -54,9 +54,9 @@ def test_the_element_of_trace_may_be_in_it(capsys: pytest.CaptureFixture[str]) -
     ("words", "reason"),
     [
         (["view", "-"], "name a file to follow"),
-        (["diff", str(FILE), "-"], "standard input cannot be compared; name a file"),
-        (["fix", "-"], "standard input cannot be fixed in place; name a file"),
-        (["inertia", "-", "--write", "--link", "palm", "--mass", "3"], "there is no such file"),
+        (["diff", str(FILE), "-"], "standard input cannot be compared; pass a file"),
+        (["fix", "-"], "standard input cannot be fixed in place; pass a file"),
+        (["inertia", "-", "--write", "--link", "palm", "--mass", "3"], "file not found"),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",
 )

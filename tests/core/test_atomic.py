@@ -74,9 +74,9 @@ def test_a_failure_leaves_the_old_file_and_nothing_else(
 
 
 def test_what_cannot_be_written_is_said_with_the_remedy(tmp_path: Path) -> None:
-    with pytest.raises(UnwritableFile, match="is a folder; name a file in it"):
+    with pytest.raises(UnwritableFile, match="is a directory; pass a file in it"):
         atomic.write(tmp_path, b"")
-    with pytest.raises(UnwritableFile, match=r"there is no folder '.*missing'; make it first"):
+    with pytest.raises(UnwritableFile, match=r"no such directory '.*missing'; create it first"):
         atomic.write(tmp_path / "missing" / "a", b"")
     with pytest.raises(UnwritableFile, match="null"):
         atomic.write("a\0b", b"")

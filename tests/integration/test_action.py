@@ -194,7 +194,7 @@ def test_a_picture_that_is_missing_is_told(runner: Runner) -> None:
         for what in ("picture", "tree")
     ]
     assert "x.urdf" in done.stderr
-    assert "No picture of `1-x.urdf`." in runner.summary.read_text()
+    assert "No image of `1-x.urdf`." in runner.summary.read_text()
 
 
 @needs_bash
@@ -233,7 +233,7 @@ def test_the_summary_leads_to_what_was_uploaded(runner: Runner) -> None:
 def test_what_cannot_be_done_fails_without_reports(runner: Runner) -> None:
     done = runner.run("Check", files="missing.urdf")
     assert done.returncode == 0
-    assert "missing.urdf: there is no such file" in done.stderr
+    assert "missing.urdf: file not found" in done.stderr
     assert not runner.summary.exists()
     assert "steps.check.outputs.reports" not in runner.values
     assert runner.run("Result").returncode == 2

@@ -94,7 +94,7 @@ def test_another_file_is_refused_by_name(tmp_path, text):
 
 
 def test_a_missing_file_is_refused_by_name(tmp_path):
-    with pytest.raises(BaselineError, match="there is no such file"):
+    with pytest.raises(BaselineError, match="file not found"):
         load(str(tmp_path / "none.json"))
 
 

@@ -429,5 +429,5 @@ def test_robots_that_the_configuration_does_not_name_are_told(tmp_path: Path):
     )
     report = check(tmp_path, config=config, select=["XML"])
     assert [(Path(skip.path).name, skip.reason) for skip in report.skipped] == [
-        ("spare.urdf", "the configuration has no [[robot]] for it")
+        ("spare.urdf", "no [[robot]] in the configuration for it")
     ]

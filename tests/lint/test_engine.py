@@ -140,7 +140,7 @@ def test_a_finding_says_which_variants_have_it(tmp_path: Path) -> None:
 def test_a_variant_that_is_none_is_an_exception(robots: Path) -> None:
     with pytest.raises(ConfigError, match="no variant 'big'; it has none"):
         check(robots / "one.xacro", variant="big")
-    with pytest.raises(ConfigError, match="no robot here has a variant 'big'"):
+    with pytest.raises(ConfigError, match="no robot has a variant 'big'"):
         check(robots, variant="big")
 
 

@@ -173,7 +173,7 @@ def test_what_another_robot_needs_is_kept(tmp_path: Path) -> None:
     for files in ((one,), (tmp_path,), (one, tmp_path / "two.urdf.xacro")):
         fixes = fix(*files, unsafe=True)
         assert fixes.files == ()
-        assert ("REF001", "dropped: another robot uses the text, and is right as it is") in {
+        assert ("REF001", "skipped: another robot uses this text and is correct as it is") in {
             (left.diagnostic.code, left.reason) for left in fixes.left
         }
 
@@ -214,7 +214,11 @@ def test_a_fix_that_adds_an_error_is_dropped_and_the_others_are_applied(tmp_path
     fixes = fix(write(tmp_path, "r.urdf", body), unsafe=True)
     assert [one.code for one in fixes.applied] == ["JNT020"]
     reasons = {left.diagnostic.code: left.reason for left in fixes.left}
+<<<<<<< HEAD
     assert reasons["REF001"] == "dropped: it would add TRE003"
+=======
+    assert reasons["REF001"] == "skipped: it would add TRE004"
+>>>>>>> step2-6
 
 
 def test_errors_that_were_hidden_do_not_forbid_a_fix(tmp_path: Path) -> None:
@@ -278,7 +282,11 @@ def test_with_some_rules_only_the_others_still_guard(tmp_path: Path) -> None:
     file = write(tmp_path, "r.urdf", body)
     fixes = fix(file, unsafe=True, select=["REF"])
     assert [(left.diagnostic.code, left.reason) for left in fixes.left] == [
+<<<<<<< HEAD
         ("REF001", "dropped: it would add TRE003")
+=======
+        ("REF001", "skipped: it would add TRE004")
+>>>>>>> step2-6
     ]
 
 
@@ -334,7 +342,7 @@ def test_variants_must_agree_on_what_they_share(tmp_path: Path, other: str, agre
     fixes = fix(file, config=Config(robots=robots, severities=SEVERITIES))
     assert [one.code for one in fixes.applied] == ["JNT020"] * agree
     reasons = {left.reason for left in fixes.left if left.diagnostic.code == "JNT020"}
-    text = "dropped: another robot uses the text, and is right as it is"
+    text = "skipped: another robot uses this text and is correct as it is"
     assert reasons == (set() if agree else {text})
 
 
@@ -407,7 +415,7 @@ def test_a_defect_that_a_fix_makes_where_all_could_be_seen_forbids_it(tmp_path: 
     fixes = fix(write(tmp_path, "r.xacro", text + calls, XACRO), unsafe=True)
     assert [one.code for one in fixes.applied] == []
     reasons = {left.diagnostic.code: left.reason for left in fixes.left}
-    assert reasons["XAC002"] == "dropped: it would add NAM001"
+    assert reasons["XAC002"] == "skipped: it would add NAM001"
 
 
 def test_rules_that_are_left_out_of_the_guard_know_no_error_and_no_fix() -> None:

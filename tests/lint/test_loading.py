@@ -89,7 +89,7 @@ def test_broken_xml_is_told_with_its_place() -> None:
 
 def test_a_missing_file_is_another_matter(tmp_path: Path) -> None:
     for call in (load, expand):
-        with pytest.raises(UnreadableFile, match="there is no such file"):
+        with pytest.raises(UnreadableFile, match="file not found"):
             call(tmp_path / "none.urdf")
     assert issubclass(UnreadableFile, UrdfkitError)
     assert issubclass(UnreadableRobot, UrdfkitError)

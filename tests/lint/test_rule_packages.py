@@ -156,8 +156,13 @@ def test_a_module_in_a_configuration_that_was_found_is_not_imported(place: Place
     code, text = place.check()
     assert code == 2
     assert text == (
+<<<<<<< HEAD
         "error: urdfkit.toml: 'rule-packages': no package of rules is installed as 'evil'; to "
         "import a module runs its code, which takes --trust or --config FILE\n"
+=======
+        "error: urdfkit.toml: 'rules': no rule package is installed as 'evil'; to import a "
+        "module runs its code, which takes --trust or --config FILE\n"
+>>>>>>> step2-6
     ).replace("urdfkit.toml", str(place.project / "urdfkit.toml"))
 
 
@@ -173,10 +178,10 @@ def test_a_module_beside_the_configuration_runs_where_that_is_trusted(
 @pytest.mark.parametrize(
     ("files", "name", "message"),
     [
-        ({}, "acme", "there is no package of rules 'acme', neither installed nor as a module"),
-        ({"a/__init__.py": ""}, "a", "'a': it holds no module that is named abc123_some_defect"),
+        ({}, "acme", "no rule package 'acme', neither installed nor as a module"),
+        ({"a/__init__.py": ""}, "a", "'a': no module named abc123_some_defect in it"),
         ({"a/__init__.py": "1/0", "a/b/__init__.py": ""}, "a.b", "'a.b': ZeroDivisionError"),
-        ({}, "..", "package of rules '..': "),
+        ({}, "..", "rule package '..': "),
         ({"ine900_mine.py": ""}, "ine900_mine", "the letters INE are urdfkit's own"),
         ({"acm001_x.py": ""}, "acm001_x", "must hold a 'check' with @rule('ACM001', ...)"),
         ({"acm001_x.py": "1/0"}, "acm001_x", "acm001_x: ZeroDivisionError: division by zero"),
@@ -265,5 +270,5 @@ def test_the_tests_of_the_example_pass(tmp_path: Path) -> None:
 
 
 def test_unknown_names_are_told_in_the_library() -> None:
-    with pytest.raises(RuleError, match="no package of rules is installed as 'nothing_such'"):
+    with pytest.raises(RuleError, match="no rule package is installed as 'nothing_such'"):
         rule_packages.add(["nothing_such"], modules=False)

@@ -23,7 +23,7 @@ def test_a_comment_accepts_the_finding_and_no_other(code: str) -> None:
     before = found(file)
     diagnostic = next(one for one in before if one.code == code)
     *_, action = actions(file.page, diagnostic)
-    assert action.title == f"Accept {code} here, by a comment"
+    assert action.title == f"Suppress {code} here with a comment"
     file.type(apply_edits(file.page.source.data, action.edits).decode())
     gone = [one.message for one in before]
     for left in found(file):

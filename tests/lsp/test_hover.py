@@ -31,7 +31,7 @@ def test_a_link_has_mass_and_inertia() -> None:
         "- principal moments 0.1, 0.1, 0.1 kg m²",
         "- visual: box",
         "- collision: box",
-        "- hangs on `base_footprint` by the fixed joint `base_footprint_joint`",
+        "- child of `base_footprint` by the fixed joint `base_footprint_joint`",
     ]
 
 

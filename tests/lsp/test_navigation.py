@@ -202,12 +202,12 @@ def test_renaming_a_link_of_the_mission_renames_it_everywhere() -> None:
 @pytest.mark.parametrize(
     ("before", "after", "new", "why"),
     [
-        ('reference="left', "_leg", "x", "_leg' at r.xacro:5 is made by an expression"),
-        ('link="ba', "se", "left_leg", "there is a link 'left_leg' already"),
-        ('link="ba', "se", "<a>", "cannot be a name"),
-        ('link="ba', "se", " ", "cannot be a name"),
-        ("2 * ma", "ss", "a b", "no name for a property"),
-        ("<rob", "ot", "x", "no name here"),
+        ('reference="left', "_leg", "x", "_leg' at r.xacro:5 comes from an expression"),
+        ('link="ba', "se", "left_leg", "there is already a link 'left_leg'"),
+        ('link="ba', "se", "<a>", "is not a valid name"),
+        ('link="ba', "se", " ", "is not a valid name"),
+        ("2 * ma", "ss", "a b", "not a valid name for a property"),
+        ("<rob", "ot", "x", "no name to rename here"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_renamed_is_refused(tmp_path, before, after, new, why) -> None:
@@ -218,7 +218,7 @@ def test_what_cannot_be_renamed_is_refused(tmp_path, before, after, new, why) ->
 
 def test_a_name_that_is_given_nowhere_is_not_renamed(tmp_path: Path) -> None:
     file = edited(tmp_path, "sq", "rt", text=MACRO.replace("2 * mass", "sqrt(mass)"))
-    with pytest.raises(CannotRename, match="'sqrt' is given nowhere"):
+    with pytest.raises(CannotRename, match="'sqrt' is not defined"):
         rename(file.robot, file.page, file.offset, "x")
 
 

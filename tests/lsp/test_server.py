@@ -115,7 +115,7 @@ def test_every_question_has_an_answer() -> None:
         fix, accept = offered
         assert (fix.title, fix.kind, fix.is_preferred) == ("Use the built-in pi", "quickfix", False)
         assert [change.new_text for change in fix.edit.changes[file.uri]] == ["${pi}"]
-        assert accept.title == "Accept XAC007 here, by a comment"
+        assert accept.title == "Suppress XAC007 here with a comment"
 
     talk(conversation)
 

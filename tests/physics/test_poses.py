@@ -67,10 +67,10 @@ def test_a_position(robot: Subject, joint: str, text: str | float, position: flo
 @pytest.mark.parametrize(
     ("given", "reported"),
     [
-        ({"tunr": "1"}, "there is no joint 'tunr'; did you mean 'turn'?"),
-        ({"turn": "fast"}, "joint 'turn': 'fast' is no position; write 1.57, 90deg or 0.1"),
-        ({"turn": "nan"}, "joint 'turn': 'nan' is no position; write 1.57, 90deg or 0.1"),
-        ({"turn": "deg"}, "joint 'turn': 'deg' is no position; write 1.57, 90deg or 0.1"),
+        ({"tunr": "1"}, "no joint 'tunr'; did you mean 'turn'?"),
+        ({"turn": "fast"}, "joint 'turn': 'fast' is not a position; write 1.57, 90deg or 0.1"),
+        ({"turn": "nan"}, "joint 'turn': 'nan' is not a position; write 1.57, 90deg or 0.1"),
+        ({"turn": "deg"}, "joint 'turn': 'deg' is not a position; write 1.57, 90deg or 0.1"),
         ({"slide": "5deg"}, "joint 'slide' slides; write its position in m, not in degrees"),
         ({"follower": "1"}, "joint 'follower' follows 'turn'; give the position of that one"),
         ({"weld": "1"}, "joint 'weld' is fixed: it does not move"),
@@ -107,11 +107,11 @@ def test_a_file(robot: Subject, tmp_path: Path, text: str) -> None:
         ("", "it must hold one 'joint: position' a line, as YAML or JSON"),
         ("- 1\n", "it must hold one 'joint: position' a line, as YAML or JSON"),
         ("a: [", "neither YAML nor JSON"),
-        ("turn: [1]\n", "joint 'turn': 'list' is no position"),
-        ("turn: 0x" + 5000 * "f", "joint 'turn': 'int' is no position"),
-        (BOMB, "joint 'turn': 'list' is no position"),
-        ("turn: true\n", "joint 'turn': 'True' is no position"),
-        ("turn:\n", "joint 'turn': 'None' is no position"),
+        ("turn: [1]\n", "joint 'turn': 'list' is not a position"),
+        ("turn: 0x" + 5000 * "f", "joint 'turn': 'int' is not a position"),
+        (BOMB, "joint 'turn': 'list' is not a position"),
+        ("turn: true\n", "joint 'turn': 'True' is not a position"),
+        ("turn:\n", "joint 'turn': 'None' is not a position"),
         ("? [a, b]\n: 1\n", "neither YAML nor JSON"),
         ("[" * 20_000, "nested too deeply"),
         ("turn: 2001-02-30", "neither YAML nor JSON"),
@@ -161,7 +161,7 @@ def test_a_state_of_a_named_srdf(robot: Subject, tmp_path: Path) -> None:
     (tmp_path / "other.srdf").write_text(SRDF.replace("0.5", "0.75"))
     assert pose(robot, name=f"{tmp_path}/other.srdf:arm/ready") == {"turn": 0.75}
     (tmp_path / "no.srdf").write_text("<sdf/>")
-    with pytest.raises(PoseError, match=r"no.srdf: it is no SRDF"):
+    with pytest.raises(PoseError, match=r"no.srdf: not an SRDF file"):
         pose(robot, name=f"{tmp_path}/no.srdf:ready")
 
 

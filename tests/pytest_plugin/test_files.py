@@ -55,7 +55,7 @@ def test_the_severity_that_fails_a_file_is_set(project: Project) -> None:
     [
         ("urdf_files = urdf/*.udrf", "urdf_files: no file in {folder} matches 'urdf/*.udrf'"),
         ("urdf_files = /urdf/*.urdf", "urdf_files: '/urdf/*.urdf': "),
-        ("urdf_fail_on = fatal", "urdf_fail_on: 'fatal' is none of error, warning, info"),
+        ("urdf_fail_on = fatal", "urdf_fail_on: 'fatal' is not one of error, warning, info"),
     ],
 )
 def test_a_slip_in_a_setting_is_told(project: Project, setting: str, message: str) -> None:

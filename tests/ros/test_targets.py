@@ -66,7 +66,7 @@ def test_names_are_taken_in_one_order() -> None:
 def test_an_unknown_name_is_an_error_with_the_nearest(name: str, hint: str) -> None:
     with pytest.raises(UnknownTarget) as error:
         parse(["ros2", name])
-    assert str(error.value) == f"there is no target '{name}'{hint} ({', '.join(TARGETS)})"
+    assert str(error.value) == f"unknown target '{name}'{hint} ({', '.join(TARGETS)})"
 
 
 def test_any_of() -> None:

@@ -14,11 +14,11 @@ from urdfkit.text.source import Source
 @pytest.mark.parametrize(
     ("word", "reason"),
     [
-        ("robt.urdf", "there is no such file; did you mean 'robot.urdf'?"),
-        ("robot.xml", "there is no such file; did you mean 'robot.urdf'?"),
-        ("missing.urdf", "there is no such file"),  # the suffix alone is no likeness
-        ("none/robot.urdf", "there is no folder '{}/none'"),
-        ("", "is a folder; name the files in it"),
+        ("robt.urdf", "file not found; did you mean 'robot.urdf'?"),
+        ("robot.xml", "file not found; did you mean 'robot.urdf'?"),
+        ("missing.urdf", "file not found"),  # the suffix alone is no likeness
+        ("none/robot.urdf", "no such directory '{}/none'"),
+        ("", "is a directory; pass the files in it"),
     ],
 )
 def test_a_missing_file_is_told_with_the_one_that_was_meant(

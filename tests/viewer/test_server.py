@@ -214,8 +214,8 @@ def test_a_port_is_free_as_soon_as_its_viewer_has_ended(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("error", "reported"),
     [
-        (UnreadableFile("r.urdf: there is no such file"), "r.urdf: there is no such file"),
-        (ValueError("boom"), "urdfkit failed with ValueError: boom"),
+        (UnreadableFile("r.urdf: file not found"), "r.urdf: file not found"),
+        (ValueError("boom"), "internal error: ValueError: boom"),
     ],
 )
 def test_what_fails_is_told_once_and_does_not_end_the_viewer(

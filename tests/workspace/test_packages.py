@@ -65,7 +65,7 @@ def test_explicit_wins_and_is_the_only_place(tmp_path: Path) -> None:
     none = finder(explicit={"arm": str(tmp_path / "none")})
     assert first(none, "arm", near) is None
     assert none.searched("arm", str(near)) == (
-        f"{tmp_path / 'none'} (given for arm; no such folder)",
+        f"{tmp_path / 'none'} (given for arm; no such directory)",
     )
 
 
@@ -295,7 +295,7 @@ def test_what_was_searched_is_told(tmp_path: Path) -> None:
     near = add_package(tmp_path / "repo" / "arm", "arm") / "urdf" / "arm.urdf"
     environment = {"AMENT_PREFIX_PATH": f"/opt/a{os.pathsep}/opt/b"}
     assert finder(environment).searched("none", str(near)) == (
-        f"{near.parent} and the folders above it",
+        f"{near.parent} and its parent directories",
         f"AMENT_PREFIX_PATH (/opt/a{os.pathsep}/opt/b)",
         "ROS_PACKAGE_PATH (not set)",
         f"{tmp_path / 'repo' / 'arm'} (1 package)",

@@ -92,7 +92,7 @@ def test_a_missing_package_is_another_thing(arm: Path) -> None:
     assert (located.package, located.folder, located.path) == ("hand", None, None)
     assert located.tried == ()
     assert located.searched[:3] == (
-        f"{arm / 'urdf'} and the folders above it",
+        f"{arm / 'urdf'} and its parent directories",
         "AMENT_PREFIX_PATH (not set)",
         "ROS_PACKAGE_PATH (not set)",
     )

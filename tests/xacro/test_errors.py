@@ -165,7 +165,7 @@ def test_a_package_that_is_not_found(tmp_path: Path) -> None:
     assert problem.code == "XAC011"
     assert brief(problem) == "robot.xacro:2:26 $(find nowhere)"
     assert problem.message.startswith(
-        f"package 'nowhere' is not found; searched: {folder} and the folders above it, "
+        f"package 'nowhere' is not found; searched: {folder} and its parent directories, "
         "AMENT_PREFIX_PATH (not set), ROS_PACKAGE_PATH (not set)"
     )
     assert problem.help == "name its folder: --package nowhere=DIR"

@@ -6,7 +6,7 @@ by its exit code how it went:
 - 0: clean, or done
 - 1: findings at or over ``--fail-on``
 - 2: it cannot be done: a file is missing, an option is wrong
-- 3: a bug of urdfkit
+- 3: a bug in urdfkit
 - 130: stopped by Ctrl-C
 
 Results go to standard output, everything else to standard error.
@@ -64,16 +64,16 @@ def _guarded(words: list[str]) -> int:
         return 2  # of standard error; of standard output it is none
     except Exception as error:
         if isinstance(error, MemoryError) or getattr(error, "errno", None) == ENOSPC:
-            return _fail(2, getattr(error, "strerror", "") or "there is not enough memory")
+            return _fail(2, getattr(error, "strerror", "") or "not enough memory")
         if os.environ.get("URDFKIT_DEBUG") == "1":
             import traceback
 
             traceback.print_exc()
         return _fail(
             3,
-            f"urdfkit failed with {type(error).__name__}: {error}",
-            "This is a bug of urdfkit, not of the robot. Please report it, with the file; "
-            "URDFKIT_DEBUG=1 shows where it happened.",
+            f"internal error: {type(error).__name__}: {error}",
+            "This is a bug in urdfkit, not in the robot. Please report it with the file; "
+            "URDFKIT_DEBUG=1 prints the traceback.",
         )
 
 

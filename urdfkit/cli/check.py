@@ -36,13 +36,13 @@ command = click.Command(
         click.Argument([FILES], nargs=-1, metavar="FILE... [NAME:=VALUE]..."),
         *map(click_option, CHECK),
     ],
-    help="""Check robots and report what is wrong with them.
+    help="""Check robot models; report problems at their source lines.
 
-    FILE is a URDF or a xacro, whatever its suffix; '-' is standard input.
-    NAME:=VALUE is an argument for xacro.
+    FILE is a URDF or xacro file, or a directory; '-' is standard input.
+    NAME:=VALUE is a xacro argument.
 
-    Exit codes: 0 nothing found that --fail-on counts, 1 something found, 2 it cannot be done,
-    3 a bug of urdfkit.
+    Exit codes: 0 no findings at or above --fail-on, 1 findings, 2 usage or input error,
+    3 internal error (a bug in urdfkit).
     """,
     epilog=examples(
         "urdfkit check robot.urdf.xacro prefix:=left_",

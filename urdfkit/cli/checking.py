@@ -137,7 +137,7 @@ def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = 
 
     files = options.files(values)
     if "-" in files:
-        raise options.UsageError("standard input cannot be fixed in place; name a file")
+        raise options.UsageError("standard input cannot be fixed in place; pass a file")
     progress = _progress(files)
     unsafe, force = values["unsafe_fixes"], values["force"]
     now: Options = {**chosen, "progress": progress}

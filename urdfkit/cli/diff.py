@@ -38,15 +38,17 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
     "--fail-on",
     metavar="KINDS",
     default="any",
-    help=f"What makes the exit code 1: any, none, or of {', '.join(KINDS)}.",
+    help=f"Differences that make the exit code 1: any, none, or some of {', '.join(KINDS)}.",
 )
 @click.option(
     "--tolerance",
     multiple=True,
     metavar="NAME=VALUE",
-    help=f"What may differ: {', '.join(_NUMBERS)}; in m and rad, or relative.",
+    help=f"Tolerances: {', '.join(_NUMBERS)}; in m and rad, or relative.",
 )
-@click.option("--lang", type=click.Choice(LANGUAGES), help="Language of the HTML. [default: en]")
+@click.option(
+    "--lang", type=click.Choice(LANGUAGES), help="Language of the HTML page. [default: en]"
+)
 def command(
     form: str | None,
     output_file: str | None,
@@ -55,19 +57,19 @@ def command(
     lang: str | None,
     **values: Any,
 ) -> int:
-    """Tell what became of a robot: its parts, not its text.
+    """Compare two robot models by their parts, not by their text.
 
     BEFORE and AFTER are files, or files of a git revision, such as HEAD~1:urdf/robot.urdf.xacro.
-    Compared are links, joints, limits, masses, inertias, shapes, the surfaces of meshes, where
-    every link is, the total mass and centre of mass, and the findings of urdfkit check.
+    Compares links, joints, limits, masses, inertias, shapes, mesh surfaces, link poses, the total
+    mass and centre of mass, and the findings of urdfkit check.
 
-    Exit codes: 0 no differences that count, 1 some, 2 it cannot be done.
+    Exit codes: 0 no differences, 1 differences of --fail-on, 2 usage or input error.
     """
     files = options.files(values)
     if len(files) != 2:
-        raise options.UsageError("name two files; xacro arguments are written name:=value")
+        raise options.UsageError("expected two files; xacro arguments have the form name:=value")
     if "-" in files:
-        raise options.UsageError("standard input cannot be compared; name a file")
+        raise options.UsageError("standard input cannot be compared; pass a file")
     name = _format(form, output_file)
     render = import_module(f"urdfkit.output.comparison.{name}").render
     if lang:
@@ -101,7 +103,7 @@ def _format(form: str | None, output_file: str | None) -> str:
     for suffix, name in SUFFIXES.items():
         if output_file.lower().endswith(suffix):
             return name
-    raise options.UsageError(f"-o {output_file}: the suffix is none of {', '.join(SUFFIXES)}")
+    raise options.UsageError(f"-o {output_file}: the suffix is not one of {', '.join(SUFFIXES)}")
 
 
 def _kinds(text: str) -> set[str]:

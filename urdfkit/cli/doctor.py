@@ -29,7 +29,7 @@ _PACKAGES = (
     ("xacro", "expansion", "urdfkit"),
     ("click", "command line", "urdfkit"),
     ("PyYAML", "load_yaml in xacro; controllers", "urdfkit"),
-    ("numpy", "all that is measured, computed or drawn", "urdfkit[meshes]"),
+    ("numpy", "measures, mass properties, rendering", "urdfkit[meshes]"),
     ("lxml", "COLLADA meshes", "urdfkit[meshes]"),
     ("trimesh", "PLY and glTF meshes; mesh commands", "urdfkit[meshes]"),
     ("mapbox-earcut", "polygons in meshes", "urdfkit[meshes]"),
@@ -46,10 +46,10 @@ _PACKAGES = (
     ("Jinja2", "report pages", "urdfkit[report]"),
     ("starlette", "the viewer", "urdfkit[report]"),
     ("uvicorn", "the viewer", "urdfkit[report]"),
-    ("yourdfpy", "robots handed on to yourdfpy", "urdfkit[exchange]"),
+    ("yourdfpy", "conversion to yourdfpy", "urdfkit[exchange]"),
     ("pygls", "the language server", "urdfkit[lsp]"),
 )
-_PROGRAMS = {"git": "comparing a robot with an earlier revision"}
+_PROGRAMS = {"git": "comparison with an earlier git revision"}
 
 
 @click.command(
@@ -60,17 +60,16 @@ _PROGRAMS = {"git": "comparing a robot with an earlier revision"}
     ),
 )
 @click.argument("words", nargs=-1, metavar="[FILE] [NAME:=VALUE]...")
-@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-@click.option("--target", multiple=True, metavar="NAMES", help="As of urdfkit check.")
-@click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
-@click.option("--isolated", is_flag=True, help="Take no configuration.")
-@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
+@click.option("--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package.")
+@click.option("--target", multiple=True, metavar="NAMES", help="As in urdfkit check.")
+@click.option("--config", metavar="FILE", help="Configuration file. [default: the nearest one]")
+@click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
+@click.option("--trust", is_flag=True, help="Let the model run any expression and read any file.")
 def command(words: tuple[str, ...], **values: Any) -> int:
-    """Tell what urdfkit has to work with: libraries, configuration.
+    """Show the environment and optional dependencies.
 
-    With FILE, a description or a folder, also what a check of it works with: the packages
-    around it, the programs that severities are weighed for and why, and the rules that do not
-    run and why.
+    With FILE, a model or a directory, also shows what a check of it uses: the packages found, the
+    targets and why they were detected, and the rules that are skipped and why.
 
     Exit codes: 0 done, 2 FILE or the configuration cannot be read.
     """
@@ -103,7 +102,7 @@ def _installed() -> Iterator[str]:
     for name, purpose in _PROGRAMS.items():
         yield f"  {name:<21}{'found' if shutil.which(name) else 'missing':<14}{purpose}"
     for name, module in sorted(installed().items()):
-        yield f"  rules of others: {name} ({module}); run with --rules {name}"
+        yield f"  other rule packages: {name} ({module}); run with --rules {name}"
 
 
 def _environment() -> Iterator[str]:
@@ -121,7 +120,7 @@ def _folder(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
         words = [f"{name}:={value}" for name, value in robot.arguments.items()]
         yield "  " + " ".join([shown(robot.file), *words])
     for library in found.libraries:
-        yield f"  {shown(library)}: makes no link itself, and no file includes it"
+        yield f"  {shown(library)}: defines no link, and no file includes it"
     for other, reason in found.others.items():
         yield f"  {shown(other)}: {reason}"
     yield from _packages(os.path.join(path, "x"), resolver)
@@ -144,7 +143,7 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     report = check(
         source, arguments=arguments, packages=packages, targets=names, trust=trust, config=config
     )
-    yield f"  rules: {len(report.rules)} had something to look at"
+    yield f"  rules: {len(report.rules)} apply"
     yield from (f"  {skip.code or 'file'} skipped: {skip.reason}" for skip in report.skipped)
 
 
@@ -153,7 +152,7 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
     packages = resolver.packages
     root = packages.root(path)
     known = packages.known(path)
-    why = f"because of {root.mark}" if root.mark else "no .git, workspace or licence around it"
+    why = f"because of {root.mark}" if root.mark else "no repository or workspace found around it"
     yield f"  packages are searched in {shown(root.folder)} ({why})"
     beside = [level.root for level in packages.levels(path) if not level.inside]
     yield from (f"    and next to it, in {shown(folder)}" for folder in beside)
@@ -174,5 +173,5 @@ def _targets(subject: Subject, given: Targets | None) -> Iterator[str]:
         yield f"  targets: {', '.join(given.names)} (given)"
         return
     inferred = subject.inferred_targets
-    yield f"  targets: {', '.join(inferred.names) or 'none; name them with --target'}"
+    yield f"  targets: {', '.join(inferred.names) or 'none detected; select with --target'}"
     yield from (f"    {reason}" for reason in inferred.evidence)

@@ -33,9 +33,16 @@ if TYPE_CHECKING:
 @click.option(
     "-o", "--output", "target", metavar="FILE", help="Write to FILE instead of standard output."
 )
-@click.option("--deps", is_flag=True, help="Print the files that it depends on instead.")
-@click.option("--map", "map_file", metavar="FILE", help="Write where every element comes from.")
-@click.option("--root-dir", metavar="FOLDER", default=os.curdir, help="Relative paths start here.")
+@click.option("--deps", is_flag=True, help="Print the files that it depends on, and nothing else.")
+@click.option(
+    "--map", "map_file", metavar="FILE", help="Write the source location of every element as JSON."
+)
+@click.option(
+    "--root-dir",
+    metavar="FOLDER",
+    default=os.curdir,
+    help="Directory that relative paths start from.",
+)
 @click.option("-q", "quiet", is_flag=True, help="Do not print warnings.")
 @click.option(
     "-v",
@@ -44,7 +51,7 @@ if TYPE_CHECKING:
     show_default=False,
     help="Accepted for compatibility with xacro.",
 )
-@click.option("--verbosity", type=int, metavar="LEVEL", help="0 is -q, as with xacro.")
+@click.option("--verbosity", type=int, metavar="LEVEL", help="0 is the same as -q, as in xacro.")
 @click.option("-i", "--inorder", is_flag=True, help="Accepted for compatibility with xacro.")
 def command(
     asked: dict[str, Any],
@@ -59,11 +66,12 @@ def command(
 ) -> int:
     """Expand a xacro file, as the xacro command does, without ROS.
 
-    The result is that of xacro byte for byte. Of a file with errors all are told, each at its
-    place. --map writes JSON: for every element of the result its file, line and column, and the
-    macro calls and includes that led there; '-' is standard output, in place of the result.
+    The output equals that of xacro byte for byte. All errors of a file are reported, each at its
+    source line. --map writes JSON: the file, line and column of every element of the output, and
+    the macro calls and includes that it comes from; '-' writes it to standard output instead of
+    the model.
 
-    Exit codes: 0 done, 2 it cannot be expanded, 3 a bug of urdfkit.
+    Exit codes: 0 done, 2 usage or input error, 3 internal error (a bug in urdfkit).
     """
     from urdfkit.workspace.resolve import Resolver
     from urdfkit.xacro import expand

@@ -15,11 +15,11 @@ from urdfkit.text.diagnostic import Severity
 
 _NEEDS = {
     Need.XACRO: "a xacro that expands",
-    Need.MODEL: "a robot that can be read",
-    Need.FILES: "the files that the robot names",
-    Need.MESHES: "meshes that can be read (pip install 'urdfkit[meshes]')",
+    Need.MODEL: "a readable robot model",
+    Need.FILES: "the files that the robot references",
+    Need.MESHES: "readable meshes (pip install 'urdfkit[meshes]')",
     Need.LAUNCH: "a launch file",
-    Need.SRDF: "an SRDF beside the robot",
+    Need.SRDF: "an SRDF of the robot",
     Need.DYNAMICS: "Pinocchio (pip install 'urdfkit[dynamics]')",
     Need.COLLISIONS: "coal (pip install 'urdfkit[dynamics]')",
 }
@@ -36,13 +36,18 @@ _HARD = "\0"
     ),
 )
 @click.argument("words", nargs=-1, required=True, metavar="RULE...")
-@click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
+@click.option(
+    "--rules",
+    multiple=True,
+    metavar="NAMES",
+    help="Rule packages to load: installed names, or modules.",
+)
 def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
-    """Explain a rule: what it finds, why it matters, what to do.
+    """Explain a rule: what it reports, why, and how to fix it.
 
     RULE is a code such as XML001 or a name such as not-well-formed.
 
-    Exit codes: 0 done, 2 there is no such rule.
+    Exit codes: 0 done, 2 unknown rule.
     """
     options.add_rules({"rules": rules})
     output.write("\n\n".join(map(render, map(_find, words))))
@@ -51,11 +56,15 @@ def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
 
 def _find(word: str) -> Rule:
     if about := FAMILIES.get(word.upper()):
+<<<<<<< HEAD
         raise UnknownRule(
             word, f": it is the family about {about}; 'urdfkit rules' lists its rules"
         )
     if renamed := note(word):
         options.warn(renamed)
+=======
+        raise UnknownRule(word, f": a rule family ({about}); 'urdfkit rules' lists its rules")
+>>>>>>> step2-6
     try:
         return find_rule(word)
     except UnknownRule:
@@ -108,7 +117,7 @@ def severities(rule: Rule) -> str:
 def _robots(rule: Rule) -> dict[str, str]:
     """The robots that a rule has, by their titles; of two that are the same, one."""
     bad, good, fixed = map(rule.example, ("BAD", "GOOD", "FIXED"))
-    accepted = "Good, as the fix makes it" if good == fixed else "Good"
+    accepted = "Good, after the fix" if good == fixed else "Good"
     found = {"Bad": bad, accepted: good, "Fixed": None if good == fixed else fixed}
     return {title: text for title, text in found.items() if text}
 

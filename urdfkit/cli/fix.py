@@ -28,7 +28,7 @@ def _fix(**values: Any) -> int:
     chosen = choices(values)
     fixes = mend(values, chosen, generate_meshes=values["generate_meshes"])
     if values["diff"]:
-        output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would make")))
+        output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
         return int(bool(fixes.files or fixes.meshes))
     is_dry = values["check"]
     output.write("".join(f"{line}\n" for line in render(fixes, is_dry=is_dry)))
@@ -47,22 +47,23 @@ command = click.Command(
         click.Option(
             ["--generate-meshes"],
             is_flag=True,
-            help="Make meshes for files that are missing, empty or broken.",
+            help="Generate meshes for files that are missing, empty or broken.",
         ),
         click.Option(
             ["--check"], is_flag=True, help="Write nothing; exit with 1 if a file would change."
         ),
         *(click_option(one) for one in options.CHECK if one.flag[2:] in _OPTIONS),
     ],
-    help="""Mend what has a remedy, in the files as people wrote them.
+    help="""Apply auto-fixes to source files; keep layout and comments.
 
-    FILE is a URDF, a xacro or a folder of them. Comments, quotes, indentation and line ends stay
-    as they are; files are replaced whole or not at all. Without --unsafe-fixes only those fixes
-    are applied that cannot change what the robot does. The fixes of infos are applied only with
+    FILE is a URDF or xacro file, or a directory of them. Comments, quotes, indentation and line
+    ends are kept; files are written atomically. Without --unsafe-fixes, only fixes that cannot
+    change the behaviour of the robot are applied. Fixes of infos are applied only with
     --select CODE.
 
-    Exit codes: 0 done, whatever is left; 1 a file would change (--check, --diff), or findings of
-    --fail-on are left, if it is given; 2 usage or input error; 3 a bug of urdfkit.
+    Exit codes: 0 done, even if findings are left; 1 a file would change (--check, --diff), or
+    findings at or above --fail-on are left, if it is given; 2 usage or input error;
+    3 internal error (a bug in urdfkit).
     """,
     epilog=examples(
         "urdfkit fix . --unsafe-fixes --diff",
@@ -74,7 +75,7 @@ command = click.Command(
 def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:
     """The lines of the summary."""
     yield from _applied(fixes, "would fix" if is_dry else "fixed")
-    made = list(_meshes(fixes, "would make" if is_dry else "made"))
+    made = list(_meshes(fixes, "would generate" if is_dry else "generated"))
     yield from (*made, "") if made else ()
     yield from _left(fixes)
     yield _total(fixes, "would be fixed" if is_dry else "fixed")
@@ -98,7 +99,7 @@ def _meshes(fixes: Fixes, made: str) -> Iterator[str]:
         yield f"{made} {printable(shown(mesh.path))}:"
         yield from output.indented(mesh.reason)
     for other in fixes.unmade:
-        yield f"cannot make {printable(shown(other.path))}:"
+        yield f"cannot generate {printable(shown(other.path))}:"
         yield from output.indented(other.reason)
 
 
@@ -118,7 +119,7 @@ def _why(reason: str, diagnostic: Diagnostic) -> str:
     if reason == "info":
         is_safe = diagnostic.fix is not None and diagnostic.fix.safe
         return f"fixed with --select {diagnostic.code}" + " --unsafe-fixes" * (not is_safe)
-    return "its fix is unsafe: --unsafe-fixes" if reason == "unsafe" else printable(reason)
+    return "unsafe fix: needs --unsafe-fixes" if reason == "unsafe" else printable(reason)
 
 
 def _row(text: str, found: Iterable[Diagnostic]) -> str:

@@ -25,16 +25,20 @@ from urdfkit.text.terminal import printable
 )
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("--check", is_flag=True, help="Write nothing; exit with 1 if a file would change.")
-@click.option("--diff", is_flag=True, help="Likewise, and show the changes as a diff.")
+@click.option("--diff", is_flag=True, help="As --check, and show the changes as a diff.")
 @click.option(
     "--width",
     type=click.IntRange(40, 400),
     metavar="COLUMNS",
-    help=f"Columns of a line. [default: {WIDTH}]",
+    help=f"Line width. [default: {WIDTH}]",
 )
-@click.option("--force", is_flag=True, help="Also files generated, read-only or ignored by git.")
-@click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
-@click.option("--isolated", is_flag=True, help="Take no configuration.")
+@click.option(
+    "--force",
+    is_flag=True,
+    help="Also format files that are generated, read-only or ignored by git.",
+)
+@click.option("--config", metavar="FILE", help="Configuration file. [default: the nearest one]")
+@click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
 def command(
     files: tuple[str, ...],
     check: bool,
@@ -44,12 +48,12 @@ def command(
     config: str | None,
     isolated: bool,
 ) -> int:
-    """Lay out URDF and xacro files; what they say stays the same.
+    """Format URDF and xacro files without changing the model.
 
-    FILE is a description, or a folder, of which all descriptions are laid out. '-' reads standard
-    input and writes to standard output.
+    FILE is a model, or a directory: all models in it are formatted. '-' reads standard input and
+    writes to standard output.
 
-    Exit codes: 0 done, 1 something would change (--check, --diff), 2 a file cannot be read.
+    Exit codes: 0 done, 1 a file would change (--check, --diff), 2 a file cannot be read.
     """
     values = {"config": config, "isolated": isolated, "trust": False}
     is_stdin = files == ("-",)
@@ -62,7 +66,7 @@ def command(
         output.write(result.diff())
     elif not check:
         result.write()
-    _tell(result, "would change" if check or diff else "laid out")
+    _tell(result, "would be reformatted" if check or diff else "reformatted")
     if result.failed:
         return 2
     return int(bool(result.files) and (check or diff))
@@ -81,11 +85,11 @@ def _standard_input(width: int, *, check: bool, diff: bool) -> int:
 def _tell(result: Formatted, done: str) -> None:
     """Say on standard error what became of the files."""
     lines = [f"{done}: {shown(file.path)}" for file in result.files]
-    lines += [f"left alone: {shown(path)}: {reason}" for path, reason in result.skipped]
+    lines += [f"skipped: {shown(path)}: {reason}" for path, reason in result.skipped]
     lines += [f"error: {reason}" for _, reason in result.failed]
     lines.append(
-        f"{len(result.files)} {done}, {len(result.unchanged)} as they should be"
-        + (f", {len(result.skipped)} left alone" if result.skipped else "")
+        f"{len(result.files)} {done}, {len(result.unchanged)} unchanged"
+        + (f", {len(result.skipped)} skipped" if result.skipped else "")
         + (f", {len(result.failed)} failed" if result.failed else "")
     )
     if sys.stderr is not None:

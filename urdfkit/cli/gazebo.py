@@ -30,13 +30,13 @@ VERSION = 1
 )
 @one_robot
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
-@click.option("--old", is_flag=True, help="As sdformat did before 9.10.1 and 12.7.2.")
+@click.option("--old", is_flag=True, help="Convert as sdformat did before 9.10.1 and 12.7.2.")
 def command(asked: dict[str, Any], form: str, old: bool) -> int:
-    """Tell what Gazebo makes of a robot.
+    """Show the robot after Gazebo's conversion from URDF to SDF.
 
-    Gazebo merges links that fixed joints hold together, drops links without mass together with
-    what hangs on them, and names collisions and visuals itself. Plugins and sensors see the
-    result. Where libsdformat rejects the robot, it says so first.
+    Gazebo merges links connected by fixed joints, drops links without mass together with their
+    children, and names collisions and visuals itself. Plugins and sensors see the result. If
+    libsdformat rejects the robot, that is printed first.
 
     Exit codes: 0 done, 2 the file cannot be read.
     """
@@ -61,7 +61,7 @@ def _rejection(rejected: list[tuple[str, Diagnostic]]) -> Iterator[str]:
             ).split("\n")
         yield ""
     if rejected:
-        yield "Without these defects:"
+        yield "Without these errors:"
 
 
 def render(conversion: Conversion) -> Iterator[str]:
@@ -70,7 +70,7 @@ def render(conversion: Conversion) -> Iterator[str]:
     links = len(conversion.links) + len(conversion.added_links)
     yield f"{len(model.links)} links become {links}, by {conversion.converter.name}"
     yield ""
-    rows = [("link", f"{'mass / kg':>10}  in Gazebo")]
+    rows = [("link", f"{'mass / kg':>10}  after conversion")]
     rows += ((printable(link.name), _row(conversion, link.name, link.mass)) for link in model.links)
     rows += (
         (printable(link.get("name") or ""), f"{_mass(link) or '-':>10}  added as SDF by <gazebo>")
@@ -97,14 +97,14 @@ def _mass(link: Element) -> str:
 
 def _row(conversion: Conversion, name: str, mass: float) -> str:
     if name in conversion.dropped:
-        conversion_result = f"dropped: {conversion.dropped[name]}"
+        result = f"dropped: {conversion.dropped[name]}"
     elif name not in conversion.survivor:
-        conversion_result = "not made"
+        result = "not converted"
     elif conversion.survivor[name] == name:
-        conversion_result = "stays"
+        result = "kept"
     else:
-        conversion_result = f"merged into {conversion.survivor[name]}"
-    return f"{f'{mass:g}' if mass else '-':>10}  {conversion_result}"
+        result = f"merged into {conversion.survivor[name]}"
+    return f"{f'{mass:g}' if mass else '-':>10}  {result}"
 
 
 def _link(link: SimulatedLink) -> Iterator[str]:

@@ -29,13 +29,26 @@ VERSION = 1
         "urdfkit inertia robot.urdf.xacro --link arm --material steel",
     ),
 )
-@click.option("--from", "source", type=click.Choice(SOURCES), default="auto", help="The shapes.")
-@click.option("--mass", type=float, metavar="KG", help="Of each link, instead of the declared one.")
-@click.option("--density", type=float, metavar="KG/M^3", help="That gives the mass instead.")
-@click.option("--material", type=click.Choice([*DENSITIES]), help="Whose density gives the mass.")
+@click.option(
+    "--from", "source", type=click.Choice(SOURCES), default="auto", help="Geometry to use."
+)
+@click.option(
+    "--mass", type=float, metavar="KG", help="Mass of each link, instead of the declared one."
+)
+@click.option(
+    "--density",
+    type=float,
+    metavar="KG/M^3",
+    help="Density, from which the mass is computed instead.",
+)
+@click.option(
+    "--material",
+    type=click.Choice([*DENSITIES]),
+    help="Material, from whose density the mass is computed.",
+)
 @click.option("--link", "links", multiple=True, metavar="NAME", help="Only this link.")
-@click.option("--lump", is_flag=True, help="Take links that fixed joints join as one body.")
-@click.option("--write", is_flag=True, help="Write what is proposed into the source files.")
+@click.option("--lump", is_flag=True, help="Treat links connected by fixed joints as one body.")
+@click.option("--write", is_flag=True, help="Write the suggested values into the source files.")
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @one_robot
@@ -51,13 +64,13 @@ def command(
     diff: bool,
     form: str,
 ) -> int:
-    """Compare inertias with those of the shapes, and propose some.
+    """Compare inertias with those of the geometry; suggest values.
 
-    Shapes are taken for solids of uniform density with the declared mass. Proposed is what is
-    missing, impossible, at other axes, or differs by more than a factor of three; with --link,
+    Shapes count as solids of uniform density with the declared mass. Suggests values for inertias
+    that are missing, impossible, rotated, or off by more than a factor of three; with --link, for
     those links.
 
-    Exit codes: 0 done, 1 something could not be written, 2 the file cannot be read.
+    Exit codes: 0 done, 1 a value could not be written, 2 the file cannot be read.
     """
     if sum(value is not None for value in (mass, density, material)) > 1:
         raise options.UsageError("--mass, --density and --material exclude one another")
@@ -84,7 +97,7 @@ def command(
         else:
             rewriting.write(files)
             lines += [f"wrote {shown(file.path)}" for file in files]
-        lines += [f"link '{name}' stays as it is: {reason}" for name, reason in left.items()]
+        lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
         lines = lines or ["nothing to write"]
     elif form == "json":
         lines = [dumped(as_json(proposals)).rstrip()]

@@ -45,10 +45,10 @@ def command(
     pose: str | None,
     form: str,
 ) -> int:
-    """Tell what a robot is, on one page.
+    """Show a summary of a robot on one page.
 
-    Links, joints and degrees of freedom, masses, size and reach, meshes, sensors and plugins.
-    Masses and sizes are those at a configuration: all joints at zero unless given.
+    Links, joints and degrees of freedom, mass, size and reach, meshes, sensors and plugins. Mass
+    properties and size are those at one configuration: all joints at zero unless given.
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
@@ -66,7 +66,7 @@ def render(found: Overview) -> Iterator[str]:
     """The lines of the page."""
     kind = "xacro" if found.is_xacro else "URDF"
     yield f"{found.name or '(no name)'}: {kind}, {shown(found.file)}"
-    targets = ", ".join(found.targets) or "not known; name it with --target when you check"
+    targets = ", ".join(found.targets) or "not detected; select it with --target"
     yield from _entry("target", targets)
     yield ""
     yield from _structure(found.structure)

@@ -32,14 +32,14 @@ _FILE = "urdfkit.toml"
     ),
 )
 @click.argument("folder", default=os.curdir)
-@click.option("--print", "only_print", is_flag=True, help="Print it, write nothing.")
+@click.option("--print", "only_print", is_flag=True, help="Print the configuration; write nothing.")
 def command(folder: str, only_print: bool) -> int:
-    """Write a first urdfkit.toml for the robots in FOLDER.
+    """Write a first urdfkit.toml for the robots in DIR.
 
-    It names every robot that is found, with the arguments that it needs, and the programs that
-    the robots give away. A configuration that exists is left alone.
+    It lists every robot found, the arguments that it needs, and the detected targets. An existing
+    configuration is not changed.
 
-    Exit codes: 0 written, 2 there is no robot, or a configuration.
+    Exit codes: 0 written, 2 no robot found, or there is a configuration already.
     """
     found = discover(folder, Config(), Resolver())
     text = render(found, folder)
@@ -62,12 +62,12 @@ def render(found: FolderContents, folder: str) -> str:
     resolver = Resolver()
     robots = [_Robot(robot.file, folder, resolver) for robot in found.robots]
     lines = [
-        "# Settings of urdfkit. It takes no notice of lines that begin with '#'.",
+        "# Settings of urdfkit. Lines starting with '#' are comments.",
         "",
-        "# The programs that will read the robots; without them, what each robot gives away.",
+        "# Target programs; if not set, they are detected for each robot.",
         f"# targets = {_listed(name for robot in robots for name in robot.targets)}",
         "",
-        "# Rules that are left out: codes, or the beginning of codes.",
+        "# Rules to ignore: codes, or prefixes of codes.",
         '# ignore = ["URD001"]',
         "",
     ]
@@ -75,7 +75,7 @@ def render(found: FolderContents, folder: str) -> str:
         lines += [*robot.lines(), ""]
     for library in found.libraries:
         file = os.path.relpath(library, folder).replace(os.sep, "/")
-        lines.append(f"# {file}: no robot, and no file includes it")
+        lines.append(f"# {file}: defines no link, and no file includes it")
     return "\n".join(lines).rstrip() + "\n"
 
 
@@ -107,7 +107,7 @@ class _Robot:
         """A value that is found; the others, or what to do, as a comment."""
         found = found_values(name, xacro, self._resolver)
         if found is None:
-            return '""  # it must be given: write the value'
+            return '""  # required: fill in the value'
         first, *others = map(_quoted, found.values)
         return f"{first}  # or {', '.join(others)}" if others else first
 

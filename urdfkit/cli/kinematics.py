@@ -34,8 +34,10 @@ _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 )
 @one_robot
 @posed
-@click.option("--transform", "ends", nargs=2, metavar="A B", help="Where link B is, seen from A.")
-@click.option("--jacobian", metavar="LINK", help="How the origin of a link moves with the joints.")
+@click.option(
+    "--transform", "ends", nargs=2, metavar="A B", help="Pose of link B in the frame of link A."
+)
+@click.option("--jacobian", metavar="LINK", help="Jacobian of the origin of a link.")
 @click.option("--mass-matrix", is_flag=True, help="The joint-space mass matrix.")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(
@@ -47,12 +49,12 @@ def command(
     mass_matrix: bool,
     form: str,
 ) -> int:
-    """Tell where the links of a robot are, and how they move.
+    """Compute link frames, transforms, Jacobian, mass matrix.
 
-    Without further options all frames are listed, in that of their root. The Jacobian and the mass
-    matrix have a column for each joint that can be set; they need Pinocchio.
+    Without further options, lists all link frames relative to their root. The Jacobian and the
+    mass matrix have a column for each independent joint; they need Pinocchio.
 
-    Exit codes: 0 done, 2 the file or the pose cannot be read, there is no such link.
+    Exit codes: 0 done, 2 the file or the pose cannot be read, or a link is unknown.
     """
     subject = robot(asked)
     given = positions(subject, joint, pose)

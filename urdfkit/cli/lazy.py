@@ -58,7 +58,7 @@ class LazyGroup(click.Group):
             hint = f"; did you mean '{suggested}'?" if suggested else did_you_mean(word, self.names)
             if os.path.exists(word):
                 hint = f"; to check that file: {ctx.command_path} check {word}"
-            raise click.UsageError(f"there is no command '{word}'{hint}", ctx)
+            raise click.UsageError(f"unknown command '{word}'{hint}", ctx)
         return super().resolve_command(ctx, args)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:

@@ -13,15 +13,17 @@ class NotInstalled(UrdfkitError):
 
 @click.command("lsp")
 @click.option(
-    "--stdio", is_flag=True, help="Talk over standard input and output, as it always does."
+    "--stdio",
+    is_flag=True,
+    help="Communicate over standard input and output, which is the default.",
 )
 def command(stdio: bool) -> int:
-    """Serve an editor: findings, hover, completion, renaming, fixes.
+    """Start the language server for editors.
 
-    Editors start it themselves and talk to it over standard input and output. It needs the extra
+    Editors start it themselves and communicate over standard input and output. It needs the extra
     [lsp].
 
-    Exit codes: 0 the editor has gone, 2 the extra is not installed.
+    Exit codes: 0 the editor has disconnected, 2 the extra is not installed.
     """
     try:
         from urdfkit.lsp.features import make

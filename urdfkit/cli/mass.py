@@ -42,10 +42,10 @@ def command(
     pose: str | None,
     form: str,
 ) -> int:
-    """Tell the mass properties of every link and of the whole robot.
+    """Show the mass properties of every link and of the whole robot.
 
-    Mass, centre of mass and principal moments as declared, beside the density and the moments
-    that the shapes of the link give. The whole is taken at a pose.
+    Declared mass, centre of mass and principal moments, next to the density and the moments that
+    the geometry of the link gives. The whole robot is taken at one pose.
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """

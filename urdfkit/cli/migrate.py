@@ -23,14 +23,16 @@ from urdfkit.text.terminal import printable
     ),
 )
 @one_robot
-@click.option("--to", "target", type=click.Choice(GAZEBO), required=True, help="The new Gazebo.")
+@click.option(
+    "--to", "target", type=click.Choice(GAZEBO), required=True, help="Target Gazebo generation."
+)
 def command(asked: dict[str, Any], target: str) -> int:
-    """Show what a model needs to run in another Gazebo.
+    """Show the changes that a model needs for another Gazebo.
 
-    Pure renames are shown as a diff, which can be applied with 'patch -p0'; nothing is written.
-    What needs a person follows as comments, with what to write instead.
+    Pure renames are printed as a diff for 'patch -p0'; nothing is written. Changes that need a
+    decision follow as comments, with the replacement.
 
-    Exit codes: 0 nothing to do, 1 something is to be changed, 2 the file cannot be read.
+    Exit codes: 0 nothing to do, 1 changes are needed, 2 the file cannot be read.
     """
     file = only_file(asked)
     how = reading(asked, file)

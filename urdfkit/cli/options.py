@@ -59,17 +59,17 @@ FILES = "files"
 CHECK = (
     Option(
         "--format",
-        "Report in this format, to FILE or standard output; several at once. [default: text]",
+        "Output format, to FILE or standard output; repeatable. [default: text]",
         "NAME[:FILE]",
         many=True,
     ),
     Option(
-        "--select", "Run these rules only: codes, beginnings of codes, names.", "CODES", many=True
+        "--select", "Run only these rules: codes, prefixes of codes, or names.", "CODES", many=True
     ),
-    Option("--ignore", "Leave these rules out.", "CODES", many=True),
+    Option("--ignore", "Do not run these rules.", "CODES", many=True),
     Option(
         "--rules",
-        "Run the rules of these packages, too: installed, or modules.",
+        "Also run the rules of these packages: installed names, or modules.",
         "NAMES",
         many=True,
     ),
@@ -82,24 +82,29 @@ CHECK = (
     ),
     Option(
         "--fail-on",
-        "The mildest finding that makes the exit code 1. [default: warning]",
+        "Lowest severity that makes the exit code 1. [default: warning]",
         "SEVERITY",
         ("error", "warning", "info"),
     ),
     Option(
         "--target",
-        "Weigh findings for this program, such as moveit or gz-harmonic. [default: inferred]",
+        "Target program, such as moveit or gz-harmonic. [default: detected]",
         "NAMES",
         many=True,
     ),
-    Option("--show-files", "List the robots to check, and what is left out; check nothing."),
-    Option("--exit-zero", "Exit with 0 whatever is found."),
-    Option("--fix", "Mend what has a safe fix, in place, and report what is left."),
-    Option("--unsafe-fixes", "Also apply fixes that may change what the robot does."),
-    Option("--diff", "Show what would be fixed, as a diff; write nothing."),
-    Option("--force", "Also fix files that are generated, ignored, read-only, or outside."),
-    Option("--statistics", "Instead of the findings, count them by rule."),
-    Option("--package", "Where a ROS package is; before every search.", "NAME=FOLDER", many=True),
+    Option("--show-files", "List the robots to check and the files left out; check nothing."),
+    Option("--exit-zero", "Exit with 0 even if there are findings."),
+    Option("--fix", "Apply safe fixes in place, and report the remaining findings."),
+    Option("--unsafe-fixes", "Also apply fixes that may change the behaviour of the robot."),
+    Option("--diff", "Show the fixes as a diff; write nothing."),
+    Option("--force", "Also fix files that are generated, git-ignored, read-only, or outside."),
+    Option("--statistics", "Print the number of findings by rule instead."),
+    Option(
+        "--package",
+        "Directory of a ROS package; takes precedence over every search.",
+        "NAME=DIR",
+        many=True,
+    ),
     Option("--trust", "Let the model run any expression and read any file."),
     Option(
         "--color",
@@ -108,15 +113,15 @@ CHECK = (
         ("auto", "always", "never"),
         default="auto",
     ),
-    Option("--changed", "FILE are changed files: check the robots that they are part of."),
-    Option("--no-cache", "Measure every mesh anew, and keep nothing for the next run."),
-    Option("--jobs", "Processes that check at the same time. [default: 1]", "N"),
-    Option("--config", "The configuration. [default: the nearest one upwards]", "FILE"),
-    Option("--isolated", "Take no configuration."),
-    Option("--variant", "Of the variants in the configuration, this one. [default: all]", "NAME"),
-    Option("--baseline", "Pass over the findings in FILE.", "FILE"),
+    Option("--changed", "FILEs are changed files: check the robots that use them."),
+    Option("--no-cache", "Do not read or write the cache of mesh measures."),
+    Option("--jobs", "Number of parallel processes. [default: 1]", "N"),
+    Option("--config", "Configuration file. [default: the nearest one upwards]", "FILE"),
+    Option("--isolated", "Ignore all configuration files."),
+    Option("--variant", "Check only this variant of the configuration. [default: all]", "NAME"),
+    Option("--baseline", "Do not report findings that are in FILE.", "FILE"),
     Option("--write-baseline", "Write the findings to the baseline, and exit with 0."),
-    Option("--stdin-filename", "The name of what '-' reads.", "FILE"),
+    Option("--stdin-filename", "File name for what '-' reads.", "FILE"),
 )
 
 
@@ -128,14 +133,14 @@ def files(values: Mapping[str, Any]) -> list[str]:
     """The files to check, as typed; '-' is standard input."""
     found = [word for word in values[FILES] if ":=" not in word]
     if not found:
-        raise UsageError("no file to check; name a URDF or xacro file, or '-' for standard input")
+        raise UsageError("no file to check; pass a URDF or xacro file, or '-' for standard input")
     if found.count("-") > 1:
         raise UsageError("'-' stands for standard input, which can be read only once")
     for file in found:
         name, equals, value = file.partition("=")
         if equals and not os.path.exists(file):
             raise UsageError(
-                f"{file}: there is no such file; a xacro argument is written {name}:={value}"
+                f"{file}: file not found; a xacro argument has the form {name}:={value}"
             )
     return found
 
@@ -194,9 +199,9 @@ def packages(values: Mapping[str, Any]) -> dict[str, str]:
     for word in values["package"]:
         name, equals, folder = word.partition("=")
         if not (name and equals):
-            raise UsageError(f"--package {word}: write the name of the package, '=' and its folder")
+            raise UsageError(f"--package {word}: expected NAME=DIR: the package and its directory")
         if not os.path.isdir(folder):
-            raise UsageError(f"--package {word}: there is no folder '{folder}'")
+            raise UsageError(f"--package {word}: no such directory '{folder}'")
         found[name] = folder
     return found
 
@@ -245,12 +250,12 @@ def outputs(values: Mapping[str, Any]) -> list[tuple[str, str]]:
         name, colon, file = word.partition(":")
         if name not in formats.names():
             known = ", ".join(formats.names())
-            raise UsageError(f"--format {word}: there is no format '{name}', only {known}")
+            raise UsageError(f"--format {word}: unknown format '{name}', only {known}")
         if colon and not file:
-            raise UsageError(f"--format {word}: write the name of a file after the colon")
+            raise UsageError(f"--format {word}: expected a file name after the colon")
         if file in (other for _, other in found):
             where = file or "standard output"
-            raise UsageError(f"two formats for {where}; give one of them a file, as NAME:FILE")
+            raise UsageError(f"two formats write to {where}; give one of them a file, as NAME:FILE")
         # Statistics take the place of the text for people; JSON has the counts anyway.
         found.append(("statistics" if name == "text" and values["statistics"] else name, file))
     return found

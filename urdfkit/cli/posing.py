@@ -22,13 +22,13 @@ def posed(command: Command) -> Command:
         click.option(
             "--pose",
             metavar="FILE",
-            help="A pose file, or a state of the SRDF such as ready or arm.srdf:ready.",
+            help="Pose file, or an SRDF group state such as ready or arm.srdf:ready.",
         ),
         click.option(
             "--joint",
             multiple=True,
             metavar="NAME=VALUE",
-            help="The position of a joint, in rad or m, or such as 90deg.",
+            help="Joint position in rad or m, or in degrees such as 90deg.",
         ),
     ):
         command = add(command)
@@ -46,7 +46,9 @@ def positions(subject: Subject, joint: tuple[str, ...], name: str | None) -> dic
     for word in joint:
         key, equals, value = word.rpartition("=")
         if not (key and equals):
-            raise options.UsageError(f"--joint {word}: write the joint, '=' and its position")
+            raise options.UsageError(
+                f"--joint {word}: expected NAME=VALUE: the joint and its position"
+            )
         given[key] = value
     found = pose(subject, given, name)
     for sentence in outside_limits(subject.tree, found):

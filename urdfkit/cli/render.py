@@ -42,27 +42,35 @@ _NAMED = 5
 @click.option("-o", "--output", metavar="FILE", help="robot.png, .webp, .jpg ...")
 @click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
 @click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
-@click.option("--findings", is_flag=True, help="Links with errors red, with warnings orange.")
+@click.option(
+    "--findings", is_flag=True, help="Colour links with errors red, with warnings orange."
+)
 @posed
-@click.option("--turntable", metavar="FILE", help="One turn as .gif, .webp or .apng.")
-@click.option("--sweep", metavar="JOINT", help="A joint from end to end, as .gif, .webp or .apng.")
-@click.option("--diff", is_flag=True, help="Two files, or REVISION:FILE, and the difference.")
+@click.option("--turntable", metavar="FILE", help="Turntable animation as .gif, .webp or .apng.")
+@click.option(
+    "--sweep", metavar="JOINT", help="Animation of a joint over its range, as .gif, .webp or .apng."
+)
+@click.option(
+    "--diff", is_flag=True, help="Draw two files, or REVISION:FILE, and their difference."
+)
 @click.option("--thumbnail", is_flag=True, help=f"{THUMBNAIL}, transparent.")
-@click.option("--azimuth", type=float, help="Of the camera, in degrees from the front to the left.")
-@click.option("--elevation", type=float, help="Of the camera, in degrees above the horizon.")
-@click.option("--distance", type=float, help="Of the camera, in m. [default: all in view]")
-@click.option("--orthographic", is_flag=True, help="Without perspective.")
+@click.option(
+    "--azimuth", type=float, help="Camera azimuth in degrees, from the front to the left."
+)
+@click.option("--elevation", type=float, help="Camera elevation in degrees above the horizon.")
+@click.option("--distance", type=float, help="Camera distance in m. [default: fit the robot]")
+@click.option("--orthographic", is_flag=True, help="Orthographic projection.")
 @click.option("--size", metavar="WIDTHxHEIGHT", help=f"[default: {SIZE}]")
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
-@click.option("--no-ground", is_flag=True, help="No shadow on the ground.")
+@click.option("--no-ground", is_flag=True, help="Do not draw the ground shadow.")
 @click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
 def command(asked: dict[str, Any], **values: Any) -> int:
-    """Draw a robot.
+    """Render images and animations of a robot.
 
-    Neither a display nor a graphics card is needed. A mesh that is missing or broken is drawn as
-    a striped box, and named. The same robot gives the same bytes.
+    Needs neither a display nor a graphics card. A missing or broken mesh is drawn as a striped box
+    and reported. The same robot gives the same bytes.
 
-    Exit codes: 0 done, 2 it cannot be done.
+    Exit codes: 0 done, 2 usage or input error.
     """
     files, wanted = options.files(asked), 2 if values["diff"] else 1
     if len(files) != wanted:
@@ -70,7 +78,7 @@ def command(asked: dict[str, Any], **values: Any) -> int:
         raise options.UsageError(f"render takes {many}; xacro arguments are written name:=value")
     kinds = [name for name in ("diff", "sweep", "turntable", "thumbnail") if values[name]]
     if len(kinds) > 1:
-        raise options.UsageError(f"--{kinds[0]} and --{kinds[1]} do not go together")
+        raise options.UsageError(f"--{kinds[0]} and --{kinds[1]} exclude one another")
     if not (values["output"] or values["turntable"]):
         raise options.UsageError("render needs -o FILE, such as -o robot.png")
     if values["diff"]:
@@ -197,14 +205,14 @@ def _camera(values: dict[str, Any]) -> dict[str, Any]:
 def _one_view(values: dict[str, Any]) -> str:
     named = options.words(values, "views") or ["iso"]
     if len(named) != 1 or named == ["all"]:
-        raise options.UsageError("--view: only one here")
+        raise options.UsageError("--view: only one view here")
     return named[0]
 
 
 def _size(word: str) -> tuple[int, int]:
     width, _, height = word.lower().partition("x")
     if not (width.isdecimal() and height.isdecimal()):
-        raise options.UsageError(f"--size {word}: write width and height, such as 1280x720")
+        raise options.UsageError(f"--size {word}: expected WIDTHxHEIGHT, such as 1280x720")
     return int(width), int(height)
 
 
@@ -221,8 +229,8 @@ def _background(word: str | None) -> Background | None:
 
 def _nothing(file: str, robot: Subject) -> str:
     if not robot.model.links:
-        return f"{file}: nothing to draw: it has no links; perhaps it defines macros only"
-    return f"{file}: nothing to draw: its links have no such shapes; try --layers frames,names"
+        return f"{file}: nothing to draw: no links (a file with only macros?)"
+    return f"{file}: nothing to draw: no geometry in these layers; try --layers frames,names"
 
 
 def _tell(scene: Scene) -> None:

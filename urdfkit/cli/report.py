@@ -32,7 +32,7 @@ from urdfkit.text.diagnostic import Severity
     "-o", "--output", "output_file", metavar="FILE", help="Write .html, .md, .json or .csv to FILE."
 )
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
-@click.option("--quick", is_flag=True, help="Without pictures, statics and collisions.")
+@click.option("--quick", is_flag=True, help="Skip images, statics and collisions.")
 @click.option("--table", type=click.Choice([*COLUMNS]), default="findings", help="Of a .csv.")
 @click.option("--fail-on", type=click.Choice(["error", "warning", "info"]), help="Exit with 1.")
 def command(
@@ -43,15 +43,15 @@ def command(
     fail_on: str | None,
     **values: Any,
 ) -> int:
-    """Write all that is known of a robot to one file.
+    """Write a report of a robot to one file.
 
-    The HTML opens offline: findings with their source, the robot in 3D with a slider for each
-    joint, masses, joints, meshes, and what Gazebo makes of it. Without -o, Markdown goes to
+    The HTML opens offline: findings with their source lines, a 3D view with a slider for each
+    joint, masses, joints, meshes, and the conversion for Gazebo. Without -o, writes Markdown to
     standard output.
 
-    A robot that has variants in the configuration gets a report of each: robot-NAME.html.
+    A robot with variants in the configuration gets a report for each: robot-NAME.html.
 
-    Exit codes: 0 done, 1 findings of the severity of --fail-on or worse, 2 it cannot be done.
+    Exit codes: 0 done, 1 findings at or above --fail-on, 2 usage or input error.
     """
     file, counts = only_file(values), dict.fromkeys(Severity, 0)
     config, arguments = options.config(values, file), options.arguments(values)

@@ -34,19 +34,21 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 _NAMED = 5
 
 _TRUST = click.option(
-    "--trust", is_flag=True, help="Let the model run any expression, read any file."
+    "--trust", is_flag=True, help="Let the model run any expression and read any file."
 )
 _PACKAGE = click.option(
-    "--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is."
+    "--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package."
 )
-_ISOLATED = click.option("--isolated", is_flag=True, help="Take no configuration.")
+_ISOLATED = click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
 _CONFIG = click.option(
-    "--config", metavar="FILE", help="The configuration. [default: the nearest one]"
+    "--config", metavar="FILE", help="Configuration file. [default: the nearest one]"
 )
 _VARIANT = click.option(
-    "--variant", default="", metavar="NAME", help="Of the variants in the configuration."
+    "--variant", default="", metavar="NAME", help="Variant in the configuration."
 )
-_TARGET = click.option("--target", multiple=True, metavar="NAMES", help="Weigh findings for it.")
+_TARGET = click.option(
+    "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
+)
 
 
 #: The options of reading a robot, and the keys of their values.
@@ -97,9 +99,9 @@ def only_file(values: Mapping[str, Any]) -> str:
     """
     files = options.files(values)
     if len(files) != 1:
-        raise options.UsageError("name one file; xacro arguments are written name:=value")
+        raise options.UsageError("expected one file; xacro arguments have the form name:=value")
     if os.path.isdir(files[0]):
-        raise options.UsageError(f"{files[0]}: is a folder; {_robots_in(files[0])}")
+        raise options.UsageError(f"{files[0]}: is a directory; {_robots_in(files[0])}")
     return files[0]
 
 
@@ -113,10 +115,10 @@ def _robots_in(folder: str) -> str:
     try:
         found = discover(folder, Config(), Resolver()).robots
     except UnreadableFile:
-        return "name the file of a robot"
+        return "pass a robot file"
     paths = [shown(robot.file) for robot in found]
     more = f" and {len(paths) - _NAMED} more" if len(paths) > _NAMED else ""
-    return f"name one of its robots: {', '.join(paths[:_NAMED])}{more}"
+    return f"pass one of its robots: {', '.join(paths[:_NAMED])}{more}"
 
 
 class Reading(Record):
@@ -189,5 +191,5 @@ def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
         return error
     first, others = problems[0], len(problems) - 1
     what = f"{first.message}; {first.help}" if first.help else first.message
-    more = f", which tells {counted(others, 'error')} more" if others else ""
+    more = f", which reports {counted(others, 'error')} more" if others else ""
     return UnreadableRobot(f"{first.span}: {what}; see 'urdfkit check {file}'{more}", problems)

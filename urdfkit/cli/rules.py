@@ -25,16 +25,21 @@ from urdfkit.lint.rules import Rule, all_rules
     "kind",
     type=click.Choice(["text", "json"]),
     default="text",
-    help="A table for people, or JSON with the whole explanations.",
+    help="Text table, or JSON with full explanations.",
 )
-@click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
+@click.option(
+    "--rules",
+    multiple=True,
+    metavar="NAMES",
+    help="Rule packages to load: installed names, or modules.",
+)
 def command(kind: str, rules: tuple[str, ...]) -> int:
     """List all rules: those of urdfkit and those of other packages.
 
-    Packages of rules that are installed are listed, and those of NAMES. A line has the code, the
-    severity, 'fix' if there is one, the name, and what the rule finds.
+    Lists installed rule packages, and those of NAMES. Each line has the code, the severity, 'fix'
+    if there is one, the name and the title.
 
-    Exit codes: 0 done, 2 a package of rules cannot be read.
+    Exit codes: 0 done, 2 a rule package cannot be read.
     """
     add(installed(), modules=False)
     options.add_rules({"rules": rules})

@@ -43,13 +43,20 @@ MAX_SAMPLES = 1_000_000
 )
 @one_robot
 @posed
-@click.option("--payload", multiple=True, metavar="KG@LINK", help="A mass that a link carries.")
+@click.option(
+    "--payload", multiple=True, metavar="KG@LINK", help="Payload mass at the origin of a link."
+)
 @click.option("--samples", type=click.IntRange(0, MAX_SAMPLES), default=1000)
 @click.option("--seed", type=click.IntRange(0), default=0)
 @click.option(
-    "--contact", multiple=True, metavar="LINK", help="It stands on this. [default: the lowest]"
+    "--contact",
+    multiple=True,
+    metavar="LINK",
+    help="Contact link with the ground. [default: the lowest]",
 )
-@click.option("--visuals", is_flag=True, help="A link without collision stands on its visual.")
+@click.option(
+    "--visuals", is_flag=True, help="Use the visual where a contact link has no collision."
+)
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(
     asked: dict[str, Any],
@@ -62,13 +69,13 @@ def command(
     visuals: bool,
     form: str,
 ) -> int:
-    """Tell whether a robot can hold itself, and whether it stands.
+    """Compare gravity torques with effort limits; test for tipping.
 
     Gravity torques over many poses (zero, the limits, SAMPLES drawn with SEED, and a search for
-    the worst) against the effort of each joint; and the centre of mass above the contacts with
-    the ground, at the given pose.
+    the worst) against the effort of each joint; and the centre of mass over the support polygon,
+    at the given pose.
 
-    Exit codes: 0 done, 2 it cannot be computed.
+    Exit codes: 0 done, 2 usage or input error.
     """
     subject = robot(asked)
     given = positions(subject, joint, pose)
@@ -90,7 +97,7 @@ def _payload(subject: Subject, words: tuple[str, ...]) -> dict[str, float]:
         mass, at, link = word.partition("@")
         value = number(mass.removesuffix("kg"))
         if not at or value is None or value < 0:
-            raise options.UsageError(f"--payload {word}: write a mass in kg, '@' and a link")
+            raise options.UsageError(f"--payload {word}: expected KG@LINK: a mass in kg and a link")
         found[_known(subject, link)] = found.get(link, 0.0) + value
     return found
 
@@ -98,7 +105,7 @@ def _payload(subject: Subject, words: tuple[str, ...]) -> dict[str, float]:
 def _known(subject: Subject, link: str) -> str:
     if link not in subject.model.links_by_name:
         hint = did_you_mean(link, subject.model.links_by_name)
-        raise UrdfkitError(f"there is no link '{link}'{hint}")
+        raise UrdfkitError(f"no link '{link}'{hint}")
     return link
 
 
@@ -126,7 +133,7 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     carried = "".join(f" with {mass:g} kg at {link}" for link, mass in found.payload.items())
     yield f"gravity on {found.mass:.6g} kg{carried}, {found.poses} poses and a search for the worst"
     if not found.loads:
-        yield "no joint to hold"
+        yield "no actuated joint"
         return
     yield ""
     first = "at pose" if posed else "at zero"
@@ -142,11 +149,11 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     if weakest is not None and weakest.worst > NOISE:
         pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]
         yield ""
-        yield from _wrapped([f"weakest: {weakest.joint}, at {', '.join(pose) or 'zero'}"])
+        yield from _wrapped([f"highest load: {weakest.joint}, at {', '.join(pose) or 'zero'}"])
     for load in found.loads:
         if load.is_exceeded:
             unit = effort_unit(model.joints_by_name[load.joint])
-            yield f"{load.joint} cannot hold: an effort of {load.worst:.4g} {unit} would suffice"
+            yield f"{load.joint} exceeds its effort limit: needs >= {load.worst:.4g} {unit}"
 
 
 def _wrapped(lines: Iterable[str]) -> Iterator[str]:
@@ -166,15 +173,15 @@ def describe(stands: Standing) -> Iterator[str]:
         yield f"centre of mass at {x:.4g} {y:.4g} m, {z - found.ground:.4g} m above the ground"
         yield _safety(found, stands.verdict)
     if stands.visual_only:
-        counted = "counted" if stands.visuals else "not counted (--visuals counts it)"
+        counted = "counted" if stands.visuals else "ignored (--visuals counts it)"
         yield f"visual without collision, {counted}: {', '.join(stands.visual_only)}"
 
 
 def _safety(found: Stability, verdict: str) -> str:
     if found.tips:
-        out = f"{-found.margin:.4g} m outside of its contacts"
+        out = f"{-found.margin:.4g} m outside the support polygon"
         unless = VERDICTS[verdict].removeprefix(VERDICTS["tips"])
-        return f"tips over {found.way}{unless}: the centre is {out}"
+        return f"tips over {found.way}{unless}: the centre of mass is {out}"
     slope = f"{degrees(found.angle):.3g} deg"
     return f"margin {found.margin:.4g} m; tips over {found.way} on a slope of {slope}"
 

@@ -24,7 +24,7 @@ def read(name: str) -> Source:
         UnreadableFile: standard input is closed, or too large.
     """
     if sys.stdin is None:
-        raise UnreadableFile("standard input is closed; name a file instead of '-'")
+        raise UnreadableFile("standard input is closed; pass a file instead of '-'")
     try:
         data = sys.stdin.buffer.read(MAX_BYTES + 1)
     except OSError as error:

@@ -36,13 +36,13 @@ _MOST = 100
 @click.argument("arguments", nargs=-1, metavar="[NAME:=VALUE]...")
 @read_by_options
 def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -> int:
-    """Tell where an element or a value comes from.
+    """Show the source of an element or a value of an expanded xacro.
 
-    ELEMENT is a path below the robot such as link/base_link/inertial/inertia; findings name it.
+    ELEMENT is a path below the robot such as link/base_link/inertial/inertia; findings have it.
     With @ATTRIBUTE the names in its expression are followed through macro arguments and
     properties down to the number, in a xacro or a YAML file.
 
-    Exit codes: 0 done, 2 there is no such element or the file does not expand.
+    Exit codes: 0 done, 2 unknown element, or the file does not expand.
     """
     from urdfkit.text.locations import find
     from urdfkit.workspace.resolve import Resolver

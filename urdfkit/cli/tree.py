@@ -25,8 +25,8 @@ from urdfkit.output.diagrams import FORMATS, text
 def command(asked: dict[str, Any], form: str) -> int:
     """Draw the kinematic tree of a robot.
 
-    Every link stands behind the one that it hangs on, with the joint between: its type, axis,
-    limits of position, effort and velocity, and what it follows.
+    Each link is drawn below its parent, with the joint between them: its type, axis, limits of
+    position, effort and velocity, and mimic.
 
     Exit codes: 0 done, 2 the file cannot be read.
     """

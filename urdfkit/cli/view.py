@@ -24,19 +24,19 @@ from urdfkit.viewer.state import ViewRequest
 )
 @judged()
 @click.option("--port", type=click.IntRange(0, 65535), default=0, help="[default: a free one]")
-@click.option("--no-open", is_flag=True, help="Print the address; open no browser.")
+@click.option("--no-open", is_flag=True, help="Print the URL; do not open a browser.")
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
 def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
-    """Show a robot in the browser, and follow changes of its files.
+    """Show a robot in the browser; reload it when files change.
 
     The page is that of urdfkit report, with the xacro arguments as inputs. The server listens on
-    this machine only, at an address that nobody can guess. Ctrl-C ends it.
+    this machine only, at an address with a random token. Ctrl-C stops it.
 
-    Exit codes: 0 done, 2 it cannot be done.
+    Exit codes: 0 done, 2 usage or input error.
     """
     file = only_file(values)
     if file == "-":
-        raise options.UsageError("standard input does not change; name a file to follow")
+        raise options.UsageError("standard input cannot be watched; pass a file")
     wish = ViewRequest(
         file,
         options.arguments(values),
@@ -48,7 +48,7 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
     )
 
     def opened(address: str) -> None:
-        print(f"{address}\nCtrl-C ends it.", file=sys.stderr)
+        print(f"{address}\nPress Ctrl-C to stop.", file=sys.stderr)
         if not no_open:
             webbrowser.open(address)
 

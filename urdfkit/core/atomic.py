@@ -35,7 +35,9 @@ def make_folder(path: str | os.PathLike[str]) -> None:
         os.makedirs(path, exist_ok=True)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-        raise UnwritableFile(f"{os.fspath(path)}: cannot be made a folder: {reason}") from error
+        raise UnwritableFile(
+            f"{os.fspath(path)}: cannot create this directory: {reason}"
+        ) from error
 
 
 def _write(path: str, data: bytes) -> None:
@@ -66,7 +68,7 @@ def _why_unwritable(path: str | os.PathLike[str], error: OSError) -> str:
     """The reason and the remedy."""
     folder = os.path.dirname(path) or "."
     if os.path.isdir(path):
-        return "is a folder; name a file in it"
+        return "is a directory; pass a file in it"
     if not os.path.isdir(folder):
-        return f"there is no folder '{folder}'; make it first"
+        return f"no such directory '{folder}'; create it first"
     return f"cannot be written: {error.strerror or error}"

@@ -90,7 +90,7 @@ def load(path: str) -> Counter[Fingerprint]:
     except OSError as error:
         raise BaselineError(f"{path}: {why_unreadable(path, error)}") from error
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise BaselineError(f"{path}: no baseline of urdfkit ({error})") from error
+        raise BaselineError(f"{path}: not a urdfkit baseline ({error})") from error
 
 
 def sift(

@@ -126,7 +126,7 @@ class Config(Record):
             own = [robot for robot in own if robot.name == variant]
             if not own:
                 there = f"there are {', '.join(names)}" if names else "it has none"
-                raise ConfigError(f"{path}: there is no variant '{variant}'; {there}")
+                raise ConfigError(f"{path}: unknown variant '{variant}'; {there}")
         elif given and len(own) > 1:
             shared = set.intersection(*(set(robot.arguments.items()) for robot in own))
             own = [RobotEntry(path, "", dict(shared))]
@@ -146,7 +146,7 @@ class Config(Record):
         found = self.entries(path, given, variant)
         if len(found) > 1:
             names = ", ".join(robot.name for robot in found)
-            raise ConfigError(f"{path} has several variants: name one with --variant ({names})")
+            raise ConfigError(f"{path} has several variants: select one with --variant ({names})")
         return found[0]
 
     def relative(self, path: str) -> str:
@@ -184,7 +184,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
     """
     table = _table(path)
     if table is None:
-        raise ConfigError(f"{path}: there is no [tool.urdfkit] in it")
+        raise ConfigError(f"{path}: no [tool.urdfkit] in this file")
     return _read(_Reader(path, table, ""), trusted=trusted)
 
 
@@ -311,7 +311,7 @@ class _Reader:
         values = self.take(key, list, [])
         for value in values:
             if not isinstance(value, str):
-                raise self.error(f"'{key}' must hold texts, not {value!r}")
+                raise self.error(f"'{key}' must hold strings, not {value!r}")
         return tuple(values)
 
     def rule_packages(self, *, trusted: bool) -> tuple[str, ...]:
@@ -330,7 +330,7 @@ class _Reader:
         wanted: bool = self.take("trust", bool, False)
         if wanted and not trusted:
             raise self.error(
-                "'trust' counts only if you say so yourself: give --trust, or --config FILE"
+                "'trust' must be confirmed on the command line: pass --trust or --config FILE"
             )
         return wanted
 
@@ -428,7 +428,7 @@ class _Reader:
         folders = {name: os.path.join(self.folder, str(value)) for name, value in table.items()}
         for name, folder in folders.items():
             if not os.path.isdir(folder):
-                raise self.error(f"'packages.{name}': there is no folder '{folder}'")
+                raise self.error(f"'packages.{name}': no such directory '{folder}'")
         return {name: os.path.normpath(folder) for name, folder in folders.items()}
 
     def arguments(self, key: str) -> dict[str, str]:
@@ -436,7 +436,7 @@ class _Reader:
         table = self.take(key, dict, {})
         for name, value in table.items():
             if not isinstance(value, (str, int, float)):
-                raise self.error(f"'{key}.{name}' must be a text, a number or a boolean")
+                raise self.error(f"'{key}.{name}' must be a string, a number or a boolean")
         return {
             name: str(value).lower() if isinstance(value, bool) else str(value)
             for name, value in table.items()
@@ -450,4 +450,8 @@ class _Reader:
 
     def finish(self, what: str = "setting") -> None:
         for key in self._left:
+<<<<<<< HEAD
             raise self.error(f"there is no {what} '{key}'{did_you_mean(key, self._known)}")
+=======
+            raise self.error(f"unknown setting '{key}'{did_you_mean(key, self._known)}")
+>>>>>>> step2-6

@@ -48,8 +48,8 @@ _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _MARK = b"\xef\xbb\xbf"
-_NOT_CONFIGURED = "the configuration has no [[robot]] for it"
-_UNUSUAL = "has the root <robot>, but its suffix is not that of one, and no launch file names it"
+_NOT_CONFIGURED = "no [[robot]] in the configuration for it"
+_UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
 _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
 _CONTENT = re.compile(
@@ -89,7 +89,7 @@ def discover(folder: str, config: Config, resolver: Resolver) -> FolderContents:
         return FolderContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
     if not any(found):
         raise UnreadableFile(
-            f"{folder}: no .urdf, no .xacro with a <robot> and no launch file in it"
+            f"{folder}: contains no .urdf, no .xacro with a <robot> and no launch file"
         )
     return found
 
@@ -178,7 +178,7 @@ def _package_folder(file: str, resolver: Resolver) -> str:
 def descriptions(folder: str, config: Config) -> Iterator[str]:
     """The files below a folder that may be descriptions or parts of them, sorted."""
     if not os.path.isdir(folder):
-        raise UnreadableFile(f"{folder}: no such folder")
+        raise UnreadableFile(f"{folder}: no such directory")
     count = 0
     for path in _below(folder):
         is_part = path.lower().endswith(_INCLUDED)

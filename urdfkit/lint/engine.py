@@ -335,7 +335,7 @@ def _run(
         ]
     except UrdfkitError:
         raise
-    except Exception as error:  # a bug of urdfkit must not hide the findings of other robots
+    except Exception as error:  # a bug in urdfkit must not hide the findings of other robots
         return [
             (job, FileResult((), (), (crash("", job.source.path, error),), frozenset(), None, 0))
         ]
@@ -371,7 +371,7 @@ def _unopened(plan: Plan, settings: Settings) -> Iterator[Diagnostic]:
             continue
         at = catalogue.Location(Span(Source(path, b""), 0, 0))
         message = "robot not checked: the file cannot be opened"
-        help = "see where the link leads, and the permissions of the file"
+        help = "check the symbolic link and the file permissions"
         for found in diagnose(catalogue.get(code), [catalogue.Finding(at, message, help)]):
             severity = config.severities.get(code) if config else None
             yield found._replace(severity=severity or found.severity)

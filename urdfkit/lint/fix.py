@@ -48,7 +48,7 @@ MAX_ROUNDS = 10
 _LAST = ("INE", "XAC014")
 
 #: Robots, or variants of one, share the text and not the finding.
-_DISPUTED = "dropped: another robot uses the text, and is right as it is"
+_DISPUTED = "skipped: another robot uses this text and is correct as it is"
 
 #: First and last byte of an edit, and its text.
 _Piece = tuple[int, int, str]
@@ -171,7 +171,7 @@ def _with_meshes(
             generate_missing,
         )
     except ImportError as error:
-        text = f"making meshes needs {error.name}: pip install 'urdfkit[meshes]'"
+        text = f"generating meshes needs {error.name}: pip install 'urdfkit[meshes]'"
         raise UrdfkitError(text) from error
     found: dict[str, GeneratedMesh | NotGenerated] = {}
     for robot in filter(None, subjects_of(files, options)):
@@ -332,10 +332,10 @@ class _Session:
             before = self._look.resolver.text(source.path)
             before = on_disk(source.path) if before is None else before
             if before is None:
-                return "there is no such file"
+                return "file not found"
             self._originals[real] = Rewrite(shown(source.path), before, before)
         if source.undecodable is not None:
-            return "the file has bytes that are no text"
+            return "the file is not valid text"
         original = self._originals[real].before
         now = self._texts.get(real, original)
         if _encoded(source.data, source, original) != now:

@@ -66,7 +66,7 @@ def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
             revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
             visible = Counter(codes) - _codes(one for one in errors or () if _is_at(one, revealed))
             if visible:
-                return f"dropped: it would add {min(visible)}"
+                return f"skipped: it would add {min(visible)}"
     crashed = {(crash.path, crash.code) for crash in before.crashed}
     if failed := {(crash.path, crash.code) for crash in after.crashed} - crashed:
         return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
@@ -113,7 +113,7 @@ def useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
     expected.subtract(Counter(map(key_of, applied)))
     now = Counter(map(key_of, after.diagnostics))
     stays = any(now[key] > expected[key] for key in map(key_of, applied))
-    return "dropped: the finding stays" if stays else ""
+    return "skipped: it does not remove the finding" if stays else ""
 
 
 class Look:

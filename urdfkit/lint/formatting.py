@@ -108,7 +108,7 @@ def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterato
 def _below(folder: str, config: Config) -> list[str]:
     found = [path for path in map(shown, descriptions(folder, config)) if _is_robot(path)]
     if not found:
-        raise UnreadableFile(f"{folder}: no .urdf and no .xacro with a <robot> in it")
+        raise UnreadableFile(f"{folder}: contains no .urdf and no .xacro with a <robot>")
     return found
 
 

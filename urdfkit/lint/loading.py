@@ -135,12 +135,12 @@ def described(
     if not found:
         raise UnreadableRobot(
             f"{source.path} is a launch file and describes no robot that can be known without "
-            "running it; name the robot's file"
+            "running it; pass the robot file"
         )
     path, given = found[0]
     if any(other != found[0] for other in found):
         names = ", ".join(dict.fromkeys(path for path, _ in found))
-        raise UnreadableRobot(f"{source.path} describes several robots; name one of {names}")
+        raise UnreadableRobot(f"{source.path} describes several robots; pass one of {names}")
     return resolver.read(path), given
 
 

@@ -137,18 +137,20 @@ class Plan:
         if found.robots and not robots:
             from urdfkit.lint.config import ConfigError
 
-            raise ConfigError(f"no robot here has a variant '{self.variant}'")
+            raise ConfigError(f"no robot has a variant '{self.variant}'")
         for robot in robots:
             source = self.resolver.read(_spelt(robot.file, given))
             self._add(source, robot.name, robot.arguments, found=True)
         for library in found.libraries:
-            reason = "makes no link itself, and no file includes it: check a robot that uses it"
+            reason = "defines no link, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
         self.skipped += (Skipped("", path, reason) for path, reason in found.others.items())
         for path in found.closed:
             self.closed.append(path)
             self.skipped.append(
-                Skipped("", path, "cannot be opened; see where it leads, and its permissions")
+                Skipped(
+                    "", path, "cannot be opened; check the symbolic link and the file permissions"
+                )
             )
 
     def _add_source(self, source: Source) -> None:
@@ -179,7 +181,7 @@ class Plan:
             launch = read_launch(source, self.resolver, self.arguments)
         except UrdfkitError:
             raise
-        except Exception:  # a bug of urdfkit, which the check of the launch file meets and tells
+        except Exception:  # a bug in urdfkit, which the check of the launch file meets and tells
             return
         # Of several robots nobody knows which one the controllers are for.
         parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()

@@ -34,7 +34,7 @@ class Launched(Record):
 
 
 class Crashed(Record):
-    """A rule that failed: a bug of urdfkit, never of the robot.
+    """A rule that failed: a bug in urdfkit, never of the robot.
 
     The code is empty where what failed is a part of the check that is no rule.
     """
@@ -106,7 +106,7 @@ class Report(Record):
         return self.exit_code() == 0
 
     def exit_code(self, fail_on: Severity = Severity.WARNING) -> int:
-        """0 clean, 1 findings of ``fail_on`` or worse, 3 a bug of urdfkit."""
+        """0 clean, 1 findings of ``fail_on`` or worse, 3 a bug in urdfkit."""
         if self.crashed:
             return 3
         return int(any(d.severity.rank <= fail_on.rank for d in self.diagnostics))

@@ -49,7 +49,7 @@ def add(names: Iterable[str], *, modules: bool, beside: str = "") -> list[str]:
         module = installed().get(name)
         if module is None:
             if not modules:
-                raise RuleError(f"no package of rules is installed as '{name}'{_hint(name)}")
+                raise RuleError(f"no rule package is installed as '{name}'{_hint(name)}")
             if beside and os.path.abspath(beside) not in sys.path:
                 sys.path.append(os.path.abspath(beside))
             module = name
@@ -61,7 +61,7 @@ def add(names: Iterable[str], *, modules: bool, beside: str = "") -> list[str]:
 
 def _hint(name: str) -> str:
     nearest = did_you_mean(name, installed())
-    return f"{nearest}; to import a module runs its code, which takes --trust or --config FILE"
+    return f"{nearest}; importing a module runs its code: pass --trust or --config FILE"
 
 
 @cache
@@ -72,17 +72,13 @@ def _rules_of(name: str) -> dict[str, str]:
     try:
         spec = find_spec(name)
     except Exception as error:  # a package above it may fail in any way
-        raise RuleError(f"package of rules '{name}': {type(error).__name__}: {error}") from error
+        raise RuleError(f"rule package '{name}': {type(error).__name__}: {error}") from error
     if spec is None:
         hint = did_you_mean(name, installed())
-        raise RuleError(
-            f"there is no package of rules '{name}', neither installed nor as a module{hint}"
-        )
+        raise RuleError(f"no rule package '{name}', neither installed nor as a module{hint}")
     inside = spec.submodule_search_locations
     names = [name] if inside is None else [f"{name}.{one.name}" for one in iter_modules(inside)]
     found = {code: module for module in sorted(names) if (code := rules.code_of(module))}
     if not found:
-        raise RuleError(
-            f"package of rules '{name}': it holds no module that is named abc123_some_defect"
-        )
+        raise RuleError(f"rule package '{name}': no module named abc123_some_defect in it")
     return found

@@ -35,7 +35,7 @@ FIRST_VERSION = "0.1"
 
 #: Families of urdfkit's own rules, and what they are about; other packages take other letters.
 FAMILIES = {
-    "CFG": "the checking itself",
+    "CFG": "urdfkit itself",
     "COL": "collisions",
     "DYN": "dynamics",
     "GAZ": "Gazebo",
@@ -45,14 +45,14 @@ FAMILIES = {
     "LAU": "launch files",
     "MSH": "mesh files",
     "NAM": "names",
-    "PKG": "the package around the robot",
+    "PKG": "the ROS package",
     "RCT": "transmissions and ros2_control",
     "REF": "references",
     "SRD": "SRDF",
-    "TRE": "the kinematic tree",
-    "URD": "the grammar of URDF",
+    "TRE": "kinematic tree",
+    "URD": "URDF elements and attributes",
     "XAC": "xacro",
-    "XML": "the text",
+    "XML": "XML",
 }
 
 
@@ -302,7 +302,7 @@ def register(modules: Mapping[str, str]) -> None:
     for code, module in modules.items():
         if code[:3] in FAMILIES:
             raise RuleError(
-                f"{module}: the letters {code[:3]} are urdfkit's own; choose three others"
+                f"{module}: the prefix {code[:3]} is reserved by urdfkit; choose another"
             )
         if _modules.get(code, module) != module:
             raise RuleError(f"{module}: the code {code} is taken by {_modules[code]}")

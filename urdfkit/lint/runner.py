@@ -118,7 +118,7 @@ class _Run:
         """What a look at the robot tells, or what stands in for it if the look fails."""
         try:
             return look()
-        except Exception as error:  # a bug of urdfkit must not hide what the rules find
+        except Exception as error:  # a bug in urdfkit must not hide what the rules find
             self.crashed.append(crash("", self.subject.source.path, error))
             return otherwise
 

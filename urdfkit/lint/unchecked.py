@@ -30,7 +30,7 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
         first = next(errors, None)
         what = "cannot be read" if reading.xacro is None else "does not expand"
         why = f"it {what}" + (f": {first.message} ({first.code})" if first else "")
-        return why, f"urdfkit check {shown(source.path)} --select XML,XAC tells what is wrong"
+        return why, f"urdfkit check {shown(source.path)} --select XML,XAC shows the errors"
     found = {name: found_values(name, reading.xacro, resolver) for name in names}
     known = "; ".join(f"{name}: {reported(one)}" for name, one in found.items() if one)
     quoted = ", ".join(f"'{name}'" for name in names)

@@ -37,7 +37,7 @@ def actions(page: Page, diagnostic: Diagnostic) -> Iterator[Action]:
     if fix is not None:
         yield Action(_capital(fix.title), fix.edits, diagnostic, fix.safe)
     if edit := _comment(page, diagnostic):
-        yield Action(f"Accept {diagnostic.code} here, by a comment", (edit,), diagnostic)
+        yield Action(f"Suppress {diagnostic.code} here with a comment", (edit,), diagnostic)
 
 
 def _comment(page: Page, diagnostic: Diagnostic) -> Edit | None:

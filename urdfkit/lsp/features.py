@@ -248,5 +248,5 @@ def _fix_all(server: Server, path: str) -> list[lsp.CodeAction]:
     if not changes:
         return []
     edit = lsp.WorkspaceEdit(changes)
-    title = "Apply all fixes that cannot change what the robot does"
+    title = "Apply all safe fixes"
     return [lsp.CodeAction(title, lsp.CodeActionKind.SourceFixAll, edit=edit)]

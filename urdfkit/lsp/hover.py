@@ -134,7 +134,7 @@ def _link(robot: OpenRobot, link: Link) -> Iterator[str]:
     if robot.document is not None:
         for joint in robot.subject.tree.parents.get(link.name, ())[:1]:
             parent = joint.parent.value if joint.parent else ""
-            yield f"- hangs on `{_code(parent)}` by the {joint.kind} joint `{_code(joint.name)}`"
+            yield f"- child of `{_code(parent)}` by the {joint.kind} joint `{_code(joint.name)}`"
 
 
 def _joint(joint: Joint) -> Iterator[str]:
@@ -212,7 +212,7 @@ def _plugin(here: Cursor) -> Iterator[str]:
         if here.attribute.name == "filename":
             for known in plugins.find(here.attribute.value.strip()):
                 reported = f"**plugin** of {known.package}, {known.generation}"
-                after = f"; in the next generation `{known.successor}`" if known.successor else ""
+                after = f"; in newer generations `{known.successor}`" if known.successor else ""
                 yield reported + after
         return
     plugin = node.within("plugin")
@@ -222,7 +222,7 @@ def _plugin(here: Cursor) -> Iterator[str]:
         if parameter := known.parameters.get(path_in(node, plugin)):
             words = [parameter.type] + ["needed"] * parameter.required
             if parameter.default:
-                words.append(f"`{_code(parameter.default)}` unless given")
+                words.append(f"`{_code(parameter.default)}` by default")
             yield f"**{node.name}** ({known.generation}): {', '.join(words)}"
 
 
@@ -257,7 +257,7 @@ def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterat
         except UnknownRule:
             continue
         text = f"**{rule.code}** {rule.name}\n\n{rule.explanation}"
-        yield text + (f"\n\nWhat to do: {rule.help}." if rule.help else "")
+        yield text + (f"\n\nHelp: {rule.help}." if rule.help else "")
 
 
 def _place(span: Span) -> str:

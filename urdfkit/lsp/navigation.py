@@ -118,14 +118,14 @@ def renamable(robot: OpenRobot, page: Page, offset: int) -> NameUse:
     """
     name = _name(robot, page, offset)
     if name is None or name.kind == "package":
-        raise CannotRename("there is no name here that can be changed")
+        raise CannotRename("no name to rename here")
     same = robot.names.same(name)
     if not any(one.is_definition for one in same):
-        raise CannotRename(f"'{name.text}' is given nowhere in this robot")
+        raise CannotRename(f"'{name.text}' is not defined in this robot")
     for one in same:
         if one.is_computed:
             place = f"{os.path.basename(one.span.source.path)}:{one.span.line}"
-            raise CannotRename(f"'{one.text}' at {place} is made by an expression; change it there")
+            raise CannotRename(f"'{one.text}' at {place} comes from an expression; change it there")
     return name
 
 
@@ -137,11 +137,13 @@ def rename(robot: OpenRobot, page: Page, offset: int, new: str) -> list[Edit]:
     """
     name = renamable(robot, page, offset)
     if name.kind in ("macro", "property", "parameter", "arg") and not _IDENTIFIER.fullmatch(new):
-        raise CannotRename(f"'{new}' is no name for a {name.kind}: letters, digits and '_'")
+        raise CannotRename(
+            f"'{new}' is not a valid name for a {name.kind}: letters, digits and '_'"
+        )
     if not new.strip() or set(new) & set("<>&\"'${}") or new != new.strip():
-        raise CannotRename(f"'{new}' cannot be a name")
+        raise CannotRename(f"'{new}' is not a valid name")
     same = robot.names.same(name)
     kinds = {one.kind for one in same if one.is_definition}
     if new in robot.given(*kinds):
-        raise CannotRename(f"there is a {name.kind} '{new}' already")
+        raise CannotRename(f"there is already a {name.kind} '{new}'")
     return [Edit(span, new) for span in (*(one.span for one in same), *_beside(robot, name, same))]

@@ -254,7 +254,7 @@ class Workspace:
             UrdfkitError: its file cannot be read.
         """
         if not self.entries(path):
-            raise UrdfkitError(f"{path} is part of no robot")
+            raise UrdfkitError(f"{path} is not part of a robot")
         entry = self.entries(path)[0]
         if entry.file not in self._robots:
             config, _ = self.config(path)

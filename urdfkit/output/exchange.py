@@ -38,7 +38,7 @@ def to_yourdfpy(robot: Subject | RobotModel | str | os.PathLike[str], **options:
     try:
         from yourdfpy import URDF
     except ImportError as error:
-        raise MissingLibrary("this needs yourdfpy: pip install 'urdfkit[exchange]'") from error
+        raise MissingLibrary("needs yourdfpy: pip install 'urdfkit[exchange]'") from error
 
     if isinstance(robot, RobotModel):
         resolver, path = Resolver(), robot.document.sources[0].path

@@ -79,11 +79,11 @@ def _named(description: RosDescription, name: str) -> dict[str, float]:
     path, _, state = name.rpartition(":")
     srdf = _srdf(description, path) if os.path.exists(path) else description.srdf
     if srdf is None:
-        raise PoseError(f"there is no pose file '{name}', nor an SRDF with such a state")
+        raise PoseError(f"no pose file '{name}', and no SRDF with this group state")
     states = _states(srdf)
     if state not in states:
         hint = did_you_mean(state, states) or f"; there are {', '.join(states) or 'none'}"
-        raise PoseError(f"there is no pose file '{name}', nor such a state in {srdf.path}{hint}")
+        raise PoseError(f"no pose file '{name}', and no such group state in {srdf.path}{hint}")
     return _positions(description.tree, states[state])
 
 
@@ -92,7 +92,7 @@ def _srdf(description: RosDescription, path: str) -> Srdf:
 
     srdf = read(path, description.tree, description.resolver, trust=description.trust)
     if srdf is None:
-        raise PoseError(f"{path}: it is no SRDF")
+        raise PoseError(f"{path}: not an SRDF file")
     return srdf
 
 
@@ -173,7 +173,7 @@ def _positions(tree: KinematicTree, given: Mapping[str, Any]) -> dict[str, float
         joint = tree.model.joints_by_name.get(name)
         if joint is None:
             suggested = did_you_mean(name, tree.model.joints_by_name)
-            raise PoseError(f"there is no joint '{name}'{suggested}")
+            raise PoseError(f"no joint '{name}'{suggested}")
         if joint.mimic and joint.mimic.joint:
             leader = joint.mimic.joint.value
             raise PoseError(f"joint '{name}' follows '{leader}'; give the position of that one")
@@ -190,7 +190,7 @@ def _position(name: str, value: object, *, turns: bool) -> float:
     degrees = next((suffix for suffix in _DEGREES if text.endswith(suffix)), "")
     position = number(text.removesuffix(degrees))
     if position is None or isinstance(value, bool):
-        raise PoseError(f"joint '{name}': '{text}' is no position; write 1.57, 90deg or 0.1")
+        raise PoseError(f"joint '{name}': '{text}' is not a position; write 1.57, 90deg or 0.1")
     if degrees and not turns:
         raise PoseError(f"joint '{name}' slides; write its position in m, not in degrees")
     return position * pi / 180 if degrees else position

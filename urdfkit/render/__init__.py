@@ -37,7 +37,7 @@ try:
     from urdfkit.render.scene import Label, MissingMesh, Scene, SceneItem, build
 except ImportError as error:
     raise MissingLibrary(
-        f"pictures need {error.name}, which is not installed: pip install 'urdfkit[render]'"
+        f"rendering needs {error.name}, which is not installed: pip install 'urdfkit[render]'"
     ) from error
 
 __all__ = [

@@ -94,7 +94,7 @@ def sweep(
     """
     known = subject.model.joints_by_name
     if joint not in known:
-        raise AnimationError(f"there is no joint '{joint}'{did_you_mean(joint, list(known))}")
+        raise AnimationError(f"no joint '{joint}'{did_you_mean(joint, list(known))}")
     one = known[joint]
     if one.kind not in (*kinematics.TURNING, *kinematics.SLIDING) or one.mimic:
         raise AnimationError(f"joint '{joint}' is {one.kind or 'of no type'}: it does not sweep")

@@ -154,11 +154,11 @@ def looking(
         NoSuchView: the view has no name here, or a number is out of bounds.
     """
     if view not in VIEWS:
-        raise NoSuchView(f"there is no view '{view}', only {', '.join(VIEWS)}")
+        raise NoSuchView(f"unknown view '{view}'; expected one of {', '.join(VIEWS)}")
     if distance is not None and not 0 < distance < 1e6:
         raise NoSuchView(f"a distance of {distance:g} m: write one above 0")
     if not all(isfinite(angle or 0.0) for angle in (azimuth, elevation)):
-        raise NoSuchView("an angle that is no number: write one in degrees")
+        raise NoSuchView("invalid angle: use degrees")
     if reason := unfit(size):
         raise NoSuchView(reason)
     axes = _axes(
@@ -188,7 +188,7 @@ def unfit(size: tuple[int, int]) -> str:
     if min(size) >= MIN_EDGE and width * height <= MAX_PIXELS:
         return ""
     most = MAX_PIXELS // 1_000_000
-    return f"a picture of {width}x{height} pixels: write a size from 16x16 to {most} million pixels"
+    return f"an image of {width}x{height} pixels: use a size from 16x16 to {most} million pixels"
 
 
 def _axes(azimuth: float, elevation: float) -> Matrix:

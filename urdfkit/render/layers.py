@@ -82,7 +82,7 @@ def explained(
                 did_you_mean(layer, list(LAYERS))
                 or f"; there are visual, collision, {', '.join(LAYERS)}"
             )
-            raise NoSuchLayer(f"there is no layer '{layer}'{hint}")
+            raise NoSuchLayer(f"unknown layer '{layer}'{hint}")
         drawn = list(LAYERS[layer](scene, subject, size or 1.0, given or {}))
         items += (thing for thing in drawn if isinstance(thing, SceneItem))
         labels += (thing for thing in drawn if isinstance(thing, Label))

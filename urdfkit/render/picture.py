@@ -112,7 +112,7 @@ def colour(word: str) -> tuple[float, float, float]:
     try:
         r, g, b = ImageColor.getrgb(word)[:3]
     except ValueError as error:
-        raise PictureError(f"'{word}' is no colour; write a name, or #rrggbb") from error
+        raise PictureError(f"'{word}' is not a colour; use a name, or #rrggbb") from error
     return r / 255, g / 255, b / 255
 
 
@@ -134,7 +134,7 @@ def save(image: Image.Image, path: str | os.PathLike[str]) -> None:
     suffix = os.path.splitext(os.fspath(path))[1].lower()
     form = Image.registered_extensions().get(suffix)
     if form is None or form not in Image.SAVE:
-        what = f"'{suffix}' is the suffix of no picture" if suffix else "it has no suffix"
+        what = f"'{suffix}' is not a supported image format" if suffix else "it has no suffix"
         raise PictureError(f"{os.fspath(path)}: {what}; write .png, .webp or .jpg")
     if form == "JPEG":
         image = opaque(image)

@@ -131,10 +131,10 @@ def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: 
     for name in (link, seen):
         if name not in tree.model.links_by_name:
             hint = did_you_mean(name, tree.model.links_by_name)
-            raise UnknownLink(f"there is no link '{name}'{hint}")
+            raise UnknownLink(f"no link '{name}'{hint}")
     found = frames(tree, given)
     if link not in found or tree.root_of[link] != tree.root_of.get(seen):
-        raise UnknownLink(f"there is no way from link '{seen}' to link '{link}'")
+        raise UnknownLink(f"links '{seen}' and '{link}' are not connected by joints")
     return found[seen].inverse @ found[link]
 
 

@@ -32,13 +32,13 @@ _CORNERS = 32
 
 #: What can be said of a robot on the ground, by the word for programs.
 VERDICTS = {
-    "fixed": "fixed to the world: it cannot tip over",
+    "fixed": "fixed to the world: cannot tip over",
     "stands": "stands",
     "tips": "tips over",
-    "tips-unless-bolted": "tips over unless it is bolted down",
-    "no-area": "the contacts with the ground span no area: it balances or falls",
-    "no-contact": "no collision geometry to stand on",
-    "no-mass": "no mass that could tip over",
+    "tips-unless-bolted": "tips over unless fixed to the ground",
+    "no-area": "the ground contacts span no area",
+    "no-contact": "no collision geometry in contact with the ground",
+    "no-mass": "no mass",
 }
 
 

@@ -85,7 +85,7 @@ def parse(names: Iterable[str]) -> Targets:
     for name in chosen:
         if name not in TARGETS:
             hint = did_you_mean(name, TARGETS)
-            raise UnknownTarget(f"there is no target '{name}'{hint} ({', '.join(TARGETS)})")
+            raise UnknownTarget(f"unknown target '{name}'{hint} ({', '.join(TARGETS)})")
     return Targets(tuple(name for name in TARGETS if name in chosen))
 
 

@@ -200,7 +200,7 @@ def assert_limits_within(
     for pattern, (least, greatest) in bounds.items():
         joints = [joint for joint in model.joints if fnmatchcase(joint.name, pattern)]
         if not joints:
-            wrong.append(f"there is no joint '{pattern}'")
+            wrong.append(f"no joint '{pattern}'")
         for joint in joints:
             for name, value in _limits(joint, of).items():
                 if value is None:
@@ -226,7 +226,7 @@ def assert_no_self_collision(
     begin: Mapping[str, float] | None = None,
     allowed: Iterable[tuple[str, str]] = (),
 ) -> None:
-    """Fail if two links collide where the robot begins, or in samples within its limits.
+    """Fail if two links collide in the initial pose, or in samples within its limits.
 
     Links that a joint holds together and those that only fixed joints part do not count, nor do
     pairs that the SRDF beside the robot disables. ``urdfkit.collisions`` says what is measured.

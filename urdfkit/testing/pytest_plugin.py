@@ -34,10 +34,8 @@ _FILES = pytest.StashKey[set[Path]]()
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """The settings ``urdf_files`` and ``urdf_fail_on``."""
-    parser.addini(
-        "urdf_files", "URDF and xacro files (globs from the root folder) that are tests", "args"
-    )
-    parser.addini("urdf_fail_on", "mildest finding that fails such a test", default="warning")
+    parser.addini("urdf_files", "URDF and xacro files to test (globs relative to rootdir)", "args")
+    parser.addini("urdf_fail_on", "lowest severity that fails such a test", default="warning")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -51,7 +49,7 @@ def pytest_configure(config: pytest.Config) -> None:
     fail_on = config.getini("urdf_fail_on")
     if fail_on not in _SEVERITIES:
         known = ", ".join(_SEVERITIES)
-        raise pytest.UsageError(f"urdf_fail_on: '{fail_on}' is none of {known}")
+        raise pytest.UsageError(f"urdf_fail_on: '{fail_on}' is not one of {known}")
     config.stash[_FILES] = {
         path for pattern in config.getini("urdf_files") for path in _matching(config, pattern)
     }
@@ -124,7 +122,7 @@ def _description(
     found = next((place for place in places if place.is_file()), None)
     if found is None:
         reported = " nor ".join(dict.fromkeys(map(str, places)))
-        pytest.fail(f"there is no model {reported}", pytrace=False)
+        pytest.fail(f"no such model {reported}", pytrace=False)
     return Description(str(found), arguments)
 
 
@@ -150,7 +148,7 @@ def robot_dynamics(marked_urdf: Description) -> Dynamics:
 
     The test is skipped where Pinocchio is not installed.
     """
-    pytest.importorskip("pinocchio", reason="it needs: pip install 'urdfkit[dynamics]'")
+    pytest.importorskip("pinocchio", reason="needs pip install 'urdfkit[dynamics]'")
     return marked_urdf.dynamics
 
 

@@ -55,7 +55,7 @@ def find(document: Document, address: str) -> Element | Attribute:
     elements = {element.path: element for element in reversed(list(document.root.walk()))}
     element = elements.get(path.strip("/"))
     if element is None:
-        raise NoSuchElement(f"there is no element '{path}'{did_you_mean(path, elements)}")
+        raise NoSuchElement(f"no element '{path}'{did_you_mean(path, elements)}")
     if not at:
         return element
     attribute = element.attributes.get(name)

@@ -152,7 +152,7 @@ class Source:
 def why_unreadable(path: str, error: OSError) -> str:
     """Why a file could not be opened, and the remedy."""
     if os.path.isdir(path):
-        return "is a folder; name the files in it"
+        return "is a directory; pass the files in it"
     if isinstance(error, PermissionError):
         return "may not be read; see its permissions"
     if error.errno == ELOOP:
@@ -163,11 +163,11 @@ def why_unreadable(path: str, error: OSError) -> str:
     try:
         beside = os.listdir(folder or ".")
     except OSError:
-        return f"there is no folder '{folder}'"
+        return f"no such directory '{folder}'"
     # By stems: what ends in '.urdf' is alike enough to be meant otherwise.
     alike = [other for other in beside if nearest(_stem(name), [_stem(other)])]
     suggested = nearest(name, alike, likeness=0.01)
-    return "there is no such file" + (f"; did you mean '{suggested}'?" if suggested else "")
+    return "file not found" + (f"; did you mean '{suggested}'?" if suggested else "")
 
 
 def _stem(name: str) -> str:

@@ -215,7 +215,7 @@ def _before_declaration(before: Span, end: int) -> Problem:
     return Problem(
         "XML007",
         before,
-        "a comment before the XML declaration, which urdfdom 4 (ROS 2 Jazzy) refuses",
+        "a comment before the XML declaration, which urdfdom 4 (ROS 2 Jazzy) rejects",
         "move the comment below <?xml ...?>",
         fix=Fix("move the comment below the XML declaration", edits, safe=True),
     )

@@ -86,7 +86,7 @@ class Viewer:
             self._completing = asyncio.create_task(self._complete(self.state))
         except Exception as error:  # a file that is gone may come back; nor may a bug end this
             is_bug = not isinstance(error, UrdfkitError)
-            what = f"urdfkit failed with {type(error).__name__}: {error}" if is_bug else str(error)
+            what = f"internal error: {type(error).__name__}: {error}" if is_bug else str(error)
             if self.error == what:
                 return
             self.error = what

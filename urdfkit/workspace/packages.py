@@ -150,14 +150,14 @@ class Packages:
     def searched(self, name: str, near: str) -> tuple[str, ...]:
         """Where ``candidates`` looks, in words a user can check."""
         if name in self.explicit:
-            return (f"{self.explicit[name]} (given for {name}; no such folder)",)
+            return (f"{self.explicit[name]} (given for {name}; no such directory)",)
         start = self.folder_of(near)
         if start not in self._searched:  # a robot may name a missing package a hundred times
             self._searched[start] = self._search_of(start, near)
         return self._searched[start]
 
     def _search_of(self, start: str, near: str) -> tuple[str, ...]:
-        reported = [f"{start} and the folders above it"]
+        reported = [f"{start} and its parent directories"]
         for variable, paths in (
             ("AMENT_PREFIX_PATH", self.prefixes),
             ("ROS_PACKAGE_PATH", self.ros1_paths),
@@ -373,7 +373,9 @@ class _Scan:
         """What was scanned, and how far."""
         self.find("")
         count = len(self._found)
-        stopped = "" if self._next == len(self._queue) else f", stopped after {self._next} folders"
+        stopped = (
+            "" if self._next == len(self._queue) else f", stopped after {self._next} directories"
+        )
         return f"{self.root} ({count} package{'' if count == 1 else 's'}{stopped})"
 
     def _more(self, started: float) -> bool:

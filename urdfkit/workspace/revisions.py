@@ -64,7 +64,7 @@ def locate(path: str, revision: str) -> str:
         except UrdfkitError:
             continue
         return os.path.join(top, name)
-    raise UrdfkitError(f"there is no file '{path}' in revision '{revision}' of {top}")
+    raise UrdfkitError(f"no file '{path}' in revision '{revision}' of {top}")
 
 
 def is_ignored(path: str) -> bool:
@@ -91,7 +91,7 @@ def _commit(top: str, revision: str) -> str:
     try:
         return _git(top, *words).decode().strip()
     except UrdfkitError as error:
-        raise UrdfkitError(f"there is no git revision '{revision}' in {top}") from error
+        raise UrdfkitError(f"no git revision '{revision}' in {top}") from error
 
 
 def _is_wanted(entry: bytes, largest: int) -> bool:

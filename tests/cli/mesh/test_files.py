@@ -82,7 +82,7 @@ def test_repair(holed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = capsys.readouterr().out
     assert text.startswith("found ")
     assert "closed holes" in text
-    assert text.endswith("nothing is written; --output OUT or --write does\n")
+    assert text.endswith("nothing written; use --output OUT or --write\n")
     assert holed.read_bytes() == before
     assert main(["mesh", "repair", str(holed), "--keep-holes"]) == 1
     assert main(["mesh", "repair", str(holed), "--write", "-o", "x.stl"]) == 2

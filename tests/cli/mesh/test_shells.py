@@ -21,7 +21,7 @@ SHEET = stl([*HALF, *(face[::-1] for face in HALF)])
     ("data", "what", "option"),
     [
         (NESTED, "bodies that overlap: the volume is 22 % too large", "--union"),
-        (SHEET, "20 triangles of sheets with two sides, which enclose nothing", "--one-sided"),
+        (SHEET, "20 triangles of double-sided sheets without volume", "--one-sided"),
     ],
 )
 def test_it_is_told_and_repaired(

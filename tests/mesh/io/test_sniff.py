@@ -122,7 +122,7 @@ def test_files(tmp_path: Path) -> None:
     for name, reason in (
         (str(tmp_path), "is no regular file"),
         (os.devnull, "is no regular file"),
-        (str(tmp_path / "none.stl"), "there is no such file"),
+        (str(tmp_path / "none.stl"), "file not found"),
         ("a\0b", "cannot be read: its name holds a NUL"),
     ):
         defect = sniff_file(name).defect

@@ -82,7 +82,7 @@ def test_a_frame_that_moved_carries_what_hangs_on_it(pair: Path) -> None:
     assert [upper.angle, tool.angle] == pytest.approx([turn, turn], abs=1e-9)
     assert found.kinds == {"frames"}
     assert "upper      0.000     5.730" in as_text.render(found)
-    assert "and 1 link that hangs on them" in as_text.render(found)
+    assert "and 1 child link with them" in as_text.render(found)
 
 
 def test_a_turn_by_half_a_circle_is_one(pair: Path) -> None:
@@ -239,11 +239,11 @@ def test_a_file_that_is_gone_from_the_working_tree(repository: Path) -> None:
 @pytest.mark.parametrize(
     ("word", "reason"),
     [
-        ("HEAD:no.urdf", "there is no file 'no.urdf' in revision 'HEAD'"),
-        ("nobody:urdf/arm.urdf", "there is no git revision 'nobody'"),
-        ("--exec:urdf/arm.urdf", "there is no git revision '--exec'"),
-        (":urdf/arm.urdf", "there is no git revision ''"),
-        ("HEAD:", "there is no file '' in revision 'HEAD'"),
+        ("HEAD:no.urdf", "no file 'no.urdf' in revision 'HEAD'"),
+        ("nobody:urdf/arm.urdf", "no git revision 'nobody'"),
+        ("--exec:urdf/arm.urdf", "no git revision '--exec'"),
+        (":urdf/arm.urdf", "no git revision ''"),
+        ("HEAD:", "no file '' in revision 'HEAD'"),
     ],
 )
 def test_what_git_does_not_have_is_said(repository: Path, word: str, reason: str) -> None:
@@ -269,7 +269,7 @@ def test_json_has_everything(pair: Path) -> None:
     assert document["kinds"] == ["limits", "findings"]
     (limit,) = document["differences"]
     assert (limit["before"], limit["after"]) == (-1.0, 3.0)
-    assert limit["sentence"] == "joint 'shoulder': lower -1 became 3"
+    assert limit["sentence"] == "joint 'shoulder': lower -1 -> 3"
     (came,) = document["findings"]["came"]
     assert (came["code"], came["path"], came["line"]) == ("JNT003", "b/arm.urdf", 10)
     assert set(document["kinds"]) <= set(KINDS)
@@ -343,5 +343,5 @@ def test_a_rename_is_told_in_chinese(pair: Path) -> None:
     pytest.importorskip("jinja2")
     (pair / "b" / "arm.urdf").write_text(ARM.replace("tool", "hand"))
     page = as_html.render(compare("a/arm.urdf", "b/arm.urdf"), language="zh")
-    assert "<code>tool</code></th><td>现名 <code>hand</code></td>" in page
+    assert "<code>tool</code></th><td>改名为 <code>hand</code></td>" in page
     assert '<span class="badge warning">名称</span>' in page

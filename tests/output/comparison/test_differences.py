@@ -52,31 +52,31 @@ def found(old: str, new: str, **allowed: Any) -> list[str]:
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
-        ('<mass value="2"', '<mass value="2.1"', "link 'arm': mass 2 kg became 2.1 kg"),
+        ('<mass value="2"', '<mass value="2.1"', "link 'arm': mass 2 kg -> 2.1 kg"),
         ('0 0 0.1"', '0 0.3 0.5"', "link 'arm': its centre of mass moved by 0.5 m"),
         (
             'ixy="0"',
             'ixy="0.01"',
-            "link 'arm': inertia ixy 0 became 0.01 kg m^2",
+            "link 'arm': inertia ixy 0 -> 0.01 kg m^2",
         ),
-        ("a.stl", "b.stl", "link 'arm': visual mesh a.stl became mesh b.stl"),
+        ("a.stl", "b.stl", "link 'arm': visual mesh a.stl -> mesh b.stl"),
         (
             'scale="1 1 1"',
             'scale="0.001 1 1"',
-            "link 'arm': visual mesh a.stl: 1 x 1 x 1 became 0.001 x 1 x 1",
+            "link 'arm': visual mesh a.stl: 1 x 1 x 1 -> 0.001 x 1 x 1",
         ),
-        ('size="1 2 3"', 'size="1 2 4"', "link 'arm': collision box: 1 x 2 x 3 became 1 x 2 x 4"),
-        ('size="1 2 3"', "", "link 'arm': collision box: 1 x 2 x 3 became no size"),
-        ('<box size="1 2 3"/>', '<sphere radius="1"/>', "link 'arm': collision box became sphere"),
-        ('<box size="1 2 3"/>', "", "link 'arm': collision box became nothing"),
+        ('size="1 2 3"', 'size="1 2 4"', "link 'arm': collision box: 1 x 2 x 3 -> 1 x 2 x 4"),
+        ('size="1 2 3"', "", "link 'arm': collision box: 1 x 2 x 3 -> no size"),
+        ('<box size="1 2 3"/>', '<sphere radius="1"/>', "link 'arm': collision box -> sphere"),
+        ('<box size="1 2 3"/>', "", "link 'arm': collision box -> nothing"),
         (
             'xyz="0 0 1"/><g',
             'xyz="0 0 2"/><g',
             "link 'arm': the origin of its collision moved by 1 m",
         ),
-        ('type="revolute"', 'type="prismatic"', "joint 'j': type revolute became prismatic"),
-        ('<parent link="base"', '<parent link="b"', "joint 'j': parent base became b"),
-        ('<child link="arm"/>', "", "joint 'j': child arm became none"),
+        ('type="revolute"', 'type="prismatic"', "joint 'j': type revolute -> prismatic"),
+        ('<parent link="base"', '<parent link="b"', "joint 'j': parent base -> b"),
+        ('<child link="arm"/>', "", "joint 'j': child arm -> none"),
         ('xyz="1 0 0"', 'xyz="1 0.5 0"', "joint 'j': the origin of its frame moved by 0.5 m"),
         (
             'xyz="1 0 0" rpy="0 0 0"',
@@ -84,9 +84,9 @@ def found(old: str, new: str, **allowed: Any) -> list[str]:
             "joint 'j': the origin of its frame turned by 0.01 rad",
         ),
         ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 -1"/>', "joint 'j': its axis turned by 3.142 rad"),
-        ('upper="1"', 'upper="1.5"', "joint 'j': upper 1 became 1.5"),
-        ('effort="10"', "", "joint 'j': effort 10 became none"),
-        ("<limit", '<mimic joint="k"/><limit', "joint 'j': mimic none became k x 1 + 0"),
+        ('upper="1"', 'upper="1.5"', "joint 'j': upper 1 -> 1.5"),
+        ('effort="10"', "", "joint 'j': effort 10 -> none"),
+        ("<limit", '<mimic joint="k"/><limit', "joint 'j': mimic none -> k x 1 + 0"),
     ],
 )
 def test_each_difference_is_one_sentence(old, new, sentence):
@@ -122,7 +122,7 @@ def test_rounding_of_a_turned_tensor_is_not_told():
         'rpy="0 0 0"/>\n      <mass value="2"/>\n      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.2"'
     )
     new = old.replace('"0 0 0"', f'"0 0 {pi / 2}"').replace('"0.2"', '"0.3"')
-    assert found(old, new) == ["link 'arm': inertia ixx 0.1 became 0.3, iyy 0.2 became 0.1 kg m^2"]
+    assert found(old, new) == ["link 'arm': inertia ixx 0.1 -> 0.3, iyy 0.2 -> 0.1 kg m^2"]
 
 
 def test_tolerances_are_what_may_differ():
@@ -134,9 +134,9 @@ def test_tolerances_are_what_may_differ():
 
 
 def test_links_and_joints_that_come_and_go():
-    assert found('<link name="base"/>', "") == ["link 'base' is gone"]
+    assert found('<link name="base"/>', "") == ["link 'base': removed"]
     assert found('<link name="base"/>', "", links=True) == []
-    renamed = ["joint 'j' is gone", "joint 'k' is new"]
+    renamed = ["joint 'j': removed", "joint 'k': added"]
     assert found('name="j"', 'name="k"') == renamed
     assert found('name="j"', 'name="k"', joints=True) == []
 

@@ -44,16 +44,16 @@ def test_a_renamed_link_is_no_other_difference() -> None:
     """Neither of the joints at it nor of what follows them."""
     after = GRIPPER.replace('"palm"', '"hand"').replace('"left_finger_joint"', '"left"')
     assert texts(model(GRIPPER), model(after)) == [
-        "link 'palm' is now called 'hand'",
-        "joint 'left_finger_joint' is now called 'left'",
+        "link 'palm': renamed to 'hand'",
+        "joint 'left_finger_joint': renamed to 'left'",
     ]
 
 
 def test_what_else_became_of_a_renamed_link_is_told_under_its_new_name() -> None:
     after = GRIPPER.replace('"palm"', '"hand"').replace('<mass value="0.5"/>', '<mass value="1"/>')
     sentences = texts(model(GRIPPER), model(after))
-    assert "link 'palm' is now called 'hand'" in sentences  # its place and children are as before
-    assert "link 'hand': mass 0.5 kg became 1 kg" in sentences
+    assert "link 'palm': renamed to 'hand'" in sentences  # its place and children are as before
+    assert "link 'hand': mass 0.5 kg -> 1 kg" in sentences
 
 
 @pytest.mark.parametrize("what", ["link", "joint"])

@@ -80,7 +80,7 @@ def test_a_row_for_every_finding_the_worst_first() -> None:
     ]
     outside = " ".join(read(checked).outside.split())
     assert outside.startswith("urdfkit: 1 error, 1 warning, 1 info in 1 file 1 info ")
-    assert outside.endswith("More about a code: urdfkit explain ABC123")
+    assert outside.endswith("Explain a code: urdfkit explain ABC123")
 
 
 def test_nothing_found_is_a_heading() -> None:

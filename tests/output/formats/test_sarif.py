@@ -134,7 +134,7 @@ def test_the_calls_are_related_locations_innermost_first() -> None:
     ]
     assert reported == [
         (1, "it ends here", "robot.xacro", 3),
-        (2, "called by macro 'm'", "robot.xacro", 2),
+        (2, "expanded from macro 'm'", "robot.xacro", 2),
         (3, "included", "top.xacro", 2),
     ]
 

@@ -39,7 +39,7 @@ INCLUDED = Step(
 
 def body(text: str) -> str:
     """The text of a report with one finding, without the lines that every report ends with."""
-    return text[: text.index("\nMore about a code:")]
+    return text[: text.index("\nExplain a code:")]
 
 
 def test_a_finding_has_its_place_its_line_and_its_help() -> None:
@@ -52,7 +52,7 @@ robot.urdf:2:14: warning ABC123 link 'arm': 2 m is over 1 m
       |            ^^^^^
   help: make it shorter
 
-More about a code: urdfkit explain ABC123
+Explain a code: urdfkit explain ABC123
 1 warning in 1 file
 """
     )
@@ -115,8 +115,8 @@ def test_one_call_shows_the_way_from_the_place_outwards() -> None:
     via = (INCLUDED, WHEELS[0], INNER)
     found = diagnostic(INERTIA, calls=(Call("m", via, "e"),))
     assert body(render(report(found))).splitlines()[3:] == [
-        "  called by <xacro:inertial> at robot.xacro:3:29",
-        "  called by <xacro:wheel> at robot.xacro:4:3",
+        "  expanded from macro 'inertial' at robot.xacro:3:29",
+        "  expanded from macro 'wheel' at robot.xacro:4:3",
         "  included at top.xacro:2:1",
     ]
 
@@ -141,7 +141,7 @@ def test_what_all_calls_share_is_said_once() -> None:
     )
     found = diagnostic(INERTIA, message="link '0': 5 kg", calls=calls)
     assert body(render(report(found))).splitlines()[3:] == [
-        "  called by <xacro:inertial> at robot.xacro:3:29",
+        "  expanded from macro 'inertial' at robot.xacro:3:29",
         "  expanded from 2 places:",
         "    line 4:3: link/0",
         "    line 5:3: link '1': 5 kg",
@@ -153,7 +153,7 @@ def test_two_findings_of_one_call() -> None:
     calls = (Call("one", (OTHER,), "a"), Call("two", (OTHER,), "a"))
     found = diagnostic(INERTIA, message="one", calls=calls)
     assert body(render(report(found))).splitlines()[3:] == [
-        "  called by <xacro:inertial> at robot.xacro:6:3",
+        "  expanded from macro 'inertial' at robot.xacro:6:3",
         "  2 findings here:",
         "    a",
         "    two",
@@ -176,11 +176,11 @@ def test_of_a_long_way_both_ends_are_shown() -> None:
     source = Source("deep.xacro", b"<a/>\n" * 200)
     via = tuple(macro(f"m{n}", Span(source, 5 * n, 5 * n + 4)) for n in range(200))
     lines = body(render(report(diagnostic(INERTIA, calls=(Call("m", via, "e"),))))).splitlines()[3:]
-    assert lines[0] == "  called by <xacro:m199> at deep.xacro:200:1"
+    assert lines[0] == "  expanded from macro 'm199' at deep.xacro:200:1"
     assert lines[7:] == [
-        "  called by <xacro:m192> at deep.xacro:193:1",
+        "  expanded from macro 'm192' at deep.xacro:193:1",
         "  ... 191 more calls ...",
-        "  called by <xacro:m0> at deep.xacro:1:1",
+        "  expanded from macro 'm0' at deep.xacro:1:1",
     ]
 
 
@@ -283,8 +283,8 @@ def test_skipped_rules_are_counted_by_reason() -> None:
 def test_a_crash_is_shown_as_our_bug() -> None:
     checked = report(crashed=(Crashed("ABC001", "a.urdf", "ValueError: boom"),))
     assert render(checked, width=200) == (
-        "a.urdf: ABC001 failed with ValueError: boom. This is a bug of urdfkit, not of the robot:"
-        " please report it, with the file.\n"
+        "a.urdf: ABC001 failed with ValueError: boom. This is a bug in urdfkit, not in the robot:"
+        " please report it with the file.\n"
         "no findings in 1 file (1 rule crashed)\n"
     )
 

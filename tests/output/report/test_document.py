@@ -36,10 +36,10 @@ def test_a_robot_as_a_whole() -> None:
 def test_the_verdict_of_each_program_is_its_own() -> None:
     document, *_ = describe(MISSION)
     assert [target["name"] for target in document["targets"]] == ["ros1", "classic-ros1"]
-    assert {target["verdict"] for target in document["targets"]} == {"unfit"}
+    assert {target["verdict"] for target in document["targets"]} == {"fails"}
     document, *_ = describe(GRIPPER, targets=["drake"])
     (drake,) = document["targets"]
-    assert (drake["verdict"], drake["error"], drake["warning"]) == ("good", 0, 0)
+    assert (drake["verdict"], drake["error"], drake["warning"]) == ("passes", 0, 0)
 
 
 def test_statics_are_those_of_a_beam(tmp_path: Path) -> None:
@@ -85,7 +85,7 @@ def test_parts_that_no_joint_binds_are_named(tmp_path: Path) -> None:
     assert (found["collisions"]["parts"], found["collisions"]["pairs"]) == (["a", "b"], [])
     assert found["robot"]["center"] == [0, 0, 0]  # nothing weighs anything
     page, _ = report(str(robot), "html")
-    assert "Parts that no joint binds to one another are not compared: a, b" in page
+    assert "Parts not connected by joints are not compared: a, b" in page
 
 
 def test_collisions_are_those_that_can_happen(tmp_path: Path) -> None:
@@ -245,5 +245,5 @@ def test_markdown_has_the_worst_first_and_fits_a_comment() -> None:
 @pytest.mark.parametrize(("name", "form"), [("a.HTML", "html"), ("b.md", "markdown")])
 def test_the_suffix_is_the_form(name: str, form: str) -> None:
     assert form_of(name) == form
-    with pytest.raises(UrdfkitError, match="the suffix is none of"):
+    with pytest.raises(UrdfkitError, match="the suffix is not one of"):
         form_of("a.pdf")

@@ -141,7 +141,7 @@ def test_absurd_sizes_give_a_page(size: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("limit", "reason"),
-    [("MAX_LINKS", "links are more than a page"), ("MAX_TRIANGLES", "it is coarse, for the robot")],
+    [("MAX_LINKS", "links are more than a page"), ("MAX_TRIANGLES", "simplified: the robot has")],
 )
 def test_a_robot_may_be_too_large_for_a_page(
     limit: str, reason: str, monkeypatch: pytest.MonkeyPatch
@@ -200,8 +200,16 @@ def words_of_pages() -> set[str]:
     found |= set(re.findall(r"(?m)^    ([A-Z]\w+): \(joint\)", joints))
     found |= set(re.findall(r'button\("(\w+)"', joints))
     found |= set(rules.FAMILIES.values())
-    found |= {*KINDS, "link", "joint", "New findings", "Gone findings"}
-    found |= {"good", "doubtful", "unfit", "stays", "merged", "dropped", "not made"}
+    found |= {*KINDS, "link", "joint", "New findings", "Fixed findings"}
+    found |= {
+        "passes",
+        "passes with warnings",
+        "fails",
+        "kept",
+        "merged",
+        "dropped",
+        "not converted",
+    }
     found |= {"adjacent", "default", "always", "sometimes"}
     found |= {"macro", "include", "launch", "visual", "collision", "inferred", "guessed"}
     return found
@@ -215,7 +223,12 @@ def test_every_word_has_a_chinese_one() -> None:
 
 def test_what_is_translated_is_somewhere_used() -> None:
     package = ROOT / "urdfkit"
+<<<<<<< HEAD
     sources = [*(package / "output").rglob("*.py"), *(package / "viewer").glob("*.py")]
+=======
+    sources = [*TEMPLATES.parent.rglob("*.py"), *(package / "output" / "comparison").glob("*.py")]
+    sources += [package / "robot" / "stability.py"]
+>>>>>>> step2-6
     text = "".join(file.read_text(encoding="utf-8") for file in sources) + " ".join(KINDS)
     text += "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.iterdir())
     text += " ".join((*Confidence, *VERDICTS.values()))

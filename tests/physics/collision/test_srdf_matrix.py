@@ -1,4 +1,4 @@
-"""The matrix in SRDF: written, brought up to date, compared."""
+"""The matrix in SRDF: written, updated, compared."""
 
 from __future__ import annotations
 

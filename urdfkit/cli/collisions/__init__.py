@@ -35,12 +35,14 @@ if TYPE_CHECKING:
 @click.option("--samples", type=click.IntRange(0), default=10_000)
 @click.option("--seed", type=click.IntRange(0), default=0)
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
-@click.option("--srdf", metavar="FILE", help="Write the matrix to FILE, or bring it up to date.")
-@click.option("--compare", metavar="FILE", help="Tell where the matrix of an SRDF differs.")
+@click.option(
+    "--srdf", metavar="FILE", help="Write the matrix to FILE, or update the matrix in it."
+)
+@click.option("--compare", metavar="FILE", help="Compare with the matrix of this SRDF.")
 @click.option(
     "--units",
     type=click.Choice(["applied", "ignored"]),
-    help="The unit that a COLLADA mesh states. [default: as the robot's consumers do]",
+    help="Whether the <unit> of a COLLADA mesh is applied. [default: as the targets do]",
 )
 @click.option("--format", "form", type=click.Choice(["text", "json", "markdown"]), default="text")
 def command(
@@ -55,14 +57,14 @@ def command(
     units: str | None,
     form: str,
 ) -> int:
-    """Tell which links of a robot can collide with one another.
+    """Compute which links of a robot can collide with one another.
 
-    Samples configurations within the joint limits and sorts the pairs of links as MoveIt's Setup
-    Assistant does: adjacent, colliding by default, always, sometimes or never. The robot begins
-    with all joints at 0 unless --joint or --pose say otherwise.
+    Samples configurations within the joint limits and classifies the pairs of links as MoveIt's
+    Setup Assistant does: adjacent, default, always, sometimes or never. The initial pose has all
+    joints at 0 unless --joint or --pose is given.
 
-    Exit codes: 0 done, 1 the SRDF of --compare disables a collision that can happen, 2 it cannot
-    be done.
+    Exit codes: 0 done, 1 the SRDF of --compare disables a collision that can happen, 2 usage or
+    input error.
     """
     subject = robot(asked)
     begin = positions(subject, joint, pose)
@@ -95,7 +97,7 @@ def _srdf(path: str, subject: Subject) -> Srdf:
     Source.read(path)  # says why if there is none
     found = read(path, subject.tree, subject.resolver, trust=subject.trust)
     if found is None or not is_srdf(found.root):
-        raise UrdfkitError(f"{path}: it is no SRDF")
+        raise UrdfkitError(f"{path}: not an SRDF file")
     return found
 
 
@@ -127,5 +129,5 @@ def _write(matrix: Matrix, path: str) -> None:
 
     is_there = os.path.exists(path)
     atomic.write(path, updated(matrix, Source.read(path)) if is_there else written(matrix))
-    done = "brought up to date" if is_there else "written"
+    done = "updated" if is_there else "written"
     print(f"{path} {done}", file=sys.stderr)

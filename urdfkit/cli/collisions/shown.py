@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 VERSION = 1
 
 _MEANING = {
-    PairVerdict.ADJACENT: "a joint holds them together",
-    PairVerdict.DEFAULT: "they collide where the robot begins",
-    PairVerdict.ALWAYS: "they collide in more than 95 % of the samples",
-    PairVerdict.SOMETIMES: "they can collide, and must be checked",
-    PairVerdict.NEVER: "no collision was found",
-    PairVerdict.UNKNOWN: "measuring them crashed coal",
+    PairVerdict.ADJACENT: "connected by a joint",
+    PairVerdict.DEFAULT: "in collision in the initial pose",
+    PairVerdict.ALWAYS: "in collision in more than 95 % of the samples",
+    PairVerdict.SOMETIMES: "can collide: must be checked",
+    PairVerdict.NEVER: "no collision found",
+    PairVerdict.UNKNOWN: "coal crashed on this pair",
 }
 
 #: Pairs in a list for people; the rest are counted. JSON has them all.
@@ -139,15 +139,15 @@ def _lists(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[_Lis
     """What deserves a list: never the pairs that nobody has to care for."""
     often = sorted(matrix.of(PairVerdict.SOMETIMES), key=lambda pair: -(pair.frequency or 0))
     named = [
-        ("collide where the robot begins", matrix.of(PairVerdict.DEFAULT)),
+        ("collide in the initial pose", matrix.of(PairVerdict.DEFAULT)),
         ("always collide", matrix.of(PairVerdict.ALWAYS)),
         ("can collide", often),
-        (f"never collide, and come nearer than {1000 * NEAR:g} mm", matrix.near_misses),
+        (f"never collide, but come closer than {1000 * NEAR:g} mm", matrix.near_misses),
     ]
     if comparison is not None:
         named += [
-            ("disabled by the SRDF, and can collide", list(comparison.hidden)),
-            ("checked by the SRDF, and need not be", list(comparison.watched)),
+            ("disabled in the SRDF, but can collide", list(comparison.hidden)),
+            ("not disabled in the SRDF, but could be", list(comparison.watched)),
         ]
     for title, pairs in named:
         if pairs:
@@ -158,25 +158,25 @@ def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
     rare = [pair for pair in matrix.pairs if pair.is_seldom]
     if rare:
         yield (
-            f"{len(rare)} of the pairs that collide where the robot begins do so in few other "
-            "poses. An SRDF would disable them in all, as 'Default', and MoveIt miss collisions: "
-            "let the robot begin where they do not collide, by --pose or --joint."
+            f"{len(rare)} of the pairs that collide in the initial pose rarely collide "
+            "elsewhere. An SRDF would disable them as 'Default', and MoveIt would miss collisions: "
+            "choose a collision-free initial pose with --pose or --joint."
         )
     if not matrix.pairs:
-        yield "Nothing to compare: no two links with collision geometry hang on one another."
+        yield "Nothing to compare: no two links with collision geometry are connected by joints."
     if matrix.parts:
         tops = ", ".join(matrix.parts[:_MOST])
         more = f" and {len(matrix.parts) - _MOST} more" if len(matrix.parts) > _MOST else ""
         yield (
-            f"{len(matrix.parts)} parts, under {tops}{more}: links of different parts are not "
-            "compared, since no joint bounds how they stand to one another."
+            f"{len(matrix.parts)} parts, with roots {tops}{more}: links of different parts "
+            "are not compared, since no joint bounds their relative pose."
         )
     if matrix.samples < matrix.asked:
-        yield f"Stopped after {matrix.samples} of {matrix.asked} samples: more showed nothing new."
+        yield f"Stopped after {matrix.samples} of {matrix.asked} samples: converged."
     if comparison is not None:
         differences = len(comparison.hidden) + len(comparison.watched)
         yield (
-            f"The SRDF disables {counted(comparison.agreed, 'pair')} for good reason, and differs "
+            f"The SRDF disables {counted(comparison.agreed, 'pair')} correctly and differs "
             f"from this matrix in {differences or 'none'}."
         )
     if matrix.units:

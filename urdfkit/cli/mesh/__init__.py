@@ -19,7 +19,7 @@ COMMANDS = ("info", "convert", "repair", "simplify", "hull", "decompose", "colli
 )
 @click.pass_context
 def command(context: click.Context) -> int:
-    """Look at mesh files; convert, repair, simplify, generate them."""
+    """Inspect, convert, repair, simplify and generate mesh files."""
     if context.invoked_subcommand is None:
         click.echo(context.get_help())
     return 0

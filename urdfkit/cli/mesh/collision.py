@@ -22,10 +22,21 @@ from urdfkit.text.source import shown
         "urdfkit mesh collision robot.urdf.xacro --link arm --write",
     ),
 )
-@click.option("--error", type=float, metavar="METRES", help="How far a shape may stick out.")
-@click.option("--link", "links", multiple=True, metavar="NAME", help="This one, whatever it has.")
-@click.option("--most", type=int, default=8, metavar="N", help="Convex pieces. [default: 8]")
-@click.option("--write", is_flag=True, help="Write the collisions, and the meshes they need.")
+@click.option(
+    "--error",
+    type=float,
+    metavar="METRES",
+    help="Largest distance that a shape may stick out of the mesh.",
+)
+@click.option(
+    "--link",
+    "links",
+    multiple=True,
+    metavar="NAME",
+    help="Only this link, whatever collision it has.",
+)
+@click.option("--most", type=int, default=8, metavar="N", help="Maximum number of convex pieces.")
+@click.option("--write", is_flag=True, help="Write the collisions and their mesh files.")
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
 @one_robot
 def command(
@@ -36,13 +47,13 @@ def command(
     write: bool,
     diff: bool,
 ) -> int:
-    """Propose simple collisions in the place of detailed meshes.
+    """Suggest simple collision geometry to replace detailed meshes.
 
-    For every link whose collision is missing or is its visual mesh. Tried are a box, a cylinder
-    and a sphere, then the convex hull, then convex pieces; taken is the simplest that sticks out
-    of the mesh by no more than --error, or than 5 % of its diagonal.
+    For every link whose collision is missing or is its visual mesh. Fits a box, a cylinder and a
+    sphere, then the convex hull, then convex pieces, and selects the simplest that sticks out of
+    the mesh by no more than --error (default: 5 % of its diagonal).
 
-    Exit codes: 0 done, 1 a link could not be written, 2 it cannot be done.
+    Exit codes: 0 done, 1 a link could not be written, 2 usage or input error.
     """
     if (error is not None and not error > 0) or most < 1:
         raise options.UsageError("--error must be more than 0, --most 1 or more")
@@ -59,7 +70,7 @@ def command(
             lines += [f"# new file {shown(path)}" for path in found.meshes]
         else:
             lines += [f"wrote {shown(path)}" for path in found.write()]
-        lines += [f"link '{name}' stays as it is: {reason}" for name, reason in left.items()]
+        lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
     output.write("\n".join(lines) + "\n")
     return int(bool(left))
 
@@ -75,7 +86,7 @@ def render(proposals: Sequence[CollisionProposal]) -> Iterator[str]:
         for fits, bound in zip(proposal.fits, proposal.bounds, strict=True):
             tried = ", ".join(f"{one} {tables.length(one.error)}" for one in fits.tried)
             yield from output.indented(f"sticks out by: {tried}")
-            verdict = "within" if fits.within else "nothing is within"
+            verdict = "within" if fits.within else "none within"
             why = fits.why or f"{verdict} {tables.length(bound)}"
-            yield f"  taken: {fits.best} ({why})"
-            yield f"  outside of it: {tables.length(fits.best.missing)} of the mesh"
+            yield f"  selected: {fits.best} ({why})"
+            yield f"  mesh sticks out of it by: {tables.length(fits.best.missing)}"

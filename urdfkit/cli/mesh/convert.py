@@ -23,15 +23,15 @@ from urdfkit.mesh.writers import refuse_sound
 )
 @click.argument("file", metavar="FILE")
 @click.argument("out", metavar="OUT")
-@click.option("--upright", "turn", is_flag=True, help="Turn the up axis of the file to z.")
+@click.option("--upright", "turn", is_flag=True, help="Rotate the up axis of the file to z.")
 @click.option("--scale", type=float, default=1.0, metavar="FACTOR", help="Multiply all lengths.")
-@click.option("--force", is_flag=True, help="Replace OUT though it is a good mesh.")
+@click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh.")
 def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
-    """Write a mesh in another format, or in the same one, clean.
+    """Convert a mesh to another format, or clean it in the same one.
 
-    The suffix of OUT says the format. The unit of FILE is applied, so that OUT is in metres.
+    The suffix of OUT selects the format. The unit of FILE is applied: OUT is in metres.
 
-    Exit codes: 0 done, 2 it cannot be done.
+    Exit codes: 0 done, 2 usage or input error.
     """
     if not 0 < scale < inf:
         raise click.BadParameter("must be more than 0, and finite", param_hint="--scale")
@@ -41,6 +41,6 @@ def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
     mesh = scaled(upright(mesh) if turn else mesh, (scale,) * 3)
     lines = [*save(mesh, out)]
     for lost in mesh.losses:
-        lines += output.indented(f"not in the mesh any more: {lost}")
+        lines += output.indented(f"not kept: {lost}")
     output.page(lines)
     return 0

@@ -27,16 +27,17 @@ from urdfkit.mesh.transforms import in_metres
 @click.argument("file", metavar="FILE")
 @click.option("-o", "--output", "out", metavar="OUT", help="Write the pieces to this file.")
 @click.option("--split", is_flag=True, help="One file for each piece: OUT_1, OUT_2, ...")
-@click.option("--most", type=int, default=16, metavar="N", help="Pieces at most. [default: 16]")
-@click.option("--engine", type=click.Choice(ENGINES), default="vhacd", help="What cuts.")
-@click.option("--force", is_flag=True, help="Replace OUT though it is a good mesh.")
+@click.option("--most", type=int, default=16, metavar="N", help="Maximum number of pieces.")
+@click.option(
+    "--engine", type=click.Choice(ENGINES), default="vhacd", help="Decomposition algorithm."
+)
+@click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh.")
 def command(file: str, out: str | None, split: bool, most: int, engine: str, force: bool) -> int:
-    """Cut a mesh into convex pieces.
+    """Decompose a mesh into convex pieces for physics engines.
 
-    Physics engines take these as they are. Together they contain the surface of the mesh; of a
-    convex mesh, its hull does.
+    Together the pieces contain the surface of the mesh. For a convex mesh, its hull is written.
 
-    Exit codes: 0 done, 2 it cannot be done.
+    Exit codes: 0 done, 2 usage or input error.
     """
     if most < 1:
         raise options.UsageError("--most must be 1 or more")

@@ -36,11 +36,13 @@ def _is_robot(files: list[str]) -> bool:
     ),
 )
 @click.argument("words", nargs=-1, metavar="[MESH] [NAME:=VALUE]...")
-@click.option("--model", metavar="FILE", help="The robot that names the mesh.")
-@click.option("--part", "part_name", type=click.Choice([*_PARTS]), help="Make this part.")
-@click.option("--size", type=(float, float, float), metavar="X Y Z", help="Of the mesh, in metres.")
-@click.option("--force", is_flag=True, help="Replace a file that is a good mesh, too.")
-@click.option("--dry-run", is_flag=True, help="Say what would be made, and write nothing.")
+@click.option("--model", metavar="FILE", help="Robot that references the mesh.")
+@click.option("--part", "part_name", type=click.Choice([*_PARTS]), help="Part to generate.")
+@click.option(
+    "--size", type=(float, float, float), metavar="X Y Z", help="Size of the mesh in metres."
+)
+@click.option("--force", is_flag=True, help="Replace the file even if it is a valid mesh.")
+@click.option("--dry-run", is_flag=True, help="Print what would be generated; write nothing.")
 @read_by_options
 def command(
     words: tuple[str, ...],
@@ -51,24 +53,24 @@ def command(
     dry_run: bool,
     **asked: Any,
 ) -> int:
-    """Make a mesh for a file that is missing, empty or broken.
+    """Generate a mesh for a file that is missing, empty or broken.
 
     MESH is the reference as the robot writes it, such as package://gazebo_pkg/meshes/hokuyo.dae;
-    without it, every missing, empty and broken mesh of the robot is made. What it is follows from
-    the names of file and link, its place and size from the other shapes of the link. Without
-    --model, MESH is a file, and --part says what to make.
+    without it, every missing, empty and broken mesh of the robot is generated. The part is chosen
+    by the names of file and link, its pose and size by the other shapes of the link. Without
+    --model, MESH is a file, and --part selects the part.
 
-    Exit codes: 0 done, 1 a mesh could not be made, 2 it cannot be done.
+    Exit codes: 0 done, 1 a mesh could not be generated, 2 usage or input error.
     """
     files = [word for word in words if ":=" not in word]
     if len(files) > 1:
-        raise options.UsageError("name one mesh, or none for all that are missing")
+        raise options.UsageError("pass one mesh, or none to generate all that are missing")
     part = _PARTS[part_name] if part_name else None
     if model is None:
         if not files or part is None:
             hint = f" (did you mean --model {files[0]}?)" if _is_robot(files) else ""
             raise options.UsageError(
-                f"name the robot with --model{hint}; or name a file and what to make with --part"
+                f"pass the robot with --model{hint}; or pass a file and select the part with --part"
             )
         made = [generate_part(files[0], part, size, force=force)]
         undone: tuple[NotGenerated, ...] = ()
@@ -80,7 +82,7 @@ def command(
             made = [one] if isinstance(one, GeneratedMesh) else []
             undone = (one,) if isinstance(one, NotGenerated) else ()
         elif part or size or force:
-            raise options.UsageError("--part, --size and --force are for one mesh; name it")
+            raise options.UsageError("--part, --size and --force apply to one mesh; pass its name")
         else:
             found = generate_missing(subject)
             made, undone = list(found.made), found.undone
@@ -103,6 +105,6 @@ def render(
         yield from output.indented(one.reason)
         yield f"  {len(one.mesh.faces)} triangles, {len(one.mesh.parts)} materials"
     for other in undone:
-        yield f"cannot make {shown(other.path)}"
+        yield f"cannot generate {shown(other.path)}"
         yield from output.indented(f"the file {other.defect}")
         yield from output.indented(other.reason)

@@ -23,9 +23,9 @@ from urdfkit.mesh.transforms import in_metres
 @click.argument("file", metavar="FILE")
 @writes
 def command(file: str, out: str | None, in_place: bool, force: bool) -> int:
-    """Make the convex hull of a mesh.
+    """Compute the convex hull of a mesh.
 
-    Exit codes: 0 done, 2 it cannot be done.
+    Exit codes: 0 done, 2 usage or input error.
     """
     path = destination(file, out, in_place, force)
     mesh = in_metres(load(file))

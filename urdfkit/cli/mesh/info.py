@@ -25,9 +25,9 @@ VERSION = 1
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(files: tuple[str, ...], form: str) -> int:
-    """Tell what mesh files hold: size, triangles, unit; solid or not.
+    """Show size, triangles, unit and defects of mesh files.
 
-    Exit codes: 0 done, 2 a file holds no triangles.
+    Exit codes: 0 done, 2 a file has no triangles.
     """
     found = [describe(file) for file in files]
     if form == "json":

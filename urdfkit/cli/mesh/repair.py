@@ -26,9 +26,9 @@ from urdfkit.mesh.transforms import in_metres
 )
 @click.argument("file", metavar="FILE")
 @writes
-@click.option("--keep-holes", is_flag=True, help="Do not close holes.")
-@click.option("--one-sided", is_flag=True, help="Drop one side of sheets that have two.")
-@click.option("--union", is_flag=True, help="Unite bodies that overlap or are nested.")
+@click.option("--keep-holes", is_flag=True, help="Do not fill holes.")
+@click.option("--one-sided", is_flag=True, help="Remove one side of double-sided sheets.")
+@click.option("--union", is_flag=True, help="Boolean union of bodies that overlap or are nested.")
 def command(
     file: str,
     out: str | None,
@@ -38,14 +38,14 @@ def command(
     one_sided: bool,
     union: bool,
 ) -> int:
-    """Repair a mesh: weld, clean, turn outwards, close holes.
+    """Repair a mesh: weld, clean, orient, fill holes.
 
-    Tells what was wrong and what was done, and how far the surface has moved. A mesh that is the
-    surface of a solid is left as it is; a repair that would make it no better is given up. Of a
-    broken file, what is left is taken.
+    Prints what was wrong, what was done, and how far the surface has moved. A mesh that is a
+    closed solid is not changed; a repair that makes it no better is discarded. From a broken file,
+    the readable part is used.
 
     Exit codes: 0 nothing to repair, or repaired and written; 1 there is something to repair, or
-    it could not be repaired fully; 2 it cannot be done.
+    it could not be repaired fully; 2 usage or input error.
     """
     path = destination(file, out, in_place, force)
     mesh, defect = load_or_salvage(file)
@@ -77,7 +77,7 @@ def render(done: Repair, defect: str) -> Iterator[str]:
     for step in done.steps:
         yield f"  {_step(step)}"
     if done.refused:
-        yield f"given up: {done.refused}; the mesh stays as it is"
+        yield f"repair discarded: {done.refused}; the mesh is unchanged"
         return
     yield from tables.columns(tables.before_and_after(done.before, done.after))
     yield from tables.distances(done.lost, done.gained)
@@ -89,7 +89,7 @@ def render(done: Repair, defect: str) -> Iterator[str]:
 def _asked(health: Health) -> Iterator[str]:
     """The options that repair what is left."""
     if health.doubled:
-        yield "--one-sided drops one side of the sheets"
+        yield "--one-sided removes one side of the sheets"
     if health.overlap > OVERLAP:
         yield "--union unites the bodies"
 

@@ -18,7 +18,7 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 def writes(command: Command) -> Command:
     """Give a command the options that say where the mesh goes."""
     for add in (
-        click.option("--force", is_flag=True, help="Replace OUT though it is a good mesh."),
+        click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh."),
         click.option("--write", "in_place", is_flag=True, help="Replace FILE itself."),
         click.option("-o", "--output", "out", metavar="OUT", help="Write the mesh to this file."),
     ):
@@ -45,7 +45,7 @@ def destination(file: str, out: str | None, in_place: bool, force: bool) -> str 
 def save(mesh: Mesh, path: str | None) -> Iterator[str]:
     """Write a mesh, and say so."""
     if path is None:
-        yield "nothing is written; --output OUT or --write does"
+        yield "nothing written; use --output OUT or --write"
         return
     yield "wrote " + ", ".join(map(shown, write(mesh, path)))
     if lost := losses(mesh, path):

@@ -23,8 +23,8 @@ from urdfkit.mesh.transforms import in_metres
     ),
 )
 @click.argument("file", metavar="FILE")
-@click.option("--triangles", type=int, metavar="N", help="At most so many triangles.")
-@click.option("--error", type=float, metavar="METRES", help="No surface moves farther than this.")
+@click.option("--triangles", type=int, metavar="N", help="Maximum number of triangles.")
+@click.option("--error", type=float, metavar="METRES", help="Maximum deviation of the surface.")
 @writes
 def command(
     file: str,
@@ -36,10 +36,10 @@ def command(
 ) -> int:
     """Reduce the triangles of a mesh, to a budget or within an error.
 
-    The deviation is measured, both ways. Materials stay; texture coordinates and colours of
-    vertices do not.
+    The deviation is measured in both directions. Materials are kept; texture coordinates and
+    vertex colours are not.
 
-    Exit codes: 0 done, 2 it cannot be done.
+    Exit codes: 0 done, 2 usage or input error.
     """
     if (triangles is None) == (error is None):
         raise options.UsageError("give either --triangles or --error")

@@ -32,20 +32,20 @@ def surface(health: Health) -> str:
     found = [
         f"{number} {words}"
         for number, words in (
-            (health.non_finite, "triangles that are not finite"),
-            (health.collapsed, "collapsed triangles"),
-            (health.repeated, "repeated triangles"),
+            (health.non_finite, "triangles with NaN or infinite coordinates"),
+            (health.collapsed, "degenerate triangles"),
+            (health.repeated, "duplicate triangles"),
             (health.open_edges, "open edges"),
-            (health.crowded_edges, "edges with more than two triangles"),
-            (health.twisted_edges, "edges where outside meets inside"),
-            (health.inverted, "bodies inside out"),
-            (health.doubled, "triangles of sheets with two sides, which enclose nothing"),
+            (health.crowded_edges, "non-manifold edges"),
+            (health.twisted_edges, "edges with inconsistent winding"),
+            (health.inverted, "inverted bodies"),
+            (health.doubled, "triangles of double-sided sheets without volume"),
         )
         if number
     ]
     if health.overlap > OVERLAP:
         found.append(f"bodies that overlap: the volume is {100 * health.overlap:.0f} % too large")
-    return ", ".join(found) or "closed, and flat: it encloses nothing"
+    return ", ".join(found) or "closed but flat: no volume"
 
 
 def before_and_after(before: Health, after: Health) -> list[tuple[str, str, str]]:
@@ -63,16 +63,16 @@ def before_and_after(before: Health, after: Health) -> list[tuple[str, str, str]
 def distances(lost: float, gained: float) -> list[str]:
     """How far the surface has moved, both ways."""
     return [
-        f"farthest from the new surface, on the old one  {length(lost)}",
-        f"farthest from the old surface, on the new one  {length(gained)}",
+        f"deviation, old surface to new  {length(lost)}",
+        f"deviation, new surface to old  {length(gained)}",
     ]
 
 
 def beyond(protrusion: float, missing: float) -> list[str]:
     """How far shapes stick out of a mesh, and the mesh out of them."""
     return [
-        f"farthest outside of the mesh, on the pieces  {length(protrusion)}",
-        f"farthest outside of the pieces, on the mesh  {length(missing)}",
+        f"pieces stick out of the mesh by  {length(protrusion)}",
+        f"mesh sticks out of the pieces by  {length(missing)}",
     ]
 
 

@@ -81,7 +81,7 @@ class Difference(Record):
         kind: which sort of thing it is, one of `KINDS`.
         what: ``link`` or ``joint``.
         name: of the link or joint, in the state after if it is there.
-        text: what became of it, without its name.
+        text: what -> of it, without its name.
         before, after: the values as the model holds them, for programs; None for nothing.
     """
 
@@ -93,9 +93,8 @@ class Difference(Record):
     after: Value = None
 
     def __str__(self) -> str:
-        """A sentence."""
-        link = " " if self.text.startswith("is ") else ": "
-        return f"{self.what} '{self.name}'{link}{self.text}"
+        """One line."""
+        return f"{self.what} '{self.name}': {self.text}"
 
 
 def differences(
@@ -130,18 +129,18 @@ def _names(
 ) -> Iterator[Difference]:
     old, new, kind = set(before), set(after), f"{what}s"
     for name in sorted(old - new - renamed.keys()):
-        yield Difference(kind, what, name, "is gone", True, False)
+        yield Difference(kind, what, name, "removed", True, False)
     for name in sorted(new - old - set(renamed.values())):
-        yield Difference(kind, what, name, "is new", False, True)
+        yield Difference(kind, what, name, "added", False, True)
     for name, other in sorted(renamed.items()):
-        yield Difference("names", what, name, f"is now called '{other}'", name, other)
+        yield Difference("names", what, name, f"renamed to '{other}'", name, other)
 
 
 def of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[Change]:
     """What differs between two links, whatever they are called."""
     old, new = before.mass, after.mass
     if abs(new - old) > allowed.mass * max(abs(old), abs(new)):
-        yield "masses", f"mass {old:g} kg became {new:g} kg", old, new
+        yield "masses", f"mass {old:g} kg -> {new:g} kg", old, new
     if old or new:  # the place of no mass means nothing
         centers = _center(before.inertial), _center(after.inertial)
         moved = dist(*centers)
@@ -167,13 +166,13 @@ def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
 
 
 def _entries(before: Sequence[float], after: Sequence[float], allowed: float) -> str:
-    """What became of the entries of a tensor that make more than rounding of the difference."""
+    """What -> of the entries of a tensor that make more than rounding of the difference."""
     noise = _ROUNDING * max(map(abs, (*before, *after)))
     old, new = ([0.0 if abs(x) <= noise else x for x in tensor] for tensor in (before, after))
     rows = zip(Tensor._fields, old, new, strict=True)
     # Six entries that differ by a third of what is allowed differ by less than that together.
     changed = [(key, x, y) for key, x, y in rows if abs(x - y) > allowed / 3]
-    return ", ".join(f"{key} {x:g} became {y:g}" for key, x, y in changed)
+    return ", ".join(f"{key} {x:g} -> {y:g}" for key, x, y in changed)
 
 
 def _of_bodies(
@@ -181,16 +180,16 @@ def _of_bodies(
 ) -> Iterator[Change]:
     if len(before) != len(after):
         counts = len(before), len(after)
-        yield "shapes", f"{counts[0]} {kind} became {counts[1]}", *counts
+        yield "shapes", f"{counts[0]} {kind} -> {counts[1]}", *counts
         return
     for number, (old, new) in enumerate(zip(before, after, strict=True), 1):
         name = kind[:-1] if len(before) == 1 else f"{kind[:-1]} {number}"
         (old_kind, old_size), (new_kind, new_size) = _shape(old.shape), _shape(new.shape)
         if old_kind != new_kind:
-            yield "shapes", f"{name} {old_kind} became {new_kind}", old_kind, new_kind
+            yield "shapes", f"{name} {old_kind} -> {new_kind}", old_kind, new_kind
         elif len(old_size) != len(new_size) or dist(old_size, new_size) > allowed.position:
             texts = [" x ".join(f"{value:g}" for value in size) for size in (old_size, new_size)]
-            text = f"{name} {old_kind}: {texts[0] or 'no size'} became {texts[1] or 'no size'}"
+            text = f"{name} {old_kind}: {texts[0] or 'no size'} -> {texts[1] or 'no size'}"
             yield "shapes", text, old_size, new_size
         yield from of_frames("shapes", name, old.origin, new.origin, allowed)
 
@@ -240,7 +239,7 @@ def _of_joint(
         ("mimic", _mimic(before, names.joints), _mimic(after)),
     ):
         if old != new:
-            yield "joints", f"{what} {old or 'none'} became {new or 'none'}", old, new
+            yield "joints", f"{what} {old or 'none'} -> {new or 'none'}", old, new
     yield from of_frames("frames", "frame", before.origin, after.origin, allowed)
     if after.kind != "fixed":
         axes = _axis(before), _axis(after)
@@ -250,7 +249,7 @@ def _of_joint(
     for key in ("lower", "upper", "velocity", "effort"):
         limits = _limit(before.limit, key), _limit(after.limit, key)
         if not _alike(*limits, allowed.limit):
-            yield "limits", f"{key} {_text(limits[0])} became {_text(limits[1])}", *limits
+            yield "limits", f"{key} {_text(limits[0])} -> {_text(limits[1])}", *limits
 
 
 def _said(name: Placed[str] | None, renamed: Mapping[str, str] = _NONE) -> str:

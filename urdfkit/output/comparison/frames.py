@@ -33,7 +33,7 @@ def moved_frames(
     """The links that both robots have and that are elsewhere when all joints are at zero.
 
     Returns:
-        What moved of itself before what is carried along, the farthest first.
+        What moved of itself before what is moved with its parent, the farthest first.
     """
     old, new = frames(before, {}), frames(after, {})
     found = []

@@ -37,7 +37,7 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
             (title, found[:MAX_ROWS])
             for title, found in (
                 ("New findings", comparison.came),
-                ("Gone findings", comparison.went),
+                ("Fixed findings", comparison.went),
             )
             if found
         ],

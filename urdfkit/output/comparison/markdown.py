@@ -13,7 +13,7 @@ _TITLES = {
     "links": "Links",
     "joints": "Joints",
     "names": "Names",
-    "frames": "Frames of joints",
+    "frames": "Joint frames",
     "limits": "Limits",
     "masses": "Masses",
     "inertias": "Inertias",
@@ -55,7 +55,7 @@ def _sections(comparison: Comparison) -> Iterator[str]:
         ]
         header = ["link", "mm", "deg", ""]
         yield _section("Links that moved, all joints at zero", table(header, rows))
-    for title, findings in (("New findings", comparison.came), ("Gone", comparison.went)):
+    for title, findings in (("New findings", comparison.came), ("Fixed findings", comparison.went)):
         if findings:
             yield _section(title, table(["", "where", "what"], _findings(findings)))
     for note in comparison.notes:
@@ -67,7 +67,7 @@ def _code(text: str) -> str:
 
 
 def _how(carried: bool) -> str:
-    return "carried along" if carried else ""
+    return "moved with its parent" if carried else ""
 
 
 def _findings(findings: Iterable[Diagnostic]) -> Iterator[list[str]]:

@@ -97,7 +97,7 @@ def read(
     """The state that a word means; files of git go into a folder.
 
     Raises:
-        UnreadableFile: there is no such file.
+        UnreadableFile: file not found.
         UnreadableRobot: it cannot be read.
         ConfigError: the configuration has several variants of it, or none of this name.
         UrdfkitError: there is no such revision, or git is not there.

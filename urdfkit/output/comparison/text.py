@@ -62,21 +62,21 @@ def _moved(moved: Iterable[MovedLink]) -> Iterator[str]:
     if len(own) > MAX_LINES:
         yield f"  and {len(own) - MAX_LINES} more"
     if carried:
-        links = "link that hangs" if len(carried) == 1 else "links that hang"
-        yield f"  and {len(carried)} {links} on them"
+        links = "child link" if len(carried) == 1 else "child links"
+        yield f"  and {len(carried)} {links} with them"
 
 
 def _total(comparison: Comparison, width: int) -> Iterator[str]:
     """Mass and centre of mass of the whole robot."""
     old, new = comparison.whole.mass, comparison.whole_after.mass
-    yield f"  mass            {old:g} kg became {new:g} kg ({new - old:+.4g} kg)"
+    yield f"  mass            {old:g} kg -> {new:g} kg ({new - old:+.4g} kg)"
     if comparison.centers:
         places = [" ".join(f"{part:.4g}" for part in center) for center in comparison.centers]
         moved = 1000 * comparison.center_moved
-        text = f"{places[0]} became {places[1]} m ({moved:.4g} mm)"
+        text = f"{places[0]} -> {places[1]} m ({moved:.4g} mm)"
     else:
         reason = comparison.whole.reason or comparison.whole_after.reason
-        text = f"not compared: {reason or 'one weighs nothing'}"
+        text = f"not compared: {reason or 'one has no mass'}"
     yield f"  centre of mass  {wrap(text, width - 18, indent=18)}"
 
 

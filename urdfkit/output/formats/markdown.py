@@ -26,7 +26,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     lines = [f"### urdfkit: {escape(counts)}", ""]
     for crash in report.crashed:
         what = crash.code or "the check"
-        text = f"{what} crashed on {posix(crash.path)}: {crash.error}. This is a bug of urdfkit."
+        text = f"{what} crashed on {posix(crash.path)}: {crash.error}. This is a bug in urdfkit."
         lines += [f"**{escape(text)}**", ""]
     if bad:
         lines += [*_table(bad), ""]
@@ -36,7 +36,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         lines += [f"<details><summary>{many}</summary>", "", *_table(infos), "", "</details>", ""]
     if report.diagnostics:
         first = report.diagnostics[0].code
-        lines += [f"More about a code: `urdfkit explain {first}`", ""]
+        lines += [f"Explain a code: `urdfkit explain {first}`", ""]
     return "\n".join(lines)
 
 

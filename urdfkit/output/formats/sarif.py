@@ -134,7 +134,7 @@ def _steps(call: Call, *, several: bool) -> list[tuple[Span, str]]:
     """The steps to one call, innermost first; of several calls each with its numbers."""
     steps = []
     for step in reversed(call.via):
-        verb = "included" if step.kind == "include" else f"called by {step.kind} '{step.name}'"
+        verb = "included" if step.kind == "include" else f"expanded from {step.kind} '{step.name}'"
         steps.append((step.span, verb))
     if several and steps:
         steps[0] = (steps[0][0], call.message)

@@ -23,7 +23,11 @@ MAX_CODES = 4
 MAX_FILES = 3
 
 _COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
-_STEPS = {"macro": "called by <xacro:{}> at", "include": "included at", "launch": "started at"}
+_STEPS = {
+    "macro": "expanded from macro '{}' at",
+    "include": "included at",
+    "launch": "launched from",
+}
 _GUTTER = 8  # columns before a line of source
 
 
@@ -32,7 +36,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     page = _Page(color, width)
     blocks = [page.diagnostic(diagnostic) for diagnostic in grouped(report.diagnostics)]
     blocks += [page.crash(crash, codes) for crash, codes in _crashed(report)]
-    hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
+    hints = [f"Explain a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
     hints += (page.wrap(hint, indent=2) for hint in _fixable(report))
     for name, suggested in report.unknown_arguments:
         hint = f"; did you mean '{suggested}'?" if suggested else ""
@@ -53,12 +57,12 @@ def _fixable(report: Report) -> Iterator[str]:
         return
     safe, unsafe, infos, left = fixable
     if safe:
-        more = f" (up to {unsafe} more with --unsafe-fixes)" if unsafe else ""
+        more = f" ({unsafe} more with --fix --unsafe-fixes)" if unsafe else ""
         yield f"{safe} fixable with --fix{more}"
     elif unsafe:
         yield f"Up to {unsafe} fixable with --fix --unsafe-fixes"
     if infos:
-        yield f"Fixes of infos are applied only with --select {','.join(infos)}"
+        yield f"Fixes of infos need --select {','.join(infos)}"
     for reason, count in left:
         yield f"Not fixable: {count} ({printable(reason)})"
 
@@ -166,8 +170,8 @@ class _Page:
         more = f" and {len(codes) - MAX_CODES} more" if len(codes) > MAX_CODES else ""
         what = ", ".join(codes[:MAX_CODES]) + more or "the check"
         text = (
-            f"{self.path(crash.path)}: {what} failed with {crash.error}. This is a bug of "
-            f"{whose}, not of the robot: please report it, with the file."
+            f"{self.path(crash.path)}: {what} failed with {crash.error}. This is a bug in "
+            f"{whose}, not in the robot: please report it with the file."
         )
         return self.wrap(text, indent=4) + "\n"
 

@@ -33,8 +33,8 @@ def render(document: Document, table: str = "findings") -> str:
     """
     rows = document[table]
     if rows is None:
-        reason = document["missing"].get(table, "it takes a while, and was left out")
-        raise UrdfkitError(f"there is no table '{table}': {reason}")
+        reason = document["missing"].get(table, "skipped by --quick")
+        raise UrdfkitError(f"no table '{table}': {reason}")
     if table in _ROWS:
         rows = rows[_ROWS[table]]
     text = io.StringIO(newline="")

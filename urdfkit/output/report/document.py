@@ -51,7 +51,7 @@ LONG = ("statics", "standing", "collisions")
 
 
 class ReportInput(Record):
-    """A robot and what is told of it.
+    """A robot and its report.
 
     Attributes:
         document: for all outputs.
@@ -76,15 +76,15 @@ def describe(
     quick: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> ReportInput:
-    """Everything that is told of a robot.
+    """Everything that a report says of a robot.
 
-    A robot that cannot be read has its findings told, and nothing else.
+    Of a robot that cannot be read, only the findings are reported.
 
     Args:
         file: a URDF or xacro file, or a launch file that describes one robot.
         arguments: for xacro.
         packages: folders of ROS packages by name; they win over every search.
-        targets: consumers that findings are weighed for; inferred if empty.
+        targets: target programs; detected if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
         variant: which of those that the configuration has of the file.
@@ -203,7 +203,7 @@ def _portable(value: Any, subject: Subject) -> Any:
 
 
 def _targets(report: Report) -> list[dict[str, Any]]:
-    """For each program that will read the robot: how it will fare, and why it was thought of."""
+    """For each program that will read the robot: its verdict, and why it was detected."""
     names = [name for _, targets in report.targets for name in targets.names]
     evidence = {
         name: reason
@@ -217,11 +217,11 @@ def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
     counts = dict.fromkeys((severity.value for severity in Severity), 0)
     for found in report.diagnostics:
         counts[_severity(found, name).value] += 1
-    verdict = "good"
+    verdict = "passes"
     if counts["error"]:
-        verdict = "unfit"
+        verdict = "fails"
     elif counts["warning"]:
-        verdict = "doubtful"
+        verdict = "passes with warnings"
     about = TARGETS[name]
     return {"name": name, "about": about, "evidence": evidence, "verdict": verdict, **counts}
 

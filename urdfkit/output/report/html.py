@@ -127,7 +127,7 @@ def _context(document: Document, words: Translator, drawings: Mapping[str, str])
             (key, title)
             for key, title, there in (
                 ("summary", "Summary", True),
-                ("pictures", "Pictures", "picture" in drawings),
+                ("pictures", "Images", "picture" in drawings),
                 ("findings", "Findings", True),
                 ("tree", "Kinematic tree", "tree" in drawings),
                 ("masses", "Masses and inertias", document["links"]),
@@ -135,7 +135,7 @@ def _context(document: Document, words: Translator, drawings: Mapping[str, str])
                 ("meshes", "Meshes", document["meshes"]),
                 ("statics", "Statics", document["statics"] or document["standing"]),
                 ("collisions", "Collisions", document["collisions"]),
-                ("gazebo", "In Gazebo", document["gazebo"]),
+                ("gazebo", "After URDF to SDF conversion", document["gazebo"]),
             )
             if there
         ],
@@ -185,7 +185,7 @@ def _environment() -> Environment:
     try:
         from jinja2 import Environment, FileSystemLoader, StrictUndefined
     except ImportError as error:
-        raise UrdfkitError("a page needs Jinja: pip install 'urdfkit[report]'") from error
+        raise UrdfkitError("HTML reports need Jinja: pip install 'urdfkit[report]'") from error
     environment = Environment(
         autoescape=True,
         loader=FileSystemLoader(_FOLDER),

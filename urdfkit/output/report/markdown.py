@@ -11,7 +11,7 @@ from urdfkit.text.markdown import escape, fitted, table
 
 _SIGNS = {"error": "🔴", "warning": "🟡", "info": "🔵"}
 _PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
-_VERDICTS = {"good": "🟢", "doubtful": "🟡", "unfit": "🔴"}
+_VERDICTS = {"passes": "🟢", "passes with warnings": "🟡", "fails": "🔴"}
 
 
 def render(document: Document, words: Translator) -> str:
@@ -34,7 +34,7 @@ def _sections(document: Document, _: Translator) -> Iterator[str]:
         ]
         yield table(["", ""], rows)
     if document["targets"]:
-        header = [_("Program"), _("Verdict"), _("error"), _("warning"), _("info")]
+        header = [_("Target"), _("Verdict"), _("error"), _("warning"), _("info")]
         yield table(header, (_target(one, _) for one in document["targets"]))
     if document["findings"]:
         header = ["", _("Where"), _("What")]

@@ -63,7 +63,7 @@ def standing(subject: Subject) -> Row:
         Unavailable: links and joints do not form one tree.
     """
     if not subject.tree.is_sound:
-        raise Unavailable("links and joints do not form one tree; urdfkit check tells why")
+        raise Unavailable("links and joints do not form one tree; see urdfkit check")
     return standing_of(subject).facts()
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from urdfkit.render import Scene as Surfaces
     from urdfkit.robot.model import Link
 
-INSTALL = "pictures and the 3D view need: pip install 'urdfkit[report]'"
+INSTALL = "images and the 3D view need: pip install 'urdfkit[report]'"
 
 #: A page of more links is too slow to open, one of more triangles too large to send.
 MAX_LINKS, MAX_TRIANGLES = 5000, 1_500_000

@@ -101,15 +101,15 @@ def _joint(joint: Joint) -> Row:
 
 
 def gazebo(subject: Subject) -> Row:
-    """What becomes of each link in Gazebo, and what is left."""
+    """The result of the conversion to SDF: each link, and the links that are left."""
     conversion = subject.gazebo
-    fates = {
+    results = {
         link.name: _conversion_result(link.name, conversion.survivor, conversion.dropped)
         for link in conversion.model.links
     }
     return {
         "converter": conversion.converter.name,
-        "fates": [{"link": name, **conversion_result} for name, conversion_result in fates.items()],
+        "results": [{"link": name, **result} for name, result in results.items()],
         "links": [
             {
                 "name": link.name,
@@ -126,12 +126,12 @@ def gazebo(subject: Subject) -> Row:
 
 def _conversion_result(name: str, survivor: dict[str, str], dropped: dict[str, str]) -> Row:
     if name in dropped:
-        return {"fate": "dropped", "into": "", "reason": dropped[name]}
+        return {"result": "dropped", "into": "", "reason": dropped[name]}
     if name not in survivor:
-        return {"fate": "not made", "into": "", "reason": ""}
+        return {"result": "not converted", "into": "", "reason": ""}
     into = survivor[name]
-    conversion_result = "stays" if into == name else "merged"
-    return {"fate": conversion_result, "into": into if into != name else "", "reason": ""}
+    result = "kept" if into == name else "merged"
+    return {"result": result, "into": into if into != name else "", "reason": ""}
 
 
 def meshes(subject: Subject) -> list[Row]:

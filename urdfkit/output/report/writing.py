@@ -135,7 +135,7 @@ def drawn(reported: ReportInput, *, has_pictures: bool) -> RobotImages:
         found |= data_uris.pictures(built, subject, reported.diagnostics)
     document, triangles = reported.document, sum(len(item.faces) for item in built.items)
     if triangles > scene.MAX_TRIANGLES:
-        reason = f"it is coarse, for the robot has {triangles} triangles: see urdfkit mesh simplify"
+        reason = f"simplified: the robot has {triangles} triangles: see urdfkit mesh simplify"
         document = _without_view(document, reason)
     return RobotImages(document, found, scene.build(subject, built))
 
@@ -154,4 +154,4 @@ def form_of(target: str) -> str:
     for suffix, form in SUFFIXES.items():
         if target.lower().endswith(suffix):
             return form
-    raise UrdfkitError(f"{target}: the suffix is none of {', '.join(SUFFIXES)}")
+    raise UrdfkitError(f"{target}: the suffix is not one of {', '.join(SUFFIXES)}")

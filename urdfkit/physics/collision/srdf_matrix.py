@@ -67,10 +67,12 @@ def updated(matrix: Matrix, source: Source) -> bytes:
         CollisionError: it cannot be read, or is a xacro.
     """
     if is_xacro(source):
-        raise CollisionError(f"{source.path} is a xacro; name the file that it is expanded to")
+        raise CollisionError(f"{source.path} is a xacro; pass the expanded SRDF file")
     document, _ = read_xml(source)
     if document is None or not is_srdf(document.root):
-        raise CollisionError(f"{source.path} is no SRDF; name another file to write a new one")
+        raise CollisionError(
+            f"{source.path} is not an SRDF file; pass another file to write a new one"
+        )
     wanted = {frozenset((one.first, one.second)): one for one in matrix.pairs}
     kept: list[Element] = []
     gone: list[Element] = []

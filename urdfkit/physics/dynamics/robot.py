@@ -66,7 +66,7 @@ class Dynamics:
         weightless: Collection[str] = (),
     ) -> None:
         if not tree.is_sound:
-            raise Unsuitable("links and joints do not form one tree; urdfkit check tells why")
+            raise Unsuitable("links and joints do not form one tree; see urdfkit check")
         self.tree = tree
         self.payload = dict(payload or {})
         self._joints = [joint for joint in _downwards(tree) if joint.kind in _KINDS]
@@ -208,7 +208,7 @@ class Dynamics:
     def _known(self, link: str) -> str:
         if link not in self.tree.model.links_by_name:
             suggested = did_you_mean(link, self.tree.model.links_by_name)
-            raise Unsuitable(f"there is no link '{link}'{suggested}")
+            raise Unsuitable(f"no link '{link}'{suggested}")
         return link
 
 

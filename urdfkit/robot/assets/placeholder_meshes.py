@@ -219,7 +219,7 @@ def _make(
 ) -> GeneratedMesh | NotGenerated:
     located = references[0].located
     if located.package is not None and located.folder is None:
-        reason = f"package '{located.package}' is not found; name its folder with --package"
+        reason = f"package '{located.package}' not found; pass its directory with --package"
         return NotGenerated(path, references, defect, reason)
     if located.scheme not in ("package", "model", "absolute", "relative"):
         return NotGenerated(path, references, defect, f"'{located.scheme}://' leads to no file")

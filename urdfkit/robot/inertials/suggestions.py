@@ -146,7 +146,7 @@ def propose(
     known = robot.model.links_by_name
     for name in links:
         if name not in known:
-            raise NoSuchLink(f"there is no link '{name}'{did_you_mean(name, known)}")
+            raise NoSuchLink(f"no link '{name}'{did_you_mean(name, known)}")
     if lump:
         groups = [body.links for body in rigid_bodies(robot.tree)]
     else:

@@ -52,7 +52,7 @@ def formatted(source: Source, width: int = WIDTH) -> bytes:
     outline = _outline(found, source.path)
     layout = "\n".join(_Writer(found, text, outline, width).lines()) + "\n"
     if _meaning(layout) != _meaning(text):
-        raise AssertionError(f"{source.path}: the layout would change the meaning")
+        raise AssertionError(f"{source.path}: formatting would change the meaning")
     newline = "\r\n" if b"\r\n" in source.data else "\n"
     return layout.replace("\n", newline).encode()
 
@@ -64,7 +64,7 @@ def _require_robot(source: Source) -> None:
         UnreadableRobot: it is not well-formed, or no robot.
     """
     if source.undecodable is not None:
-        raise UnreadableRobot(f"{source.path}: it has bytes that are no text")
+        raise UnreadableRobot(f"{source.path}: the file is not valid text")
     try:
         expat.ParserCreate("utf-8").Parse(source.data, True)
     except expat.ExpatError:

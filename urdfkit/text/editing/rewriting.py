@@ -121,7 +121,7 @@ def write(rewrites: Iterable[Rewrite]) -> None:
     for one in rewrites:
         now = on_disk(one.path)
         if now is None:
-            raise UnwritableFile(f"{one.path}: there is no such file to change")
+            raise UnwritableFile(f"{one.path}: file not found")
         if now != one.before:
             raise UnwritableFile(f"{one.path}: it has changed meanwhile; run it again")
     for one in rewrites:

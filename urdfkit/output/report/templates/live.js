@@ -81,8 +81,8 @@
     fields(state.declared);
     const time = new Date().toLocaleTimeString();
     if (state.error) tell(state.error, true);
-    else if (!state.readable) tell(page.word("The file cannot be read; the 3D view shows it as it was."), true);
-    else if (!state.whole) tell(`${time} · ${page.word("statics, collisions and pictures follow")} …`);
+    else if (!state.readable) tell(page.word("The file cannot be read; the 3D view shows the last state."), true);
+    else if (!state.whole) tell(`${time} · ${page.word("computing statics, collisions and images")} …`);
     else tell(`${time} · ${page.word("watched files")}: ${state.files}`);
     page.revision = state.revision;
   }
