@@ -67,7 +67,7 @@ class Plugin(Record):
         generation: ``classic-ros1``, ``classic-ros2``, ``classic`` (without ROS) or ``gz``.
         kinds: what it belongs in: ``model``, ``sensor``, ``visual``, ``world``, ``system``...
         sensors: the types of sensor that it serves; empty if it says nothing about them.
-        package: that has it.
+        package: that has it; empty if removed.
         class_name: of gz; the ``name`` that the model must give. Empty elsewhere.
         fortress_class: the same in Fortress.
         removed: True if the generation has no such library any more.
@@ -204,7 +204,7 @@ def _read(generation: str, entry: dict[str, Any]) -> Plugin:
         generation,
         tuple(entry["kinds"]),
         tuple(entry.get("sensors", ())),
-        entry["package"],
+        entry.get("package", ""),
         entry.get("class", ""),
         entry.get("fortress_class", ""),
         entry.get("removed", False),
