@@ -10,7 +10,7 @@ CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
 
 
 @pytest.mark.parametrize(
-    ("word", "meant"),
+    ("word", "suggested"),
     [
         ("XML01", "XML001"),
         ("xml002", "XML002"),
@@ -61,7 +61,7 @@ def test_an_endless_word_costs_little() -> None:
 
 
 @pytest.mark.parametrize(
-    ("word", "meant"),
+    ("word", "suggested"),
     [
         ("base_lnk", "base_link"),
         ("Base_Link", "base_link"),
@@ -99,7 +99,7 @@ def test_the_hint_of_a_speller() -> None:
 
 
 @pytest.mark.parametrize(
-    ("word", "known", "meant"),
+    ("word", "known", "suggested"),
     [
         ("baseline", "hackBaseline", ""),
         ("wheel_diameter", "left_wheel_diameter", ""),

@@ -167,7 +167,7 @@ def test_a_clone_or_worktree_inside_a_repository_ends_the_search(tmp_path: Path,
 
 
 @pytest.mark.parametrize(
-    ("mark", "told"),
+    ("mark", "reported"),
     [
         ("src/.keep", "src"),
         (".catkin_workspace", ".catkin_workspace"),

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import SIMILAR_FILE, TYPO, nearest
 from urdfkit.mesh.io.facts import (
     BY_SUFFIX,
     GLB,
@@ -24,10 +24,6 @@ from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
 #: Folders of a package that are searched for a file of the wanted name.
 MAX_FOLDERS = 2000
-#: Two words are one word misspelt above this ratio of common letters.
-_TYPO = 0.75
-#: How like another name that of a file must be to be offered; "base_link" is no "lidar_link".
-_LIKE = 0.7
 
 _CODES = {
     DefectKind.EMPTY: "MSH008",
@@ -310,7 +306,7 @@ class Files:
         ]
         # Without the endings, which are alike anyway.
         stems = {os.path.splitext(name)[0]: name for name in meshes}
-        stem = nearest(os.path.splitext(wanted)[0], stems, _LIKE)
+        stem = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
         if stem is None:
             return None, False
         return os.path.join(folder, stems[stem]), is_typo(wanted, stems[stem])
@@ -357,7 +353,7 @@ def is_typo(wrong: str, right: str) -> bool:
     if "".join(words) == "".join(others):
         return True
     return len(words) == len(others) and all(
-        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], _TYPO))
+        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], TYPO))
         for word, other in zip(words, others, strict=True)
     )
 
