@@ -171,7 +171,7 @@ def test_without_a_package_its_own_folder_is_searched(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong", "right", "typo"),
+    ("wrong", "right", "mistake"),
     [
         ("forarm.stl", "forearm.stl", True),
         ("fore-arm.stl", "forearm.stl", True),
