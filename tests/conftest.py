@@ -57,6 +57,44 @@ def model_id(entry: object) -> str | None:
     return " ".join([f"{folder.name}/{model['path']}", *model["xacro_args"]])
 
 
+#: Folders and files of tests that check whole robots, write documents or start other programs:
+#: minutes, where the rest takes seconds. ``pytest -m "not slow"`` leaves them out.
+SLOW = (
+    "tests/false_alarms/",
+    "tests/integration/",
+    "tests/lint/test_engine.py",
+    "tests/lint/test_fix.py",
+    "tests/lint/test_formatting.py",
+    "tests/output/report/",
+    "tests/physics/",
+    "tests/pytest_plugin/",
+    "tests/render/",
+    "tests/ros/gazebo/test_conversion.py",
+    "tests/test_against_check_urdf.py",
+    "tests/test_bad_input.py",
+    "tests/test_corpus",
+    "tests/test_crashes.py",
+    "tests/test_docs.py",
+    "tests/test_endless_text.py",
+    "tests/test_fixing_corpus.py",
+    "tests/test_golden",
+    "tests/test_models.py",
+    "tests/test_pages.py",
+    "tests/test_planted.py",
+    "tests/test_site.py",
+    "tests/text/editing/test_formatter.py",
+    "tests/viewer/",
+    "tests/xacro/test_bombs.py",
+    "tests/xacro/test_identity.py",
+    "tests/xacro/test_upstream.py",
+)
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    if item.nodeid.startswith(SLOW):
+        item.add_marker(pytest.mark.slow)
+
+
 @pytest.fixture
 def corpus() -> Path:
     """The folder of real robots; the test is skipped where it is absent."""

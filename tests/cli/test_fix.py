@@ -33,22 +33,13 @@ def test_the_summary_says_what_was_fixed_what_is_left_and_why(
         "  JNT020  remove the axis: lines 190, 220, 252\n"
         "\n"
         "left in r.xacro:\n"
-<<<<<<< HEAD
-        "  info     GAZ045  lidar-full-circle (its fix is unsafe: --unsafe-fixes): line\n"
-=======
-        "  warning  GAZ045  lidar-full-circle (unsafe fix: needs --unsafe-fixes): line\n"
->>>>>>> step2-6
+        "  info     GAZ045  lidar-full-circle (unsafe fix: needs --unsafe-fixes): line\n"
         "      317\n"
         "  info     INE008  inertia-differs-from-geometry: line 15\n"
         "  info     INE008  inertia-differs-from-geometry (its fix is unsafe:\n"
         "      --unsafe-fixes): lines 214, 243, 269\n"
-<<<<<<< HEAD
         "  info     JNT002  missing-limit: lines 158, 174, 181\n"
-        "  info     XAC007  own-pi (its fix is unsafe: --unsafe-fixes): line 9\n"
-=======
-        "  info     JNT021  no-limit-on-continuous: lines 158, 174, 181\n"
         "  info     XAC007  own-pi (unsafe fix: needs --unsafe-fixes): line 9\n"
->>>>>>> step2-6
         "\n"
         "3 fixed in 1 file, 9 left, 5 of them with an unsafe fix\n"
     )

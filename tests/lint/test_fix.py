@@ -214,11 +214,7 @@ def test_a_fix_that_adds_an_error_is_dropped_and_the_others_are_applied(tmp_path
     fixes = fix(write(tmp_path, "r.urdf", body), unsafe=True)
     assert [one.code for one in fixes.applied] == ["JNT020"]
     reasons = {left.diagnostic.code: left.reason for left in fixes.left}
-<<<<<<< HEAD
-    assert reasons["REF001"] == "dropped: it would add TRE003"
-=======
-    assert reasons["REF001"] == "skipped: it would add TRE004"
->>>>>>> step2-6
+    assert reasons["REF001"] == "skipped: it would add TRE003"
 
 
 def test_errors_that_were_hidden_do_not_forbid_a_fix(tmp_path: Path) -> None:
@@ -282,11 +278,7 @@ def test_with_some_rules_only_the_others_still_guard(tmp_path: Path) -> None:
     file = write(tmp_path, "r.urdf", body)
     fixes = fix(file, unsafe=True, select=["REF"])
     assert [(left.diagnostic.code, left.reason) for left in fixes.left] == [
-<<<<<<< HEAD
-        ("REF001", "dropped: it would add TRE003")
-=======
-        ("REF001", "skipped: it would add TRE004")
->>>>>>> step2-6
+        ("REF001", "skipped: it would add TRE003")
     ]
 
 

@@ -156,13 +156,8 @@ def test_a_module_in_a_configuration_that_was_found_is_not_imported(place: Place
     code, text = place.check()
     assert code == 2
     assert text == (
-<<<<<<< HEAD
-        "error: urdfkit.toml: 'rule-packages': no package of rules is installed as 'evil'; to "
-        "import a module runs its code, which takes --trust or --config FILE\n"
-=======
-        "error: urdfkit.toml: 'rules': no rule package is installed as 'evil'; to import a "
+        "error: urdfkit.toml: 'rule-packages': no rule package is installed as 'evil'; to import a "
         "module runs its code, which takes --trust or --config FILE\n"
->>>>>>> step2-6
     ).replace("urdfkit.toml", str(place.project / "urdfkit.toml"))
 
 

@@ -56,15 +56,9 @@ def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
 
 def _find(word: str) -> Rule:
     if about := FAMILIES.get(word.upper()):
-<<<<<<< HEAD
-        raise UnknownRule(
-            word, f": it is the family about {about}; 'urdfkit rules' lists its rules"
-        )
+        raise UnknownRule(word, f": a rule family ({about}); 'urdfkit rules' lists its rules")
     if renamed := note(word):
         options.warn(renamed)
-=======
-        raise UnknownRule(word, f": a rule family ({about}); 'urdfkit rules' lists its rules")
->>>>>>> step2-6
     try:
         return find_rule(word)
     except UnknownRule:

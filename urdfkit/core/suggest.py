@@ -6,7 +6,11 @@ import os
 import re
 from collections.abc import Collection, Iterable
 
-#: Longer words are no slips of a name, and comparing them takes time.
+#: Least ratios of common letters, from 0 to 1: of a word that is worth offering, of the name of a
+#: file, and of a word that is taken for the same, misspelt.
+SIMILAR, SIMILAR_FILE, TYPO = 0.6, 0.7, 0.8
+
+#: Longer words are no typos of a name, and comparing them takes time.
 _LONGEST = 200
 
 #: What tells siblings apart.
@@ -19,44 +23,15 @@ _KINDS = frozenset(("link", "joint", "frame", "name"))
 _WORD = r"[^\W_]?[^\W_A-Z]+|[A-Z]+"
 
 
-def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
-    """The known word most like ``word``, upper and lower case alike; None if none is like it.
-
-    ``likeness`` is the least ratio of common letters, from 0 to 1.
-    """
-    word = word[:_LONGEST].casefold()
+def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | None:
+    """The known word most like ``word``, upper and lower case alike; None if none is like it."""
     spellings = {candidate.casefold(): candidate for candidate in known}
-    like = _alike(word, spellings, likeness)
-    if not like:
+    if not spellings:
         return None
-    from difflib import SequenceMatcher  # 1 ms, and needed after a slip only
+    from difflib import get_close_matches  # 1 ms, and needed for unknown words only
 
-    matcher = SequenceMatcher(b=word)
-    # The exact ratio takes long; those that can be the best come first.
-    bounds: list[tuple[float, str]] = []
-    for spelling in like:
-        matcher.set_seq1(spelling)
-        bounds.append((matcher.quick_ratio(), spelling))
-    best = (likeness, "")
-    for bound, spelling in sorted(bounds, reverse=True):
-        if bound < best[0]:
-            break
-        matcher.set_seq1(spelling)
-        best = max(best, (matcher.ratio(), spelling))
-    return spellings[best[1]] if best[1] else None
-
-
-def _alike(word: str, others: Iterable[str], likeness: float) -> list[str]:
-    """The words that may be so like a word: as if all letters that both have were in place."""
-    letters = [(letter, word.count(letter)) for letter in set(word)]
-    found: list[str] = []
-    for other in others:
-        least = likeness * (len(word) + len(other)) / 2
-        if least <= min(len(word), len(other)):
-            common = sum(min(count, other.count(letter)) for letter, count in letters)
-            if common >= least > 0:
-                found.append(other)
-    return found
+    found = get_close_matches(word[:_LONGEST].casefold(), spellings, 1, cutoff)
+    return spellings[found[0]] if found else None
 
 
 def is_typo(word: str, other: str) -> bool:
@@ -105,8 +80,8 @@ class Suggester:
     MAX_WORDS = 50
     MAX_KNOWN = 5000
 
-    def __init__(self, known: Collection[str], likeness: float = 0.8) -> None:
-        self._likeness = likeness
+    def __init__(self, known: Collection[str], cutoff: float = TYPO) -> None:
+        self._cutoff = cutoff
         self._known = known if len(known) <= self.MAX_KNOWN else ()
         self._found: dict[str, str] = {}
 
@@ -120,7 +95,7 @@ class Suggester:
         if word not in self._found:
             if len(self._found) >= self.MAX_WORDS:
                 return ""
-            found = nearest(word, self._known, self._likeness) or ""
+            found = nearest(word, self._known, self._cutoff) or ""
             self._found[word] = "" if found and _are_siblings(word, found) else found
         return self._found[word]
 

@@ -17,8 +17,10 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.launch.robot_arguments import MAX_GIVEN, declared, given
+from urdfkit.text.comments import without_comments
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import Problem
+from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
@@ -27,13 +29,12 @@ if TYPE_CHECKING:
 #: Values of one argument that a message names.
 _FEW = 10
 
-_COMMENT = re.compile(rb"<!--.*?(?:-->|\Z)", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"'<>]+)["']""")
 _DECLARATION = re.compile(rb"<xacro:arg\b[^<>]*>")
 _ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
 #: A path in which a whole folder is the value of an argument, or of a parameter called like it.
 _PATH = r"""["']([^"'<>\n]*/)(?:\$\(arg\s+%s\s*\)|\$\{\s*%s\s*\})(/[^"'<>\n]*)["']"""
-_FIND = re.compile(r"\$\(find\s+([\w.-]+)\s*\)|^package://([\w.-]+)")
+_PACKAGE = rf"{FIND}|^package://([\w.-]+)"
 _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
@@ -112,7 +113,7 @@ def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
     """The default in an included file to which the expansion does not come."""
     read = {os.path.realpath(source.path) for source in xacro.sources}
     for source in xacro.sources:
-        for file in _INCLUDE.findall(_COMMENT.sub(b"", source.data)):
+        for file in _INCLUDE.findall(without_comments(source.data)):
             path = _plain_path(file.decode("utf-8", "replace"), source, resolver)
             if not path or os.path.realpath(path) in read or not resolver.allows(path, source.path):
                 continue
@@ -128,7 +129,7 @@ def _default(name: str, path: str, resolver: Resolver) -> str | None:
         data = resolver.read(path).data
     except UnreadableFile:
         return None
-    for tag in _DECLARATION.findall(_COMMENT.sub(b"", data)):
+    for tag in _DECLARATION.findall(without_comments(data)):
         words = _attributes(tag, b"name", b"default")
         if words.get(b"name") == name and "$" not in words.get(b"default", "$"):
             return words[b"default"]
@@ -146,7 +147,7 @@ def _of_folders(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
     common: set[str] | None = None
     origin = ""
     for source in xacro.sources:
-        text = _COMMENT.sub(b"", source.data).decode("utf-8", "replace")
+        text = without_comments(source.data).decode("utf-8", "replace")
         for head, rest in dict.fromkeys(re.findall(_PATH % (word, word), text)):
             folder = _plain_path(head, source, resolver)
             if not folder or not resolver.allows(folder, source.path):
@@ -166,7 +167,7 @@ def _plain_path(text: str, source: Source, resolver: Resolver) -> str:
         except PackageNotFound:
             return "$"
 
-    text = _FIND.sub(package, text.removeprefix("file://")).replace("$(dirname)", here)
+    text = re.sub(_PACKAGE, package, text.removeprefix("file://")).replace("$(dirname)", here)
     return "" if "$" in text else os.path.normpath(os.path.join(here, text))
 
 

@@ -450,8 +450,4 @@ class _Reader:
 
     def finish(self, what: str = "setting") -> None:
         for key in self._left:
-<<<<<<< HEAD
-            raise self.error(f"there is no {what} '{key}'{did_you_mean(key, self._known)}")
-=======
-            raise self.error(f"unknown setting '{key}'{did_you_mean(key, self._known)}")
->>>>>>> step2-6
+            raise self.error(f"unknown {what} '{key}'{did_you_mean(key, self._known)}")

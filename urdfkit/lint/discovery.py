@@ -16,9 +16,11 @@ from itertools import islice
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
+from urdfkit.text.comments import without_comments
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
 #: Files of one folder that are looked at.
@@ -37,8 +39,7 @@ _NO_ROBOTS = frozenset(
 #: Bytes of a file in which its root is looked for.
 _HEAD = 4096
 _PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
-#: What has no end goes on to that of the file: to look for it anew from each beginning takes hours.
-_COMMENT = re.compile(rb"<!--.*?(?:-->|\Z)", re.DOTALL)
+#: A macro without an end goes on to that of the file.
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _ROBOT = re.compile(rb"<robot[\s>]")
@@ -50,7 +51,6 @@ _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*
 _MARK = b"\xef\xbb\xbf"
 _NOT_CONFIGURED = "no [[robot]] in the configuration for it"
 _UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
-_FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
 _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
 _CONTENT = re.compile(
     rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w"
@@ -106,7 +106,7 @@ def _lookalikes(folder: str, config: Config) -> Iterator[str]:
         suffix = os.path.splitext(path)[1].lower()
         if suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path):
             continue
-        head = _COMMENT.sub(b"", read_head(path, _HEAD)).removeprefix(_MARK)
+        head = without_comments(read_head(path, _HEAD)).removeprefix(_MARK)
         if _ROOT.match(head) and not matches(config.relative(path), config.exclude):
             yield path
 
@@ -239,7 +239,7 @@ class IncludeGraph:
         source = self._sources[path]
         if b"xacro:include" not in source.data:
             return frozenset()
-        data = _COMMENT.sub(b"", source.data)
+        data = without_comments(source.data)
         found: set[str] = set()
         for name in _INCLUDE.findall(data):
             found.update(self._targets(name.decode("utf-8", "replace"), source.path))
@@ -247,7 +247,7 @@ class IncludeGraph:
 
     def _targets(self, name: str, near: str) -> Iterator[str]:
         """The files that an include may mean; by their name where its folder is an expression."""
-        text = _FIND.sub(lambda match: self._package(match.group(1), near), name)
+        text = re.sub(FIND, lambda match: self._package(match.group(1), near), name)
         text = text.replace("$(dirname)", os.path.dirname(os.path.abspath(near)))
         if "$" not in text and not set("*?[") & set(text):
             path = os.path.join(os.path.dirname(os.path.abspath(near)), text)
@@ -303,7 +303,7 @@ class IncludeGraph:
 
     def _is_robot(self, path: str) -> bool:
         """True for a file with the root ``<robot>`` that has links outside of macros."""
-        data = _COMMENT.sub(b"", self._sources[path].data)
+        data = without_comments(self._sources[path].data)
         return bool(_ROOT.match(data) and _LINK.search(_MACRO.sub(b"", data)))
 
     def _launched(self, files: list[str]) -> list[str]:
@@ -340,7 +340,7 @@ class IncludeGraph:
         used: set[bytes] = set()
         known: set[bytes] = set()
         for path in self._sources.keys() & files:
-            data = _COMMENT.sub(b"", self._sources[path].data)
+            data = without_comments(self._sources[path].data)
             used.update(_ARGUMENT.findall(data))
             known.update(_DEFAULT.findall(data))
         return used - known
@@ -374,6 +374,6 @@ class IncludeGraph:
         """True if a file only defines things: outside of macros it makes no link and calls none."""
         if not _ROBOT.search(self._sources[os.path.realpath(path)].data):
             return False
-        data = _COMMENT.sub(b"", self._sources[os.path.realpath(path)].data)
+        data = without_comments(self._sources[os.path.realpath(path)].data)
         outside = _MACRO.sub(b"", data)
         return not _CONTENT.search(outside) and not _INCLUDE.search(outside)

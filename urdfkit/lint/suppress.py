@@ -13,11 +13,11 @@ from collections.abc import Iterable, Sequence
 
 from urdfkit.core.libraries import load
 from urdfkit.core.record import Record
+from urdfkit.text.comments import comments
 from urdfkit.text.diagnostic import Call, Diagnostic
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
-_COMMENT = re.compile(rb"<!--(.*?)(?:-->|\Z)", re.DOTALL)
 _IGNORE = re.compile(rb"\s*urdfkit\s*:\s*ignore\s*\[([^\]]*)\](.*)", re.DOTALL)
 _CODE = re.compile(rb"[A-Za-z0-9_-]+")
 
@@ -56,16 +56,16 @@ def ignores(source: Source) -> tuple[Ignore, ...]:
     """The ignore comments of a file; none of a file that is not well formed."""
     if b"urdfkit" not in source.data:
         return ()
-    comments = [
+    found_comments = [
         (Span(source, *comment.span()), said)
-        for comment in _COMMENT.finditer(source.data)
+        for comment in comments(source.data)
         if (said := _IGNORE.fullmatch(source.data, *comment.span(1)))
     ]
-    if not comments:
+    if not found_comments:
         return ()
     elements = _elements(source)
     found = []
-    for span, said in comments:
+    for span, said in found_comments:
         following = bisect_left(elements, (span.end,))
         if following < len(elements):
             codes = tuple(

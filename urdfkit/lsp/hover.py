@@ -211,8 +211,9 @@ def _plugin(here: Cursor) -> Iterator[str]:
     if here.place == "value" and here.attribute and node.name == "plugin":
         if here.attribute.name == "filename":
             for known in plugins.find(here.attribute.value.strip()):
-                reported = f"**plugin** of {known.package}, {known.generation}"
-                after = f"; in newer generations `{known.successor}`" if known.successor else ""
+                where = "not in" if known.removed else f"of {known.package},"
+                reported = f"**plugin** {where} {known.generation}"
+                after = f"; replaced by `{known.successor}`" if known.successor else ""
                 yield reported + after
         return
     plugin = node.within("plugin")

@@ -13,9 +13,9 @@ from urdfkit.lsp.workspace import OpenRobot
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import is_launch
+from urdfkit.workspace.package_references import FIND
 
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
-_FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
 
 
 class CannotRename(UrdfkitError):
@@ -103,7 +103,7 @@ def _described(robot: OpenRobot, page: Page, offset: int) -> str | None:
     for found in robot.expanded(node.source, node.start, "filename"):
         value = found.value
     if node.name == "xacro:include":
-        value = _FIND.sub(r"package://\1", value).replace("$(dirname)/", "")
+        value = re.sub(FIND, r"package://\1", value).replace("$(dirname)/", "")
     return robot.resolver.locate(value, node.source.path, robot.path).path
 
 

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros.catalog.ros_control import hardware as simulators
 from urdfkit.ros.ros_control import components, control_plugins
@@ -295,7 +295,7 @@ def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
     for name, node in manager.items():
         for key, value in node.items() if isinstance(node, dict) and "type" not in node else ():
             is_class = isinstance(value, Value) and "/" in value.text
-            if isinstance(key, Key) and is_class and nearest(key, ["type"], 0.7):
+            if isinstance(key, Key) and is_class and is_typo(key, "type"):
                 yield key.span, f"controller '{name}' has no type, but '{key}'", "write type"
 
 
@@ -305,7 +305,7 @@ def _node_of(key: str) -> str:
 
 
 def _mistake_of(word: str, known: Iterable[str]) -> str | None:
-    return nearest(word, known, 0.8)
+    return nearest(word, known, TYPO)
 
 
 def _places(node: dict[str, Node]) -> dict[str, Span]:

@@ -11,14 +11,11 @@ from collections.abc import Collection
 from math import inf, isfinite
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.text import schema
 from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.schema import AttributeRule, Grammar
 from urdfkit.text.urdf_extensions import has_attribute, has_element
-
-#: The similarity from which on an unknown element is a misspelling: one typo in five letters.
-LIKENESS = 0.8
 
 #: Unknown names of one document that are compared with known ones.
 MAX_UNKNOWN = 1000
@@ -273,7 +270,7 @@ class _Walk:
         self._unknown += 1
         if self._unknown > MAX_UNKNOWN or (first is element and element.children):
             return unknown  # shapes of another dialect have a prefix
-        if suggested := nearest(first.tag, grammar.children, LIKENESS):
+        if suggested := nearest(first.tag, grammar.children, TYPO):
             self._add("URD001", first, name=suggested, suggested=suggested)
         else:
             self._add("URD004", first)
@@ -290,7 +287,7 @@ class _Walk:
         elif schema.places_of(tag):
             self._add("URD001", child)
         else:
-            suggested = nearest(tag, free, LIKENESS) or ""
+            suggested = nearest(tag, free, TYPO) or ""
             if not suggested and calling_macro(child):
                 # A macro tells its blocks apart by such names, and inserts them as they are called.
                 suggested = next((word for word in tag.split("_") if word in free), "")

@@ -166,7 +166,7 @@ def why_unreadable(path: str, error: OSError) -> str:
         return f"no such directory '{folder}'"
     # By stems: what ends in '.urdf' is alike enough to be meant otherwise.
     alike = [other for other in beside if nearest(_stem(name), [_stem(other)])]
-    suggested = nearest(name, alike, likeness=0.01)
+    suggested = nearest(name, alike, cutoff=0)
     return "file not found" + (f"; did you mean '{suggested}'?" if suggested else "")
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from xml.parsers import expat
 
 from urdfkit.core.record import Record
+from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span
@@ -27,7 +28,6 @@ MAX_RELATED = 5
 
 # Compiled when needed, which is seldom.
 _DECLARATION = rb"<\?xml[\s?][^>]*\?>|<\?xml\?>"
-_COMMENT = rb"<!--.*?-->"
 _OWN_TAG = rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b"
 _VERSION = rb"""\bversion\s*=\s*["']([^"']*)["']"""
 _UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
@@ -74,8 +74,7 @@ def is_xacro(source: Source) -> bool:
     has_tags, has_namespace = b"<xacro:" in data, b"xmlns:xacro" in data
     if not has_tags and not has_namespace:
         return False
-    # A comment without an end is the rest: to look for it anew from each beginning takes hours.
-    text = re.sub(_COMMENT + rb"|<!--.*", b"", data, flags=re.DOTALL)
+    text = without_comments(data)
     if has_tags and re.search(_OWN_TAG, text):
         return True
     return has_namespace and re.search(rb"\$[{(]", text) is not None
@@ -177,7 +176,7 @@ def _forgiven(source: Source, problems: list[Problem]) -> bytes:
         return data
     start, end = declaration.span()
     if start:
-        if re.sub(_COMMENT, b"", data[:start], flags=re.DOTALL).strip():
+        if without_comments(data[:start]).strip():
             return data
         problems.append(_before_declaration(Span(source, 0, start), end))
     if not _is_sound(declaration.group()):

@@ -7,15 +7,16 @@ import re
 
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
+from urdfkit.text.comments import without_comments
+from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.package_references import mentions
 from urdfkit.workspace.resolve import Resolver
 
 MAX_BYTES = 1024 * 1024
 #: Folders of a package that are searched for descriptions.
 MAX_FOLDERS = 200
 
-_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
-_USE = rb"(?:package://|\$\(find )\s*([\w-]+)"
 _DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
 _FORMAT = rb"""<package\b[^>]*\bformat\s*=\s*["'](\d+)["']"""
 _BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
@@ -82,7 +83,7 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
                 data = opened.read(MAX_BYTES)
         except OSError:
             return None  # a rosbuild package
-    return Manifest(file, name, re.sub(_COMMENT, b"", data))
+    return Manifest(file, name, without_comments(data))
 
 
 def depends_on(name: str, other: str, near: str, resolver: Resolver) -> bool:
@@ -117,9 +118,12 @@ def _needs(name: str, near: str, resolver: Resolver) -> frozenset[str]:
     if manifest is None or not resolver.packages.searches(folder, near):
         return frozenset()
     files = resolver.folders.files_below(folder, MAX_FOLDERS)
-    texts = (read_head(path, MAX_BYTES) for path in files if path.endswith((".urdf", ".xacro")))
-    plain = (re.sub(_COMMENT, b"", text) for text in texts)
-    used = {found.decode() for text in plain for found in re.findall(_USE, text)}
+    texts = [
+        Source(path, read_head(path, MAX_BYTES))
+        for path in files
+        if path.endswith((".urdf", ".xacro"))
+    ]
+    used = {found.package for text in texts for found in mentions(text)}
     return manifest.dependencies.union(used) - {name}
 
 

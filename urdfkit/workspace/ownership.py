@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterable
 
+from urdfkit.text.comments import blank_comments, comments
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import is_ignored
@@ -15,7 +16,6 @@ READ_ONLY = "the file is read-only"
 
 #: Where a program says that it wrote a file: in the comments around the root's start tag.
 _HEAD_BYTES = 4096
-_COMMENT = re.compile(rb"<!--(.*?)-->", re.DOTALL)
 _FIRST_CHILD = re.compile(rb"<(?!robot\b)[A-Za-z]")
 _GENERATED = re.compile(
     rb"\bauto-?generated\b|\bautomatically generated\b|\bdo not edit\b"
@@ -32,10 +32,9 @@ def is_generated(source: Source) -> bool:
     people go on from there by hand.
     """
     head = source.data[:_HEAD_BYTES]
-    uncommented = _COMMENT.sub(lambda comment: b" " * len(comment.group()), head)
-    child = _FIRST_CHILD.search(uncommented)
+    child = _FIRST_CHILD.search(blank_comments(head))
     end = child.start() if child else len(head)
-    return any(_GENERATED.search(text) for text in _COMMENT.findall(head[:end]))
+    return any(_GENERATED.search(comment[1]) for comment in comments(head[:end]))
 
 
 class Ownership:

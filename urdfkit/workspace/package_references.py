@@ -17,10 +17,12 @@ from urdfkit.text.source import Source, Span
 if TYPE_CHECKING:
     from urdfkit.workspace.packages import Packages
 
-_MENTION = rb"""(?sx)<!--.*?(?:-->|\Z)
-      | \$\(find\s+([A-Za-z][\w.-]*)\s*\)(/[^\s"'<>]*)?
+#: The substitution of xacro and of launch files, and the package in it.
+FIND = r"\$\(find\s+([A-Za-z][\w.-]*)\s*\)"
+_MENTION = rf"""(?sx)<!--.*?(?:-->|\Z)
+      | {FIND}(/[^\s"'<>]*)?
       | package://([A-Za-z][\w.-]*)(/[^\s"'<>]*)?
-    """
+    """.encode()
 
 
 class PackageReference(Record):

@@ -24,6 +24,7 @@ from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
 from urdfkit.core.record import Record
+from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.folders import Folders
 
@@ -49,7 +50,6 @@ _SHARED_BY_ALL = frozenset(
     "/ /dev /etc /home /media /mnt /opt /private /proc /root /run /srv /sys /tmp /usr /usr/share "
     "/usr/local /usr/src /var /var/tmp /Users /Volumes".split()
 )
-_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _MODEL_PATH = rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 
 
@@ -434,8 +434,7 @@ def _package_name(folder: str) -> str | None:
 
 def _read_marker(folder: str, name: str) -> bytes:
     """A package.xml or manifest.xml without its comments; empty if there is none."""
-    data = read_head(os.path.join(folder, name), 65_536)
-    return re.sub(_COMMENT, b"", data) if b"<!--" in data else data
+    return without_comments(read_head(os.path.join(folder, name), 65_536))
 
 
 @lru_cache(maxsize=1024)

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Span, shown
 from urdfkit.xacro.dom import Node
@@ -17,10 +18,6 @@ from urdfkit.xacro.errors import BrokenYaml
 if TYPE_CHECKING:
     from urdfkit.xacro.expansion import Run
 
-#: How like a tag of xacro the name of a macro must be to be taken for a slip of it.
-_TYPO = 0.8
-#: How like another file's name a name must be for that file to be offered.
-_LIKE = 0.7
 #: Folders that a help lists.
 _FEW = 10
 
@@ -34,7 +31,6 @@ _CONDITION = re.compile(r'Xacro conditional "(.*)" evaluated to "(.*)", which is
 _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
 _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
 _BARE_PROPERTY = rb"""<property\s[^<>]*?\bname\s*=\s*["']%s["'][^<>]*>"""
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w:]+)["']""")
 _OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
 
@@ -141,7 +137,7 @@ def _of_call(text: str, macro: Any) -> MessageText | None:
 
 def _unknown_macro(run: Run, name: str) -> MessageText:
     known = [macro.name for macro in run.macros]
-    if tag := nearest(name, XACRO_TAGS, _TYPO):
+    if tag := nearest(name, XACRO_TAGS, TYPO):
         known.append(tag)
     if defined := _defined_elsewhere(run, "macro", name):
         return MessageText(f"macro '{name}' is not defined", defined)
@@ -158,9 +154,7 @@ def bare_property(run: Run, cause: BaseException) -> tuple[str, Span] | None:
         return None
     pattern = re.compile(_BARE_PROPERTY % re.escape(found.group(1)).encode())
     for source in run.reader.sources.values():
-        # Blanks for comments, so that places stay.
-        text = _COMMENT.sub(lambda comment: b" " * len(comment[0]), source.data)
-        if tag := pattern.search(text):
+        if tag := pattern.search(blank_comments(source.data)):
             return found.group(1), Span(source, tag.start(), tag.end())
     return None
 
@@ -221,7 +215,7 @@ def _nearest_file(path: str) -> str:
         return ""
     stem, dot, suffix = name.partition(".")
     alike = [other.partition(".")[0] for other in beside if other.endswith(dot + suffix)]
-    suggested = nearest(stem, alike, _LIKE)
+    suggested = nearest(stem, alike, SIMILAR_FILE)
     hint = f"did you mean '{suggested}{dot}{suffix}'?" if suggested else ""
     if name == last:
         return hint or "correct the path; a relative one starts at the file that it stands in"

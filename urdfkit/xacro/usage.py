@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source
 
-_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _EXPRESSION = rb"\$\{([^}]*)\}"
 _COMMAND = rb"\$\(([^)]*)\)"
 _WORD = rb"[A-Za-z_]\w*"
@@ -41,7 +41,7 @@ def usage(sources: Iterable[Source]) -> Usage:
     calls: set[bytes] = set()
     includes: set[tuple[str, int]] = set()
     for source in sources:
-        data = re.sub(_COMMENT, lambda match: b" " * len(match.group()), source.data)
+        data = blank_comments(source.data)
         # Not behind the last bracket: there every opening one is searched for to the end.
         expressions = re.findall(_EXPRESSION, data[: data.rfind(b"}") + 1])
         expressions += re.findall(_COMMAND, data[: data.rfind(b")") + 1])

@@ -223,12 +223,8 @@ def test_every_word_has_a_chinese_one() -> None:
 
 def test_what_is_translated_is_somewhere_used() -> None:
     package = ROOT / "urdfkit"
-<<<<<<< HEAD
     sources = [*(package / "output").rglob("*.py"), *(package / "viewer").glob("*.py")]
-=======
-    sources = [*TEMPLATES.parent.rglob("*.py"), *(package / "output" / "comparison").glob("*.py")]
     sources += [package / "robot" / "stability.py"]
->>>>>>> step2-6
     text = "".join(file.read_text(encoding="utf-8") for file in sources) + " ".join(KINDS)
     text += "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.iterdir())
     text += " ".join((*Confidence, *VERDICTS.values()))

@@ -281,7 +281,7 @@ def test_a_body_that_is_fatal_is_left_out(monkeypatch: pytest.MonkeyPatch) -> No
     boot = crews._BOOT.replace(
         "from urdfkit.physics.collision.worker import main",
         "from urdfkit.physics.collision import collision_geometry as forms; "
-            "import os; make = forms.form; "
+        "import os; make = forms.form; "
         "forms.form = lambda s: os.abort() if s.link == 'upper' else make(s); "
         "from urdfkit.physics.collision.worker import main",
     )

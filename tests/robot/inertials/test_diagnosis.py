@@ -315,8 +315,6 @@ def test_copies_are_one_finding_the_worst_first() -> None:
 
 def test_three_copies_are_named() -> None:
     robot = "".join(part(f"l{i}", 3, (7, 7, 7), BOX) for i in range(4))
-    assert [one.message for one in findings(masses(robot))] == [
-        "l0 (also 'l1', 'l2' and 'l3')"
-    ]
+    assert [one.message for one in findings(masses(robot))] == ["l0 (also 'l1', 'l2' and 'l3')"]
     two = "".join(part(f"l{i}", 3, (7, 7, 7), BOX) for i in range(2))
     assert [one.message for one in findings(masses(two))] == ["l0 (also 'l1')"]

@@ -2,36 +2,45 @@
 
 from __future__ import annotations
 
+import json
 import re
+from pathlib import Path
 
+import jsonschema  # type: ignore[import-untyped, unused-ignore]
 import pytest
 
 from urdfkit.ros.catalog import data, plugins
 
-TYPES = {
-    *plugins.REFERENCES,
-    *"frame float int bool string topic vector2 vector3 container path time color".split(),
-    *"quaternion pose angle".split(),
-}
-KINDS = {"model", "sensor", "visual", "world", "system", "actor"}
+FOLDER = Path(plugins.__file__).parent
+SCHEMA = data("gazebo_plugins.schema")
+FILES = sorted((FOLDER / "gazebo_plugins").iterdir())
 GENERATIONS = {name for names in plugins.GENERATIONS.values() for name in names}
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_a_file_follows_the_schema(file: Path) -> None:
+    content = json.loads(file.read_bytes())
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    jsonschema.Draft202012Validator(SCHEMA).validate(content)
+    assert (file.parent / content["$schema"]).resolve() == FOLDER / "gazebo_plugins.schema.json"
+    assert content["generation"].replace("-", "_") == file.stem
+
+
+def test_each_generation_has_a_file() -> None:
+    assert {data(f"gazebo_plugins/{file.stem}")["generation"] for file in FILES} == GENERATIONS
+
 
 each = pytest.mark.parametrize("plugin", plugins.all_plugins(), ids=lambda plugin: plugin.id)
 
 
 @each
 def test_a_plugin_is_described_in_the_terms_that_are_documented(plugin: plugins.Plugin) -> None:
-    assert plugin.files
-    assert plugin.generation in GENERATIONS
     assert f"@{plugin.generation}" in plugin.id
-    assert set(plugin.kinds) <= KINDS
     assert bool(plugin.kinds) is not plugin.removed
-    assert {parameter.type for parameter in plugin.parameters.values()} <= TYPES
     assert all(name == parameter.name for name, parameter in plugin.parameters.items())
     assert set(plugin.any_of) <= set(plugin.parameters)
     assert all(re.compile(pattern) for pattern in plugin.patterns)
     assert bool(plugin.class_name) <= (plugin.generation == "gz")
-    assert bool(plugin.fortress_class) == bool(plugin.fortress_files)
 
 
 @each
@@ -62,10 +71,6 @@ def test_ids_are_unique_and_one_class_of_a_file_is_one_plugin() -> None:
     for file in plugins.files():
         found = [(plugin.generation, plugin.class_name) for plugin in plugins.find(file)]
         assert len(found) == len(set(found)), file
-
-
-def test_the_sources_of_every_generation_are_named() -> None:
-    assert set(data("plugins")["sources"]) == GENERATIONS
 
 
 def test_renames_lead_to_tags_that_some_plugin_of_ros2_reads() -> None:

@@ -7,7 +7,7 @@ import re
 from functools import cached_property
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import SIMILAR_FILE, TYPO, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
 from urdfkit.robot.model import Body, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
@@ -15,10 +15,6 @@ from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
 #: Folders of a package that are searched for a file of the wanted name.
 MAX_FOLDERS = 2000
-#: Above this ratio of common letters, one word is a typo of the other.
-_TYPO = 0.75
-#: How similar the name of a file must be to be suggested; "base_link" is not "lidar_link".
-_LIKE = 0.7
 
 _SEPARATORS = str.maketrans("_-.", "   ")
 
@@ -265,7 +261,7 @@ class Files:
         ]
         # Without the endings, which are alike anyway.
         stems = {os.path.splitext(name)[0]: name for name in meshes}
-        stem = nearest(os.path.splitext(wanted)[0], stems, _LIKE)
+        stem = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
         if stem is None:
             return None, False
         return os.path.join(folder, stems[stem]), is_typo(wanted, stems[stem])
@@ -293,7 +289,7 @@ def is_typo(wrong: str, right: str) -> bool:
     if "".join(words) == "".join(others):
         return True
     return len(words) == len(others) and all(
-        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], _TYPO))
+        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], TYPO))
         for word, other in zip(words, others, strict=True)
     )
 

@@ -17,8 +17,6 @@ from urdfkit.text.xml_reader import Problem, is_launch
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
-#: Similarity from which an unknown name is a typo.
-_TYPO = 0.8
 #: The end of the name of a launch file that begins with an expression, in XML or in Python.
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
 #: Files that are looked into for one that includes another, and folders of them.
@@ -27,7 +25,7 @@ MAX_FILES, MAX_FOLDERS = 500, 2000
 
 def is_typo(name: str, known: Iterable[str]) -> bool:
     """True if a name is a misspelt known one."""
-    return bool(Suggester(frozenset(known), _TYPO).suggested(name))
+    return bool(Suggester(frozenset(known)).suggested(name))
 
 
 def undeclared(

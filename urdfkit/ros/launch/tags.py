@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.xml_reader import Problem
@@ -123,7 +123,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
     table = _TABLES[ros]
     row = table.get(element.tag)
     if row is None:
-        if suggested := nearest(element.tag, table, 0.8):
+        if suggested := nearest(element.tag, table, TYPO):
             message = f"unknown tag <{element.tag}>"
             yield Problem("LAU010", element.span, message, f"did you mean <{suggested}>?", frame)
         return
@@ -156,6 +156,7 @@ def _is_written(element: Element, name: str, ros: int) -> bool:
     return any(
         other == name
         or translated.get((element.tag, other)) == name
-        or nearest(other, [name], 0.75)
+        or is_typo(other, name)
+        or nearest(other, [name], TYPO)
         for other in element.attributes
     )

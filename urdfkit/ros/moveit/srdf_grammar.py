@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import TYPO, nearest
 
 if TYPE_CHECKING:
     from urdfkit.text.document import Attribute, Element
@@ -61,9 +61,6 @@ KINDS = {
 }
 _STATE_JOINT = ElementGrammar(("name", "value"))
 
-#: How like a name a word must be to be taken for a slip of it.
-_TYPO = 0.75
-
 
 def _elements(root: Element) -> Iterator[tuple[Element, ElementGrammar]]:
     """The elements that SRDF knows, outer ones first."""
@@ -82,13 +79,13 @@ def mistakes(root: Element) -> Iterator[SrdfDeviation]:
     for element, kind in _elements(root):
         for child in element.children:
             if child.tag not in kind.children and ":" not in child.tag:
-                suggested = nearest(child.tag, kind.children, _TYPO)
+                suggested = nearest(child.tag, kind.children, TYPO)
                 if suggested:
                     yield SrdfDeviation(child, element, child.tag, suggested)
         names = (*kind.required, *kind.optional)
         for attribute in element.attributes.values():
             if attribute.name not in names and ":" not in attribute.name:
-                suggested = nearest(attribute.name, names, _TYPO)
+                suggested = nearest(attribute.name, names, TYPO)
                 if suggested and element.get(suggested) is None:
                     yield SrdfDeviation(attribute, element, attribute.name, suggested)
 
