@@ -123,5 +123,5 @@ def test_a_urdf_is_no_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     path.write_bytes(text)
     for option in ("--srdf", "--compare"):
         assert main(["collisions", str(path), option, str(path), "--samples", "0"]) == 2
-        assert "is not an SRDF file" in capsys.readouterr().err
+        assert "not an SRDF file" in capsys.readouterr().err
     assert path.read_bytes() == text

@@ -111,7 +111,7 @@ def test_a_variant_is_asked_for(command: str, robot: Path, capsys) -> None:
     if not command.startswith(ALL):
         assert run(command, robot, "right") == 2
         error = read(capsys).err
-        assert "has several variants: name one with --variant (left, right)" in error
+        assert "has several variants: select one with --variant (left, right)" in error
     assert run(command, robot, "right", "--variant", "right") in (0, 1)
     captured = read(capsys)
     assert "left_base" not in captured.out

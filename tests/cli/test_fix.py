@@ -36,7 +36,7 @@ def test_the_summary_says_what_was_fixed_what_is_left_and_why(
         "  info     GAZ045  lidar-full-circle (unsafe fix: needs --unsafe-fixes): line\n"
         "      317\n"
         "  info     INE008  inertia-differs-from-geometry: line 15\n"
-        "  info     INE008  inertia-differs-from-geometry (its fix is unsafe:\n"
+        "  info     INE008  inertia-differs-from-geometry (unsafe fix: needs\n"
         "      --unsafe-fixes): lines 214, 243, 269\n"
         "  info     JNT002  missing-limit: lines 158, 174, 181\n"
         "  info     XAC007  own-pi (unsafe fix: needs --unsafe-fixes): line 9\n"

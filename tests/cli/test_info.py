@@ -99,7 +99,7 @@ def test_a_robot_that_cannot_be_read_says_why(
     ("words", "reported"),
     [
         (["no.urdf"], "no.urdf"),
-        ([ARM, ARM], "name one file"),
+        ([ARM, ARM], "expected one file"),
         (
             [ARM, "--joint", "elbow"],
             "--joint elbow: expected NAME=VALUE: the joint and its position",

@@ -104,7 +104,7 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
 def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str, help: str) -> None:
     (found,) = reported("XAC001", body)
     assert (found.span.text, found.message) == (place, message)
-    default = "mend the expression or the call; the related places show what it refers to"
+    default = "correct the expression or the call; the notes show what it refers to"
     assert found.help == (help or default)
 
 
