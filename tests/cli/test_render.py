@@ -86,11 +86,11 @@ def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
     [
         (["no.urdf"], "no.urdf"),
         ([ARM, ARM], "one file"),
-        ([ARM, "--view", "above"], "no view 'above'"),
+        ([ARM, "--view", "above"], "unknown view 'above'"),
         ([ARM, "--size", "big"], "--size big"),
         ([ARM, "--size", "100000x100000"], "million pixels"),
         ([ARM, "--size", "1x1"], "16x16"),
-        ([ARM, "--background", "mud"], "no colour"),
+        ([ARM, "--background", "mud"], "is not a colour"),
         ([ARM, "--joint", "elbow"], "--joint elbow"),
         ([ARM, "--joint", "knee=1"], "knee"),
         ([ARM, "--distance", "0"], "distance"),
@@ -173,7 +173,7 @@ def test_a_picture_without_a_name_is_refused(capsys: pytest.CaptureFixture[str])
 @pytest.mark.parametrize(
     ("content", "said"),
     [
-        ('<robot name="r"/>', "it has no links"),
+        ('<robot name="r"/>', "no links"),
         ('<robot name="r"><link name="a"/></robot>', "--layers frames,names"),
     ],
 )

@@ -44,7 +44,7 @@ def test_findings_make_it_fail_if_asked(
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        ([MISSION, MISSION], "name one file"),
+        ([MISSION, MISSION], "expected one file"),
         (["none.urdf"], "none.urdf"),
         ([MISSION, "-o", "r.pdf"], "the suffix is not one of"),
         ([MISSION, "-o", "/nowhere/r.md"], "no such directory"),

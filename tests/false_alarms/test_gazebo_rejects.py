@@ -19,7 +19,7 @@ COLOUR = '<material name="m"><color rgba="1 1 1 1"/></material>'
 REJECTED = {
     "no effort": (PAIR.replace('effort="1" ', ""), "JNT002"),
     "no such type of joint": (PAIR.replace('"revolute"', '"spherical"'), "JNT001"),
-    "material twice": (COLOUR + COLOUR + PAIR, "NAM006"),
+    "material twice": (COLOUR + COLOUR + PAIR, "NAM001"),
     "a bad number in a joint": (PAIR.replace('xyz="0 0 0"', 'xyz="0 0"'), "URD005"),
     "a link that is not there": (PAIR.replace('child link="b"', 'child link="c"'), "REF001"),
     "a plugin without a name": (PAIR + '<gazebo><plugin filename="a.so"/></gazebo>', "GAZ010"),

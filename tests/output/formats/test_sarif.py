@@ -176,7 +176,7 @@ def test_the_table_has_the_rules_that_ran_with_their_help() -> None:
     entry, rule = table[2], rules.get("TRE006")
     assert entry["name"] == "JointToItself"
     assert entry["shortDescription"]["text"] == rule.explanation.split("\n")[0]
-    assert entry["fullDescription"]["text"].startswith("urdfdom loops for ever on it")
+    assert entry["fullDescription"]["text"].startswith("urdfdom loops forever on it")
     assert rule.help in entry["help"]["text"]
     assert entry["defaultConfiguration"] == {"level": "error"}
     assert run["tool"]["driver"]["version"] == urdfkit.__version__
