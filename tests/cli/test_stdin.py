@@ -53,7 +53,7 @@ def test_the_element_of_trace_may_be_in_it(capsys: pytest.CaptureFixture[str]) -
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["view", "-"], "name a file to follow"),
+        (["view", "-"], "standard input cannot be watched; pass a file"),
         (["diff", str(FILE), "-"], "standard input cannot be compared; pass a file"),
         (["fix", "-"], "standard input cannot be fixed in place; pass a file"),
         (["inertia", "-", "--write", "--link", "palm", "--mass", "3"], "file not found"),

@@ -32,7 +32,7 @@ ROBOT = """<robot name="r">
 </robot>
 """
 #: What is about the simulators.
-CODES = ["RCT011", "GAZ012", "GAZ040"]
+CODES = ["RCT005", "GAZ012", "GAZ040"]
 
 
 def codes(folder: Path, hardware: str, plugins: str = "") -> list[str]:
@@ -42,7 +42,7 @@ def codes(folder: Path, hardware: str, plugins: str = "") -> list[str]:
 
 
 def test_a_hardware_plugin_of_gazebo_classic(tmp_path: Path) -> None:
-    assert codes(tmp_path, "gazebo_ros2_control/GazeboSystem") == ["RCT011"]
+    assert codes(tmp_path, "gazebo_ros2_control/GazeboSystem") == ["RCT005"]
     assert codes(tmp_path, "gz_ros2_control/GazeboSimSystem") == []
 
 

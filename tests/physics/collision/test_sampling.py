@@ -129,7 +129,7 @@ def test_the_parts_of_a_robot_are_told() -> None:
     from urdfkit.cli.collisions import shown
 
     found = collisions(robot(link("a", sphere(1)), link("b", sphere(1))), samples=0, jobs=1)
-    assert "2 parts, under a, b: links of different parts are not compared" in shown.text(
+    assert "2 parts, with roots a, b: links of different parts are not compared" in shown.text(
         found, None
     )
     assert shown.as_json(found, None)["parts"] == ["a", "b"]
