@@ -191,7 +191,7 @@ def test_a_picture_that_is_missing_is_told(runner: Runner) -> None:
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines() == [
         f"::warning title=urdfkit::no {what} of 1-x.urdf; the log of this step says why"
-        for what in ("picture", "tree")
+        for what in ("image", "tree")
     ]
     assert "x.urdf" in done.stderr
     assert "No image of `1-x.urdf`." in runner.summary.read_text()

@@ -113,7 +113,7 @@ def test_a_file_without_a_matrix_gets_one(text: str) -> None:
 
 @pytest.mark.parametrize("text", ["", "<robot", "<sdf/>", "<html></html>"])
 def test_what_is_no_srdf_is_not_touched(text: str) -> None:
-    with pytest.raises(CollisionError, match="is no SRDF"):
+    with pytest.raises(CollisionError, match="is not an SRDF file"):
         updated(MATRIX, source(text))
 
 
