@@ -38,7 +38,7 @@ def _is_installed() -> bool:
 _HERE = f'PYTHONPATH="{ROOT}" PYTHONSAFEPATH=1 "{sys.executable}" -m'
 _WITHOUT_TIMES = r'sed "s/^=* *\(.* passed\) in .*/\1/"'
 #: A checkout that is not installed has to name the plugin.
-_PLUGIN = "" if _is_installed() else "-p urdfkit.testing.pytest_plugin"
+_PLUGIN = "" if _is_installed() else "-p urdfkit.pytest_plugin"
 _PRELUDE = (
     f'urdfkit() {{ {_HERE} urdfkit "$@"; }}; '
     f'pytest() {{ {_HERE} pytest {_PLUGIN} -p no:cacheprovider "$@" | {_WITHOUT_TIMES}; }}; '

@@ -61,14 +61,14 @@ def test_options_of_rules(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("MSH019.triangle = 5", "rules.MSH019: there is no option 'triangle'; did you mean"),
+        ("MSH019.triangle = 5", "rules.MSH019: unknown option 'triangle'; did you mean"),
         ("MSH019.triangles = 5.5", "'triangles' must be a whole number from 0, not 5.5"),
         ("MSH019.triangles = true", "'triangles' must be a whole number from 0, not True"),
         ("INE014.ratio = -1", "'ratio' must be a number from 0, not -1"),
         ("INE014.ratio = inf", "'ratio' must be a number from 0, not inf"),
         ('INE014.ratio = "1"', "'ratio' must be a number from 0, not '1'"),
         ("INE014 = 5", "'rules.INE014' must be a table of options, not 5"),
-        ("XML001.ratio = 1", "there is no option 'ratio'"),
+        ("XML001.ratio = 1", "unknown option 'ratio'"),
         ("INE914.ratio = 1", "no rule 'INE914'"),
     ],
 )
@@ -153,10 +153,10 @@ def test_everything_that_can_be_set(tmp_path):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("selct = []", ["no setting 'selct'", "'select'"]),
+        ("selct = []", ["unknown setting 'selct'", "'select'"]),
         ('select = ["XYZ"]', ["'select'", "XYZ"]),
         ('fail-on = "fatal"', ["'fail-on'", "error, warning, info"]),
-        ('targets = ["gazebo"]', ["no target 'gazebo'"]),
+        ('targets = ["gazebo"]', ["unknown target 'gazebo'"]),
         ('[packages]\na = "nowhere"', ["'packages.a'", "nowhere"]),
         ('[severity]\nTRE001 = "bad"', ["severity.TRE001"]),
         ("[arguments]\na = []", ["'arguments.a'"]),

@@ -138,7 +138,7 @@ def test_a_finding_says_which_variants_have_it(tmp_path: Path) -> None:
 
 
 def test_a_variant_that_is_none_is_an_exception(robots: Path) -> None:
-    with pytest.raises(ConfigError, match="no variant 'big'; it has none"):
+    with pytest.raises(ConfigError, match="unknown variant 'big'; it has none"):
         check(robots / "one.xacro", variant="big")
     with pytest.raises(ConfigError, match="no robot has a variant 'big'"):
         check(robots, variant="big")
@@ -158,7 +158,7 @@ def test_a_source_needs_no_file() -> None:
 
 def test_what_cannot_be_done_is_an_exception(tmp_path: Path) -> None:
     good = write(tmp_path, "r.urdf", '<link name="a"/>')
-    with pytest.raises(UnreadableFile, match=r"no such file; did you mean 'r\.urdf'"):
+    with pytest.raises(UnreadableFile, match=r"file not found; did you mean 'r\.urdf'"):
         check(tmp_path / "r.xacro")
     (tmp_path / "empty").mkdir()
     with pytest.raises(

@@ -127,5 +127,5 @@ def content(element: Element) -> tuple[str, dict[str, str], str]:
 
 def test_a_folder_without_descriptions_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text("<package/>")
-    with pytest.raises(UnreadableFile, match=r"no \.urdf and no \.xacro with a <robot> in it"):
+    with pytest.raises(UnreadableFile, match=r"no \.urdf and no \.xacro with a <robot>"):
         format_files(tmp_path)

@@ -127,5 +127,5 @@ def test_a_launch_file_of_no_robot_or_of_several(tmp_path: Path) -> None:
         load(launch)
     both = LAUNCH.format("left") + LAUNCH.format("right")
     launch.write_text(f"<launch>{both.replace('<launch>', '').replace('</launch>', '')}</launch>")
-    with pytest.raises(UnreadableRobot, match=r"describes several robots; name one of .*r\.xacro"):
+    with pytest.raises(UnreadableRobot, match=r"describes several robots; pass one of .*r\.xacro"):
         load(launch)

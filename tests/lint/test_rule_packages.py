@@ -156,8 +156,8 @@ def test_a_module_in_a_configuration_that_was_found_is_not_imported(place: Place
     code, text = place.check()
     assert code == 2
     assert text == (
-        "error: urdfkit.toml: 'rule-packages': no rule package is installed as 'evil'; to import a "
-        "module runs its code, which takes --trust or --config FILE\n"
+        "error: urdfkit.toml: 'rule-packages': no rule package is installed as 'evil'; importing a "
+        "module runs its code: pass --trust or --config FILE\n"
     ).replace("urdfkit.toml", str(place.project / "urdfkit.toml"))
 
 
@@ -177,7 +177,7 @@ def test_a_module_beside_the_configuration_runs_where_that_is_trusted(
         ({"a/__init__.py": ""}, "a", "'a': no module named abc123_some_defect in it"),
         ({"a/__init__.py": "1/0", "a/b/__init__.py": ""}, "a.b", "'a.b': ZeroDivisionError"),
         ({}, "..", "rule package '..': "),
-        ({"ine900_mine.py": ""}, "ine900_mine", "the letters INE are urdfkit's own"),
+        ({"ine900_mine.py": ""}, "ine900_mine", "the prefix INE is reserved by urdfkit"),
         ({"acm001_x.py": ""}, "acm001_x", "must hold a 'check' with @rule('ACM001', ...)"),
         ({"acm001_x.py": "1/0"}, "acm001_x", "acm001_x: ZeroDivisionError: division by zero"),
         ({"acm001_x.py": "check = 1"}, "acm001_x", "must hold a 'check' with @rule('ACM001'"),
@@ -214,7 +214,7 @@ def test_a_rule_that_fails_is_told_as_its_own_bug(place: Place) -> None:
     )
     code, text = place.check("--rules", "acme", "--select", "ACM")
     assert code == 3
-    assert "ACM001 failed with ValueError: . This is a bug of that rule, not of the robot" in (
+    assert "ACM001 failed with ValueError: . This is a bug in that rule, not in the robot" in (
         " ".join(text.split())
     )
 

@@ -53,7 +53,7 @@ def test_a_former_code_suppresses_and_is_noted(monkeypatch):
     assert found.message == "TRE999 is now JNT020"
 
 
-@pytest.mark.parametrize("word", ["JNT020", "JNT", "axis-on-fixed", "TRE001, JNT020"])
+@pytest.mark.parametrize("word", ["JNT020", "JNT", "axis-or-limit-on-fixed", "TRE001, JNT020"])
 def test_a_comment_suppresses_what_it_names_in_the_element_below(word):
     assert "JNT020" in codes(run(PLAIN.format(comment="")))
     report = run(PLAIN.format(comment=f"<!-- urdfkit: ignore[{word}] it is a spare -->"))

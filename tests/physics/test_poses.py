@@ -167,7 +167,7 @@ def test_a_state_of_a_named_srdf(robot: Subject, tmp_path: Path) -> None:
 
 def test_without_an_srdf_there_are_no_states(tmp_path: Path) -> None:
     (tmp_path / "r.urdf").write_text(ROBOT)
-    with pytest.raises(PoseError, match="no pose file 'ready', nor an SRDF with such a state"):
+    with pytest.raises(PoseError, match="no pose file 'ready', and no SRDF with this group state"):
         pose(read(tmp_path / "r.urdf"), name="ready")
 
 

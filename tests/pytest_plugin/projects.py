@@ -10,7 +10,7 @@ import pytest
 PLUGIN = (
     []
     if any(point.name == "urdfkit" for point in entry_points(group="pytest11"))
-    else ["-p", "urdfkit.testing.pytest_plugin"]
+    else ["-p", "urdfkit.pytest_plugin"]
 )
 
 ARM = """\

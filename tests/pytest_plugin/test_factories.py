@@ -48,7 +48,7 @@ def test_an_unknown_path_is_told_without_a_traceback(project: Project, fixture: 
         project.test(f"def test_it({fixture}):\n    {fixture}('urdf/arn.xacro')"), failed=1
     )
     assert f"no such model {project.folder / 'urdf' / 'arn.xacro'}\n" in text
-    assert "pytest_plugin.py" not in text
+    assert "pytest_plugin/__init__.py" not in text
 
 
 def test_an_unknown_path_in_a_marker_is_told_without_a_traceback(project: Project) -> None:
@@ -56,7 +56,7 @@ def test_an_unknown_path_in_a_marker_is_told_without_a_traceback(project: Projec
         project.test("@pytest.mark.urdf('arn.xacro')\ndef test_it(robot_model): pass"), errors=1
     )
     assert f"no such model {project.folder / 'arn.xacro'}\n" in text
-    assert "pytest_plugin.py" not in text
+    assert "pytest_plugin/__init__.py" not in text
 
 
 def test_check_urdf_fails_with_the_report(project: Project) -> None:

@@ -40,7 +40,7 @@ def test_it_imports_only_pytest_until_it_is_used(project: Project) -> None:
         "import sys\n"
         "def test_it():\n"
         "    ours = {name for name in sys.modules if name.partition('.')[0] == 'urdfkit'}\n"
-        "    assert ours == {'urdfkit', 'urdfkit.testing.pytest_plugin'}\n"
+        "    assert ours == {'urdfkit', 'urdfkit.pytest_plugin'}\n"
         "    assert not {'xacro', 'lxml', 'yaml', 'click', 'numpy'} & set(sys.modules)\n",
     )
     outcome(project.run(), passed=1)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check
+from urdfkit.lint.rules import NOT_CHECKED
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.editing.rewriting import diff
@@ -64,6 +65,7 @@ def migrate(
         arguments=arguments,
         packages=packages,
         select=RULES,
+        ignore=(NOT_CHECKED,),  # which `unread` says
         targets=(target,),
         trust=trust,
     )

@@ -1,7 +1,7 @@
 """Assertions about robots, for the tests of projects that hold models.
 
 Every failed assertion says what was measured and what was expected; pytest shows the line of the
-test that made it. ``urdfkit.testing.pytest_plugin`` has fixtures that go with them; with another
+test that made it. ``urdfkit.pytest_plugin`` has fixtures that go with them; with another
 test runner, start from a Description.
 """
 

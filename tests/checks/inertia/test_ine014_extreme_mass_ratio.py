@@ -27,8 +27,8 @@ def test_a_light_link_with_a_heavy_one_on_it() -> None:
     robot = chain(0.005, 15)
     assert messages("INE014", robot) == [
         (
-            "link 'l0' has 0.005 kg and carries 15 kg by joints, 3000 times its own mass; solvers are stable up to 1000 "
-            "times"
+            "link 'l0' has 0.005 kg and carries 15 kg by joints, 3000 times its own mass; "
+            "solvers are stable up to 1000 times"
         )
     ]
     assert places("INE014", robot) == [(4, "0.005")]

@@ -28,7 +28,6 @@ REDIRECTS = {
     "non-finite-vertices": "MSH009",
     "MSH034": "MSH009",
     "mesh-partly-unreadable": "MSH009",
-    "looks-like-millimetres": "MSH012",
     "MSH038": "MSH012",
     "shrunk-to-a-grain": "MSH012",
     "collada-unit-not-metre": "MSH013",
