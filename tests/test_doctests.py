@@ -9,7 +9,9 @@ import pytest
 
 from tests.conftest import ROOT
 
-MODULES = ["urdfkit"] + [f"urdfkit.{name}" for name in "engine loading rules source".split()]
+MODULES = ["urdfkit"] + [
+    f"urdfkit.{name}" for name in "lint.engine lint.loading lint.rules text.source".split()
+]
 
 
 @pytest.mark.parametrize("name", MODULES)

@@ -89,4 +89,6 @@ def test_of_a_file_that_cannot_be_read_nothing_is_claimed(
     assert main(["migrate", str(file), "--to", "gz-harmonic"]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert captured.err.startswith(f"error: {file}: it cannot be read: the file is empty (XML001); see 'urdfkit")
+    assert captured.err.startswith(
+        f"error: {file}: it cannot be read: the file is empty (XML001); see 'urdfkit"
+    )

@@ -155,6 +155,6 @@ def test_yaml_of_no_robot_has_nothing_to_say(tmp_path: Path) -> None:
     path = str(tmp_path / "a.yaml")
     workspace.set_text(path, b"joints: [left]\n")
     assert workspace.check(path, thorough=True).diagnostics == {path: []}
-    with pytest.raises(UrdfkitError, match="is part of no robot"):
+    with pytest.raises(UrdfkitError, match="is not part of a robot"):
         workspace.robot(path)
     assert workspace.close(path) == {}

@@ -106,7 +106,7 @@ def test_every_question_has_an_answer() -> None:
         assert len(edit.changes[file.uri]) == TEXT.count('"base_link"')
         refused = await client.text_document_rename_async(lsp.RenameParams(file, link, "wheel_1"))
         assert refused is None
-        assert editor.messages == ["there is a link 'wheel_1' already"]
+        assert editor.messages == ["there is already a link 'wheel_1'"]
 
         here = position(TEXT, 'name="PI"')
         offered = await client.text_document_code_action_async(

@@ -136,7 +136,7 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     file = robot(tmp_path, link())
     before = file.read_bytes()
     assert main(["mesh", "collision", str(file)]) == 0
-    assert "taken: box (within" in capsys.readouterr().out
+    assert "selected: box (within" in capsys.readouterr().out
     assert main(["mesh", "collision", str(file), "--diff"]) == 0
     assert '+        <box size="0.3 0.2 0.1"/>' in capsys.readouterr().out
     assert file.read_bytes() == before
@@ -147,7 +147,7 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     assert main(["mesh", "collision", str(file), "--error", "0"]) == 2
     flat = trimesh.Trimesh(np.eye(3), [[0, 1, 2]])
     assert main(["mesh", "collision", str(robot(tmp_path, link(), flat)), "--write"]) == 1
-    assert "stays as it is: all points lie in a plane" in capsys.readouterr().out
+    assert "is unchanged: all points lie in a plane" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -217,7 +217,7 @@ def test_mass_and_inertia_give_a_block(tmp_path: Path) -> None:
     [
         ("b.stl", "neither its name nor its link tells"),
         ("b.step", "only .dae, .stl"),
-        ("package://not_there/b.stl", "package 'not_there' is not found"),
+        ("package://not_there/b.stl", "package 'not_there' not found"),
         ("http://example.org/b.stl", "'http://' leads to no file"),
     ],
 )
