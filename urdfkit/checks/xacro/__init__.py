@@ -26,6 +26,7 @@ REDIRECTS = {
 
 def applies(subject: Subject) -> bool:
     """True for a xacro, and for a plain file with expressions or tags of xacro."""
-    return subject.reading.xacro is not None or any(
-        sign in subject.source.data for sign in (b"${", b"$(", b"<xacro:")
-    )
+    reading = subject.reading
+    if reading.xacro is not None or any(one.code.startswith("XAC") for one in reading.problems):
+        return True
+    return any(sign in subject.source.data for sign in (b"${", b"$(", b"<xacro:"))
