@@ -140,8 +140,7 @@ def test_every_format_and_target_is_documented() -> None:
 
 def test_every_fixture_assertion_and_setting_is_documented() -> None:
     page = (DOCS / "pytest.md").read_text(encoding="utf-8")
-    from urdfkit import testing
-    from urdfkit import pytest_plugin
+    from urdfkit import pytest_plugin, testing
 
     fixtures = re.findall(r"@pytest.fixture\ndef (\w+)", Path(pytest_plugin.__file__).read_text())
     settings = re.findall(r'addini\(\s*"(\w+)"', Path(pytest_plugin.__file__).read_text())

@@ -5,16 +5,14 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Finding, Location
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, Span
+from urdfkit.workspace.file_head import read_head
 
-if TYPE_CHECKING:
-    from urdfkit.workspace.resolve import Resolver
-
+#: Of a build file.
+_MAX_BYTES = 1024 * 1024
 #: Where each build file gives the name, as far as it is written out.
 _NAMES = {
     "CMakeLists.txt": rb"(?im)^[^#\n]*?\bproject\s*\(\s*\"?([A-Za-z][\w-]*)",
@@ -26,9 +24,8 @@ _INDEX = "share/ament_index/resource_index/packages"
 def other_name(name: str, folder: str) -> Iterator[Finding]:
     """A build file whose project has another name than the package."""
     for file, pattern in _NAMES.items():
-        try:
-            source = Source.read(os.path.join(folder, file))
-        except UnreadableFile:
+        source = _read(folder, file)
+        if source is None:
             continue
         found = re.search(pattern, source.data)
         if found and found.group(1).decode() != name:
@@ -42,15 +39,12 @@ def other_name(name: str, folder: str) -> Iterator[Finding]:
         return
 
 
-def not_registered(name: str, folder: str, resolver: Resolver) -> Iterator[Finding]:
+def not_registered(name: str, folder: str) -> Iterator[Finding]:
     """A Python package of ROS 2 that ROS or colcon does not find."""
     if os.path.exists(os.path.join(folder, "CMakeLists.txt")):
         return
-    try:
-        manifest, setup = (
-            resolver.read(os.path.join(folder, file)) for file in ("package.xml", "setup.py")
-        )
-    except UnreadableFile:
+    manifest, setup = (_read(folder, file) for file in ("package.xml", "setup.py"))
+    if manifest is None or setup is None:
         return
     named = re.search(rb"<build_type\b[^>]*>\s*(\w*)", manifest.data)
     if named and named.group(1) == b"ament_python":
@@ -61,6 +55,13 @@ def not_registered(name: str, folder: str, resolver: Resolver) -> Iterator[Findi
             "no build type: colcon looks for a CMakeLists.txt",
             "add <export><build_type>ament_python</build_type></export>",
         )
+
+
+def _read(folder: str, file: str) -> Source | None:
+    """A file of a package; None where there is none, or a pipe in its place."""
+    path = os.path.join(folder, file)
+    data = read_head(path, _MAX_BYTES)
+    return Source(path, data) if data else None
 
 
 def _unregistered(setup: Source, folder: str, name: str) -> Iterator[Finding]:

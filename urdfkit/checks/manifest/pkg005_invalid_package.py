@@ -77,7 +77,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     if home := resolver.packages.enclosing(path):
         yield from other_name(*home)
-        yield from not_registered(*home, resolver)
+        yield from not_registered(*home)
     file = beside(path)
     try:
         source = resolver.read(file) if file else None
