@@ -72,11 +72,11 @@ def test_findings(tmp_path):
 
 
 def test_the_mildest_finding_that_counts(tmp_path):
-    text = ARM.replace("<limit lower", '<limit low="1" lower', 1)
+    text = ARM.replace("<limit lower", "<anchor/><limit lower", 1)
     report = described(tmp_path, text).report
     assert [d.severity for d in report.diagnostics] == [Severity.WARNING]
     assert_no_findings(report, fail_on=Severity.ERROR)
-    assert "URD002" in failure(assert_no_findings, report)
+    assert "URD001" in failure(assert_no_findings, report)
 
 
 def test_degrees_of_freedom(tmp_path):
@@ -207,8 +207,8 @@ def test_what_changed_in_an_included_file_of_another_package_is_told(repository)
     repository.write("robot/config/sizes.yaml", "height: 0.75\n")
     assert failure(assert_unchanged_since, repository.robot(), "v1") == (
         "since v1:\n"
-        "link 'base': inertia ixx 0.1 became 0.2 kg m^2\n"
-        "link 'arm': inertia ixx 0.1 became 0.2 kg m^2\n"
+        "link 'base': inertia ixx 0.1 -> 0.2 kg m^2\n"
+        "link 'arm': inertia ixx 0.1 -> 0.2 kg m^2\n"
         "joint 'j': the origin of its frame moved by 0.25 m"
     )
     repository.commit("v2")

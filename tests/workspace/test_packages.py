@@ -312,7 +312,7 @@ def test_scans_are_bounded_and_say_so(tmp_path: Path, monkeypatch: pytest.Monkey
     add_package(tmp_path / "zzz_folder", "zzz")
     packages = finder()
     assert first(packages, "zzz", near) is None
-    assert f"{tmp_path} (1 package, stopped after 10 folders)" in packages.searched(
+    assert f"{tmp_path} (1 package, stopped after 10 directories)" in packages.searched(
         "zzz", str(near)
     )
     monkeypatch.setattr(module, "MAX_FOLDERS", 1000)

@@ -184,7 +184,7 @@ def test_line_ends_are_kept() -> None:
 def test_what_cannot_be_laid_out(text: str, reason: str) -> None:
     with pytest.raises(UnreadableRobot, match=re.escape(reason)):
         laid_out(text)
-    with pytest.raises(UnreadableRobot, match="no text"):
+    with pytest.raises(UnreadableRobot, match="not valid text"):
         formatted(Source("r.urdf", b"<robot name='\xff'/>"))
 
 
