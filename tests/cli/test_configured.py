@@ -117,7 +117,7 @@ def test_a_variant_is_asked_for(command: str, robot: Path, capsys) -> None:
     assert "left_base" not in captured.out
     assert "right_base" in captured.out or command.startswith(MUTE)
     assert run(command, robot, "right", "--variant", "rigth") == 2
-    assert "there is no variant 'rigth'; there are left, right" in read(capsys).err
+    assert "unknown variant 'rigth'; there are left, right" in read(capsys).err
 
 
 @pytest.mark.parametrize("command", COMMANDS)
