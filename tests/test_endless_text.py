@@ -28,7 +28,7 @@ from urdfkit.workspace.resolve import Resolver
 
 MANY = 40_000
 #: Seconds of the processor.
-ENOUGH = 2.0
+ENOUGH = 20.0
 
 TRIANGLE = b"facet normal 0 0 1\nouter loop\nvertex 0 0 %s\nendloop\nendfacet\nendsolid"
 MESHES = {

@@ -393,8 +393,7 @@ def redirect(word: str) -> str | None:
     Empty for a rule that was removed.
     """
     codes()
-    is_current = any(code.startswith(word.upper()) for code in _modules)
-    if is_current or word.lower() in names():
+    if word.upper() in _modules:
         return None
     found = redirects()
     return found.get(word.upper(), found.get(word.lower()))
