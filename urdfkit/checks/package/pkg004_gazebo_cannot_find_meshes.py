@@ -23,6 +23,7 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.ros.gazebo.paths import survey
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import is_launch
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
@@ -63,6 +64,8 @@ _GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
     by_target=dict.fromkeys(("classic-ros2", *_GZ), Severity.WARNING),
 )
 def check(subject: Subject) -> Iterator[Finding]:
+    if is_launch(subject.source.path):
+        return
     if not (subject.model.gazebo or subject.given_targets) or subject.is_part:
         return
     if not subject.targets.any_of(("classic-ros2", *_GZ)):

@@ -26,7 +26,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.checks.manifest.build_files import not_registered, other_name
+from urdfkit.checks.package.build_files import not_registered, other_name
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Finding, Location, rule
