@@ -14,8 +14,8 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rules as catalogue
 from urdfkit.lint.context import Subject
 from urdfkit.lint.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
-from urdfkit.lint.report import Report, Skipped
-from urdfkit.lint.runner import FileResult, crash, diagnose, judge
+from urdfkit.lint.report import Report, Skipped, crash
+from urdfkit.lint.runner import FileResult, diagnose, judge
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.text.source import Source, Span, shown
 from urdfkit.text.xml_reader import is_launch
@@ -273,6 +273,11 @@ def _each(
 
 
 def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterable[list[Judged]]:
+    """Each job in a process.
+
+    A process that dies takes the others of its pool with it. What they had not done is checked
+    again by one process, which shows the robot that it dies of.
+    """
     import signal
     import time
     from concurrent.futures import ProcessPoolExecutor
@@ -281,15 +286,22 @@ def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterab
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     silent = (signal.SIGINT, signal.SIG_DFL)
     count = min(processes, len(jobs))
+    done = 0
     with ProcessPoolExecutor(count, initializer=signal.signal, initargs=silent) as pool:
         # Not `map`, which cancels what is left and trips over it when the processes are gone.
         futures = [pool.submit(_run_alone, job, settings) for job in jobs]
         try:
             for future in futures:
                 yield future.result()
+                done += 1
         except BrokenProcessPool:
             time.sleep(1)  # the others may have heard Ctrl-C first; then it is raised here
-            raise
+            if count == 1:
+                died = RuntimeError("the process of its check died")
+                yield [(jobs[done], _failed(jobs[done], died))]
+                done += 1
+    if jobs[done:]:
+        yield from _in_processes(jobs[done:], settings, 1)
 
 
 def _run_alone(job: Job, settings: Settings) -> list[Judged]:
@@ -336,9 +348,12 @@ def _run(
     except UrdfkitError:
         raise
     except Exception as error:  # a bug in urdfkit must not hide the findings of other robots
-        return [
-            (job, FileResult((), (), (crash("", job.source.path, error),), frozenset(), None, 0))
-        ]
+        return [(job, _failed(job, error))]
+
+
+def _failed(job: Job, error: Exception) -> FileResult:
+    """The result of a robot on which urdfkit itself fails."""
+    return FileResult((), (), (crash("", job.source.path, error),), frozenset(), None, 0)
 
 
 def _verdict(job: Job, subject: Subject, settings: Settings) -> FileResult:
@@ -405,7 +420,7 @@ def _report(plan: Plan, judged: list[Judged], unopened: Iterable[Diagnostic]) ->
         tuple(files),
         tuple(sorted((*_distinct(judged), *unopened), key=_reading_order)),
         (*plan.skipped, *(skip for verdict in verdicts for skip in verdict.skipped)),
-        tuple(crash for verdict in verdicts for crash in verdict.crashed),
+        (*plan.crashed, *(crash for verdict in verdicts for crash in verdict.crashed)),
         tuple(sorted({code for verdict in verdicts for code in verdict.ran})),
         tuple(
             (job.source.path, verdict.targets)
