@@ -131,11 +131,8 @@ def check(
         RuleError: a package of rules is missing or cannot be used.
     """
     foreign = (*(config.foreign_rules if config else ()), *added_rules(rules))
-    if min_confidence:
-        from urdfkit.lint.config import Config
-
-        config = (config or Config())._replace(min_confidence=Confidence(min_confidence))
-    select = tuple(select)
+    select, ignore = tuple(select), tuple(ignore)
+    config = _overridden(config, select, ignore, min_confidence)
     settings = Settings(
         tuple(choose(select, ignore, config, foreign)),
         {**(config.packages if config else {}), **(packages or {})},
@@ -155,6 +152,24 @@ def check(
     plan = planned(files, resolver, config, arguments, variant=variant, changed=changed)
     judged = _judged(plan.jobs, settings, resolver, jobs, progress)
     return _report(plan, _launched_once(judged), _unopened(plan, settings))
+
+
+def _overridden(
+    config: Config | None, select: Iterable[str], ignore: Iterable[str], min_confidence: str
+) -> Config | None:
+    """A configuration with what the arguments of a check say of its findings."""
+    but_errors = catalogue.ignored(ignore).but_errors
+    if config is None and not (but_errors or min_confidence):
+        return None
+    from urdfkit.lint.config import Config
+
+    found = config or Config()
+    # What is selected by hand is reported, whatever the configuration leaves out.
+    selected = {code for word in select for code in catalogue.matching(word)}
+    found = found._replace(but_errors=(found.but_errors - selected) | but_errors)
+    if min_confidence:
+        found = found._replace(min_confidence=Confidence(min_confidence))
+    return found
 
 
 def subjects(
@@ -227,7 +242,10 @@ def choose(
             other rules than were asked for, and say nothing.
     """
     selected = {code for word in select for code in catalogue.matching(word)}
-    ignored = {code for word in ignore for code in catalogue.matching(word)}
+    left_out = catalogue.ignored(ignore)
+    if left_out.unknown:
+        raise left_out.unknown[0]
+    ignored = set(left_out.codes)
     if config is not None:
         # What is selected by hand runs, whatever the configuration leaves out.
         ignored |= config.ignore - selected
@@ -382,14 +400,13 @@ def _unopened(plan: Plan, settings: Settings) -> Iterator[Diagnostic]:
     """A finding for each file of a folder that is called like a robot and cannot be opened."""
     code, config = catalogue.NOT_CHECKED, settings.config
     for path in plan.closed if code in settings.chosen else ():
-        if config and config.ignores(code, path):
-            continue
         at = catalogue.Location(Span(Source(path, b""), 0, 0))
         message = "robot not checked: the file cannot be opened"
         help = "check the symbolic link and the file permissions"
         for found in diagnose(catalogue.get(code), [catalogue.Finding(at, message, help)]):
-            severity = config.severities.get(code) if config else None
-            yield found._replace(severity=severity or found.severity)
+            severity = (config.severities.get(code) if config else None) or found.severity
+            if not (config and config.ignores(code, path, severity)):
+                yield found._replace(severity=severity)
 
 
 def _launched_once(judged: list[Judged]) -> list[Judged]:

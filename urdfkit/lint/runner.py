@@ -240,7 +240,7 @@ class _Run:
         config = self.config
         return config is not None and (
             diagnostic.confidence.rank > config.min_confidence.rank
-            or config.ignores(diagnostic.code, diagnostic.span.source.path)
+            or config.ignores(diagnostic.code, diagnostic.span.source.path, diagnostic.severity)
         )
 
 
