@@ -1,8 +1,8 @@
 """An ignore comment names a rule that does not exist.
 
 The comment suppresses nothing. `urdfkit rules` lists the codes; the beginning of a code stands for
-all rules that begin with it. The former code of a rule still suppresses its findings; that it has
-another one now is an info.
+all rules that begin with it. The former code of a rule, which was merged with another one, still
+suppresses the warnings and infos of both, but no error; that it has another code now is an info.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnknownRule
-from urdfkit.lint.rules import Finding, Location, matching, note, rule
+from urdfkit.lint.rules import Finding, Location, ignore_note, matching, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             except UnknownRule as error:
                 yield Finding(Location(span), str(error))
             else:
-                if message := note(word):
+                if message := ignore_note(word):
                     yield Finding(
                         Location(span), message, "write the new code", severity=Severity.INFO
                     )
