@@ -65,7 +65,8 @@ def launch(package: str) -> bytes:
 def test_an_unknown_package_of_a_launch_file_is_reported_with_the_folders_searched(
     tmp_path: Path,
 ) -> None:
-    (finding,) = engine.check(Source(str(tmp_path / "a.launch"), launch("no_such_pkg"))).diagnostics
+    source = Source(str(tmp_path / "a.launch"), launch("no_such_pkg"))
+    (finding,) = engine.check(source).diagnostics
     assert (finding.code, finding.severity) == ("XAC011", Severity.WARNING)
     assert finding.span.text == "no_such_pkg"
     assert finding.message == "package 'no_such_pkg' is not found"

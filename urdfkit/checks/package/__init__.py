@@ -27,4 +27,5 @@ def applies(subject: Subject) -> bool:
     """True for a launch file, and for a description that refers to packages."""
     if is_launch(subject.source.path) or subject.problems("XAC011"):
         return True
-    return are_in(subject.document.sources)
+    document = subject.reading.document
+    return are_in(document.sources if document else (subject.source,))
