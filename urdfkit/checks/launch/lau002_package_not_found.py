@@ -11,24 +11,19 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = '<launch><node name="states" pkg="arm_states" type="joint_state_publisher"/></launch>'
 GOOD = BAD.replace("arm_states", "joint_state_publisher")
 
 
-@rule("LAU002", "package-not-found", Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
     manifest = manifest_of(subject.resolver, subject.source.path)
     declared = manifest.dependencies if manifest else frozenset()
     for package in subject.launch.packages:

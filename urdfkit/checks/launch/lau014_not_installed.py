@@ -12,16 +12,12 @@ Sources:
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span
 from urdfkit.workspace.install_rules import InstallRules
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "launch/robot.launch"
 BAD = '<launch><rosparam file="$(find bot)/settings/robot.yaml"/></launch>'
@@ -35,8 +31,8 @@ FILES = {
 }
 
 
-@rule("LAU014", "not-installed", Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
     source = subject.source
     home = subject.resolver.packages.enclosing(source.path)
     if home is None:

@@ -10,16 +10,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "bot_bringup/launch/bot.launch"
 BAD = '<launch><node name="driver" pkg="bot_driver" type="driver"/></launch>'
@@ -32,8 +27,8 @@ FILES = {
 }
 
 
-@rule("LAU017", "undeclared-dependency", Severity.INFO, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
     manifest = manifest_of(subject.resolver, subject.source.path)
     if manifest is None:
         return

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.lint.context import Subject
 from urdfkit.workspace.package_references import are_in
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 
 def applies(subject: Subject) -> bool:

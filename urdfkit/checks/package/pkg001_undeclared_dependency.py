@@ -10,23 +10,18 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import insert_after, insert_last
+from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.package_references import of_package
+from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.source import Source
-    from urdfkit.workspace.resolve import Resolver
 
 NAME = "bot_description/bot.urdf"
 BAD = """\
@@ -54,8 +49,8 @@ FIXED_FILES = {
 _CYCLE = "'{}' depends on '{}', and the reverse would be a cycle: move the file to one of the two"
 
 
-@rule("PKG001", "undeclared-dependency", Severity.WARNING, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     packages = subject.resolver.packages
     manifest = manifest_of(subject.resolver, subject.source.path)
     if manifest is None:

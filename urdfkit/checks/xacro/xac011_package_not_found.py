@@ -12,14 +12,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -34,12 +29,10 @@ GOOD = """\
 
 
 @rule(
-    "XAC011",
-    "package-not-found",
     Severity.ERROR,
     needs=(),
     help="name its folder with --package NAME=DIR, or add the package to the workspace",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for finding in reported(subject, "XAC011"):
         yield finding._replace(alike=finding.help)  # which names the package
