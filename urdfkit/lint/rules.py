@@ -428,6 +428,12 @@ def note(word: str) -> str:
     return f"{word} is now {code}" if code else ""
 
 
+def ignore_note(word: str) -> str:
+    """The same of a word that leaves a rule out."""
+    found = note(word)
+    return f"{found}, whose errors it does not ignore" if found else ""
+
+
 def _redirected(word: str) -> str | None:
     code = redirect(word)
     if code == "":
@@ -445,20 +451,35 @@ def named(words: Iterable[str]) -> frozenset[str]:
     return frozenset(found)
 
 
-def ignored(words: Iterable[str]) -> tuple[set[str], list[UnknownRule]]:
-    """The codes that some words mean, and why the others mean none.
+class Ignored(Record):
+    """The rules that some words leave out.
+
+    Attributes:
+        codes: of the rules whose findings are all left out.
+        but_errors: of those that former codes and names stand for. They were merged with other
+            rules, which nobody wanted to ignore: their errors stay.
+        unknown: why the other words mean no rule.
+    """
+
+    codes: frozenset[str]
+    but_errors: frozenset[str]
+    unknown: tuple[UnknownRule, ...]
+
+
+def ignored(words: Iterable[str]) -> Ignored:
+    """The rules that some words leave out.
 
     A rule that is to be left out and does not exist, such as one of another version or of a
     package that is not installed, changes nothing about the check.
     """
-    found: set[str] = set()
+    found: dict[bool, set[str]] = {True: set(), False: set()}
     unknown: list[UnknownRule] = []
     for word in words:
         try:
-            found.update(matching(word))
+            found[redirect(word) is not None].update(matching(word))
         except UnknownRule as error:
             unknown.append(error)
-    return found, unknown
+    return Ignored(frozenset(found[False]), frozenset(found[True]), tuple(unknown))
 
 
 def _hint(word: str, known: list[str]) -> str:

@@ -22,6 +22,7 @@ from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.ros.gazebo.paths import survey
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import is_launch
 
 NAME = "urdf/bot.urdf"
 BAD = """\
@@ -56,6 +57,8 @@ _GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
     by_target=dict.fromkeys(("classic-ros2", *_GZ), Severity.WARNING),
 )
 def check(subject: Subject) -> Findings:
+    if is_launch(subject.source.path):
+        return
     if not (subject.model.gazebo or subject.given_targets) or subject.is_part:
         return
     if not subject.targets.any_of(("classic-ros2", *_GZ)):

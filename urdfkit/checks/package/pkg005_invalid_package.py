@@ -23,7 +23,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.checks.manifest.build_files import not_registered, other_name
+from urdfkit.checks.package.build_files import not_registered, other_name
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.context import Subject
