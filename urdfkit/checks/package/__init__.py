@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.lint.context import Subject
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.package_references import are_in
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 #: Former codes and names of rules.
 REDIRECTS = {

@@ -12,21 +12,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import insert_after, insert_last
+from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import is_launch, read_xml
 from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.package_references import of_package
 from urdfkit.workspace.ros_packages import comes_with_ros
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.source import Source, Span
 
 NAME = "bot_description/bot.urdf"
 BAD = """\
@@ -54,8 +51,8 @@ FIXED_FILES = {
 _CYCLE = "move the file to '{1}' or to '{0}': '{0}' depends on '{1}', so the reverse makes a cycle"
 
 
-@rule("PKG001", "undeclared-dependency", Severity.WARNING, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     manifest = manifest_of(subject.resolver, subject.source.path)
     if manifest is None:
         return

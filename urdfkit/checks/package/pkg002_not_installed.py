@@ -14,18 +14,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.package_references import of_package
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "urdf/bot.urdf"
 BAD = """\
@@ -47,8 +44,8 @@ FILES = {
 }
 
 
-@rule("PKG002", "not-installed", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     home = subject.resolver.packages.enclosing(subject.source.path)
     if home is None:
         return

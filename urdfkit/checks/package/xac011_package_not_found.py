@@ -15,17 +15,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, reported, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -40,20 +35,18 @@ GOOD = """\
 
 
 @rule(
-    "XAC011",
-    "package-not-found",
     Severity.ERROR,
     needs=(),
     help="name its folder with --package NAME=DIR, or add the package to the workspace",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for finding in reported(subject, "XAC011"):
         yield finding._replace(alike=finding.help)  # which names the package
     if is_launch(subject.source.path):
         yield from _launched(subject)
 
 
-def _launched(subject: Subject) -> Iterator[Finding]:
+def _launched(subject: Subject) -> Findings:
     manifest = manifest_of(subject.resolver, subject.source.path)
     declared = manifest.dependencies if manifest else frozenset()
     for package in subject.launch.packages:
