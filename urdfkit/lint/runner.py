@@ -94,7 +94,8 @@ def judge(
         own.remove(rules.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
         is_unexplained = wants_arguments or not run.has_errors()
-        if run.skipped and not subject.is_readable and is_unexplained:
+        is_unchecked = run.skipped and not subject.is_readable and is_unexplained
+        if is_unchecked or subject.unchecked:
             run.rules([rules.NOT_CHECKED])
             subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
