@@ -22,7 +22,7 @@ from urdfkit.text.editing.edits import remove_spans
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.xacro.expansion import Definition
+    from urdfkit.xacro.definitions import Definition
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
