@@ -75,7 +75,7 @@ def choices(values: Mapping[str, Any]) -> Options:
     return {
         "arguments": options.arguments(values),
         "packages": options.packages(values),
-        "select": options.rule_words(values, "select"),
+        "select": options.selected(values),
         "ignore": options.ignored(values),
         "targets": options.words(values, "target"),
         "trust": values["trust"],
