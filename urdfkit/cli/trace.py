@@ -62,7 +62,7 @@ def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -
 
 
 def render(found: Element | Attribute, inputs: tuple[Origin, ...]) -> Iterator[str]:
-    """The lines that tell where something comes from."""
+    """The lines that say where something comes from."""
     if isinstance(found, Attribute):
         yield f"{found.path} = {found.value}"
         yield f'  {found.span}  {found.name}="{found.span.text}"'

@@ -1,4 +1,4 @@
-"""What is shown beside the mouse: numbers of a robot, origins of a value, reasons of a rule."""
+"""Hover texts: numbers of a robot, origins of a value, explanations of a rule."""
 
 from __future__ import annotations
 
