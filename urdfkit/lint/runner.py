@@ -35,7 +35,7 @@ _OF_HIDDEN_PARTS = frozenset(
 OWN_FAMILY = "checking"
 
 #: Families of rules that apply to launch files.
-LAUNCH_FAMILIES = frozenset(("checking", "launch", "manifest"))
+LAUNCH_FAMILIES = frozenset(("checking", "launch", "package"))
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000

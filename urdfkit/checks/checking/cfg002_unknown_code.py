@@ -7,15 +7,10 @@ suppresses the warnings and infos of both, but no error; that it has another cod
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.errors import UnknownRule
-from urdfkit.lint.rules import Finding, Location, ignore_note, matching, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, ignore_note, matching, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r">
@@ -26,14 +21,8 @@ BAD = """\
 GOOD = BAD.replace("TRE999", "TRE006")
 
 
-@rule(
-    "CFG002",
-    "unknown-code",
-    Severity.WARNING,
-    needs=(),
-    help="name a rule that exists; 'urdfkit rules' lists them",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(), help="name a rule that exists; 'urdfkit rules' lists them")
+def check(subject: Subject) -> Findings:
     for ignore in subject.ignores:
         for word, span in ignore.codes:
             try:

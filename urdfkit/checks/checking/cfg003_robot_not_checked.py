@@ -18,15 +18,10 @@ as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `u
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <!-- urdfkit: ignore[XAC010] its launch file gives the prefix -->
@@ -42,8 +37,8 @@ GOOD = """\
 """
 
 
-@rule("CFG003", "robot-not-checked", Severity.WARNING, needs=())
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=())
+def check(subject: Subject) -> Findings:
     for one in subject.unchecked:
         yield Finding(
             Location(_top(subject)),
