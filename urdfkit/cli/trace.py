@@ -15,7 +15,7 @@ from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.trace import Origin
+    from urdfkit.xacro.origin import Origin
 
 #: Levels of definitions that are printed; real models need seven.
 MAX_LEVELS = 20

@@ -19,7 +19,7 @@ from urdfkit.ros.catalog import extensions, plugins
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.document import Attribute
 from urdfkit.text.source import Span
-from urdfkit.xacro.trace import Origin
+from urdfkit.xacro.origin import Origin
 
 #: Values of one expression, levels of definitions and lines of a macro that are shown.
 MAX_SHOWN = 6
