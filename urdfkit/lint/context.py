@@ -72,13 +72,13 @@ class UncheckedValues(Record):
     Attributes:
         name: of the argument.
         values: of it.
-        count: of all its values.
+        total: how many values it has.
         why: they are left out.
     """
 
     name: str
     values: tuple[str, ...]
-    count: int
+    total: int
     why: str
 
 

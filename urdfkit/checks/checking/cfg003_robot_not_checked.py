@@ -42,7 +42,7 @@ def check(subject: Subject) -> Findings:
     for one in subject.unchecked:
         yield Finding(
             Location(_top(subject)),
-            f"robot not checked with {len(one.values)} of {one.count} values of '{one.name}': "
+            f"robot not checked with {len(one.values)} of {one.total} values of '{one.name}': "
             f"{', '.join(one.values)}; {one.why}",
             "list the robot's variants in urdfkit.toml, under [[robot]]",
             alike=one.name,
