@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
 from urdfkit.text.diagnostic import Severity
 
@@ -54,7 +54,7 @@ FIXED = GOOD
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
     for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
-        links = masses.diagnoses.get(defect, ())
+        links = masses.defects.get(defect, ())
         yield from together((one, _finding(one, masses)) for one in links)
 
 

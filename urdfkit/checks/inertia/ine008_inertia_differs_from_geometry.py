@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
 from urdfkit.text.diagnostic import Confidence, Severity
 
@@ -46,7 +46,7 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
-    for one in masses.diagnoses.get(InertiaDefect.UNLIKE_SHAPE, ()):
+    for one in masses.defects.get(InertiaDefect.UNLIKE_SHAPE, ()):
         assert one.expected is not None
         diagnosis = of_unlike_shape(one, masses)
         ratios = one.ratios(one.expected)

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.text.diagnostic import Confidence, Severity
 
@@ -49,7 +49,7 @@ FILES = {"arm.stl": PLATE}
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    links = subject.masses.diagnoses.get(InertiaDefect.PLACEHOLDER, ())
+    links = subject.masses.defects.get(InertiaDefect.PLACEHOLDER, ())
     yield from together((one, _finding(one)) for one in links)
 
 

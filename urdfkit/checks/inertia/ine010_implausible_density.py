@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from urdfkit.checks.inertia.copies import and_more, together
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.inertia import scaled
-from urdfkit.robot.inertials.diagnoses import (
+from urdfkit.robot.inertials.defects import (
     HEAVIEST,
     LIGHTEST,
     InertiaDefect,
@@ -55,9 +55,7 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    found = [
-        (one, _finding(one)) for one in subject.masses.diagnoses.get(InertiaDefect.DENSITY, ())
-    ]
+    found = [(one, _finding(one)) for one in subject.masses.defects.get(InertiaDefect.DENSITY, ())]
     if subject.masses.consistently_wrong:
         yield _of_the_robot(found)
     else:

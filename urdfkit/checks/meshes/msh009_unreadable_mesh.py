@@ -27,7 +27,7 @@ from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect, losses
+from urdfkit.robot.assets.mesh_defects import MeshDefect, losses
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -83,6 +83,6 @@ def _partly(subject: Subject) -> Iterator[Finding]:
         return
     for mesh in measured.unmeasured:
         yield Finding(mesh.at, f"{mesh.who} {mesh.reason}", _HELP_PARTLY, severity=Severity.WARNING)
-    for use in measured.diagnoses.get(MeshDefect.PARTLY_UNREADABLE, ()):
+    for use in measured.defects.get(MeshDefect.PARTLY_UNREADABLE, ()):
         message = f"{use.who} is partly broken: {'; '.join(losses(use))}"
         yield Finding(use.at, message, _HELP_PARTLY, severity=Severity.WARNING)

@@ -22,14 +22,14 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect, rest_of_robot
+from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import edits
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.measured_meshes import MeshUse
+    from urdfkit.robot.assets.mesh_uses import MeshUse
 
 BAD = """\
 <link name="base"/>
@@ -59,18 +59,18 @@ FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    diagnoses = subject.measured.diagnoses
-    for use in diagnoses.get(MeshDefect.MILLIMETRES, ()):
+    defects = subject.measured.defects
+    for use in defects.get(MeshDefect.MILLIMETRES, ()):
         length = use.longest
         yield Finding(
             use.at,
             f"{use.who} is {length:.4g} m long, the rest of the robot "
-            f"{rest_of_robot(subject.measured):.3g} m; in mm it would be {length / 1000:.3g} m",
+            f"{rest_of_robot(subject.model):.3g} m; in mm it would be {length / 1000:.3g} m",
             fix=_fix(use),
             confidence=Confidence.INFERRED,
             weight=length,
         )
-    for use in diagnoses.get(MeshDefect.MICROSCOPIC, ()):
+    for use in defects.get(MeshDefect.MICROSCOPIC, ()):
         unscaled = use.longest / max(map(abs, use.shape.scale))
         yield Finding(
             use.scale_at or use.at,

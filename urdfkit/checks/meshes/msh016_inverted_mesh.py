@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.mesh.samples import BOX, box, stl
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect
+from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ FILES = {
     help="urdfkit mesh repair FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.diagnoses.get(MeshDefect.INVERTED, ()):
+    for use in subject.measured.defects.get(MeshDefect.INVERTED, ()):
         found = use.measures
         what = "its triangles face inwards"
         if found.bodies > 1 and found.inverted_bodies:

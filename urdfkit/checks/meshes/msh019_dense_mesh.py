@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.mesh_diagnoses import (
+from urdfkit.robot.assets.mesh_defects import (
     DENSE_COLLISION,
     DENSE_SHARED,
     DENSE_VISUAL,
@@ -60,7 +60,7 @@ FILES = {
     options={"triangles": DENSE_COLLISION},
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    diagnoses = subject.measured.diagnoses
+    defects = subject.measured.defects
     bound = check.option(subject, "triangles")
     dense = {
         use.path: use
@@ -77,7 +77,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             weight=number,
             alike="collision",
         )
-    for use in diagnoses.get(MeshDefect.DENSE_SHARED, ()):
+    for use in defects.get(MeshDefect.DENSE_SHARED, ()):
         number = use.measures.triangles
         yield Finding(
             use.at,
@@ -88,7 +88,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             alike="shared",
             severity=Severity.INFO,
         )
-    for use in diagnoses.get(MeshDefect.DENSE_VISUAL, ()):
+    for use in defects.get(MeshDefect.DENSE_VISUAL, ()):
         number = use.measures.triangles
         yield Finding(
             use.at,
