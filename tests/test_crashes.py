@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from functools import cached_property
@@ -121,6 +122,41 @@ def test_a_robot_that_fails_costs_no_other_robot(
     report = check(*robots, jobs=jobs)
     assert reported(report) == before
     assert [(c.code, c.path) for c in report.crashed] == [("", broken)]
+
+
+@pytest.mark.parametrize("jobs", [2, 3])
+def test_a_process_that_dies_costs_its_robot_alone(
+    jobs: int, robots: list[Path], tmp_path: Path, monkeypatch
+) -> None:
+    robots += [tmp_path / "three.urdf", tmp_path / "four.urdf"]
+    for path in robots[2:]:
+        path.write_text(ROBOT)
+    deadly = [str(robots[0]), str(robots[2])]
+    before = [one for one in reported(check(*robots)) if one[0] not in deadly]
+    read = vars(Subject)["reading"].func
+
+    def reading(subject: Subject) -> object:
+        return os._exit(9) if subject.source.path in deadly else read(subject)
+
+    part = cached_property(reading)
+    part.__set_name__(Subject, "reading")
+    monkeypatch.setattr(Subject, "reading", part)
+    calls: list[tuple[int, int]] = []
+    report = check(*robots, jobs=jobs, progress=lambda *n: calls.append(n))
+    assert reported(report) == before
+    assert [(c.code, c.path) for c in report.crashed] == [("", path) for path in deadly]
+    assert report.exit_code() == 3
+    assert calls == [(n, 4) for n in range(1, 5)]
+
+
+def test_a_folder_that_cannot_be_searched_costs_no_other_file(
+    robots: list[Path], tmp_path: Path, monkeypatch
+) -> None:
+    before = reported(check(*robots))
+    monkeypatch.setattr("urdfkit.lint.discovery.discover", fail)
+    report = check(tmp_path, *robots)
+    assert reported(report) == before
+    assert [(c.code, c.path) for c in report.crashed] == [("", str(tmp_path))]
 
 
 @pytest.mark.parametrize("name", formats.names())

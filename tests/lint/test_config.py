@@ -39,17 +39,24 @@ def renamed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("renamed")
 def test_former_codes_work_and_are_noted(tmp_path: Path) -> None:
-    text = 'select = ["TRE999"]\nignore = ["TRE998"]\n[severity]\nTRE999 = "info"\n'
+    text = 'select = ["TRE999"]\nignore = ["TRE998"]\n[severity]\nTRE999 = "error"\n'
     text += '[[per-file-ignores]]\nfiles = ["x"]\ncodes = ["TRE999"]\n'
     config = load(write(tmp_path, text))
-    assert config.select == config.named == config.file_ignores[0].codes == {"JNT020"}
-    assert config.severities == {"JNT020": Severity.INFO}
+    assert config.select == config.named == config.file_ignores[0].but_errors == {"JNT020"}
+    assert config.severities == {"JNT020": Severity.ERROR}
     assert [warning.partition(": ")[2] for warning in config.warnings] == [
         "'select': TRE999 is now JNT020",
         "'ignore': no rule 'TRE998': it was removed",
         "'severity': TRE999 is now JNT020",
-        "per-file-ignores[1]: 'codes': TRE999 is now JNT020",
+        "per-file-ignores[1]: 'codes': TRE999 is now JNT020, whose errors it does not ignore",
     ]
+
+
+def test_a_former_code_lowers_no_severity(tmp_path: Path) -> None:
+    """JNT021, an info, was merged into JNT002, an error."""
+    config = load(write(tmp_path, '[severity]\nJNT021 = "info"\n'))
+    assert config.severities == {}
+    assert len(config.warnings) == 1
 
 
 def test_options_of_rules(tmp_path: Path) -> None:
@@ -139,9 +146,9 @@ def test_everything_that_can_be_set(tmp_path):
     assert config.packages == {"arm_description": str(tmp_path / "arm")}
     assert config.arguments == {"sim": "true", "scale": "0.5"}
     assert config.severities == {"TRE001": Severity.INFO}
-    assert config.ignores("TRE003", str(tmp_path / "old" / "x.urdf"))
-    assert not config.ignores("TRE003", str(tmp_path / "new.urdf"))
-    assert not config.ignores("JNT001", str(tmp_path / "old" / "x.urdf"))
+    assert config.ignores("TRE003", str(tmp_path / "old" / "x.urdf"), Severity.ERROR)
+    assert not config.ignores("TRE003", str(tmp_path / "new.urdf"), Severity.ERROR)
+    assert not config.ignores("JNT001", str(tmp_path / "old" / "x.urdf"), Severity.ERROR)
     file = str(tmp_path / "r.urdf")
     assert config.robots == (
         RobotEntry(file, "left", {"a": "x", "b": "1"}),

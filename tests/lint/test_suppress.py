@@ -4,6 +4,7 @@ import pytest
 
 from urdfkit import Report, check
 from urdfkit.lint import rules
+from urdfkit.lint.config import load
 from urdfkit.lint.suppress import ignores
 from urdfkit.text.source import Source
 
@@ -50,7 +51,34 @@ def test_a_former_code_suppresses_and_is_noted(monkeypatch):
     monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020"})
     (found,) = run(PLAIN.format(comment="<!-- urdfkit: ignore[TRE999] -->")).diagnostics
     assert (found.code, found.severity.value) == ("CFG002", "info")
-    assert found.message == "TRE999 is now JNT020"
+    assert found.message.startswith("TRE999 is now JNT020")
+
+
+PER_FILE = '[[per-file-ignores]]\nfiles = ["*"]\ncodes = ["no-limit-on-continuous"]'
+
+#: JNT021 was an info about limits of continuous joints; JNT002 reports missing limits as well.
+FORMER = """<robot name="r"><!-- urdfkit: ignore[JNT021] -->
+<link name="a"/><link name="b"/><link name="c"/><link name="d"/>
+<joint name="j" type="revolute"><parent link="a"/><child link="b"/></joint>
+<joint name="k" type="continuous"><parent link="b"/><child link="c"/>
+<limit effort="1" velocity="1"/></joint>
+<joint name="l" type="continuous"><parent link="b"/><child link="d"/></joint></robot>"""
+
+
+def test_a_former_code_suppresses_no_error(tmp_path):
+    text = FORMER.replace("<!-- urdfkit: ignore[JNT021] -->", "")
+    whole = check(Source("r.urdf", text.encode()), select=["JNT002"])
+    assert [d.severity.value for d in whole.diagnostics] == ["error", "info"]
+    comment = check(Source("r.urdf", FORMER.encode()), select=["JNT002"])
+    option = check(Source("r.urdf", text.encode()), select=["JNT"], ignore=["JNT021"])
+    file = tmp_path / "urdfkit.toml"
+    for setting in ('ignore = ["JNT021"]', PER_FILE):
+        file.write_text(setting)
+        report = check(Source("r.urdf", text.encode()), config=load(str(file)))
+        assert [d.severity.value for d in report.diagnostics if d.code == "JNT002"] == ["error"]
+    for report in (comment, option):
+        assert [d.severity.value for d in report.diagnostics if d.code == "JNT002"] == ["error"]
+    assert (comment.suppressed, option.suppressed) == (1, 1)
 
 
 @pytest.mark.parametrize("word", ["JNT020", "JNT", "axis-or-limit-on-fixed", "TRE001, JNT020"])

@@ -42,7 +42,7 @@ def run_check(values: Mapping[str, Any]) -> int:
     if values["fix"] or values["diff"]:
         from urdfkit.lint.fix import counted
 
-        fixes = mend(values, chosen)
+        fixes = apply_fixes(values, chosen)
         if values["diff"]:
             return int(bool(fixes.files))
         _tell(fixes)
@@ -75,7 +75,7 @@ def choices(values: Mapping[str, Any]) -> Options:
     return {
         "arguments": options.arguments(values),
         "packages": options.packages(values),
-        "select": options.rule_words(values, "select"),
+        "select": options.selected(values),
         "ignore": options.ignored(values),
         "targets": options.words(values, "target"),
         "trust": values["trust"],
@@ -131,7 +131,9 @@ def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) ->
     return report if "-" in files else report._replace(fixable=fixable(report, *files, **chosen))
 
 
-def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False) -> Fixes:
+def apply_fixes(
+    values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False
+) -> Fixes:
     """Fix the files in place, show the changes as a diff, or only find them."""
     from urdfkit.lint.fix import fix
 
@@ -151,7 +153,7 @@ def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = 
         fixes.write()
         if not fixes.meshes:
             return fixes
-        # With meshes there is more to see, and perhaps to mend.
+        # With the generated meshes more can be checked, and perhaps fixed.
         again = fix(*files, unsafe=unsafe, force=force, **now)
         again.write()
     finally:

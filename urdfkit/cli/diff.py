@@ -1,4 +1,4 @@
-"""``urdfkit diff``: what became of a robot."""
+"""``urdfkit diff``: compare two states of a robot."""
 
 from __future__ import annotations
 

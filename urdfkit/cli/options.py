@@ -211,27 +211,27 @@ def words(values: Mapping[str, Any], key: str) -> list[str]:
     return [word.strip() for text in values[key] for word in text.split(",") if word.strip()]
 
 
-def rule_words(values: Mapping[str, Any], key: str) -> list[str]:
-    """The words of an option that takes codes or names of rules; warns of former ones."""
-    found = words(values, key)
-    if found:
+def selected(values: Mapping[str, Any]) -> list[str]:
+    """What ``--select`` names; warns of former codes and names."""
+    named = words(values, "select")
+    if named:
         from urdfkit.lint import rules
 
-        for note in filter(None, map(rules.note, found)):
-            warn(f"--{key}: {note}")
-    return found
+        for note in filter(None, map(rules.note, named)):
+            warn(f"--select: {note}")
+    return named
 
 
 def ignored(values: Mapping[str, Any]) -> list[str]:
     """What ``--ignore`` names; a word that means no rule is warned of and left out."""
-    named = rule_words(values, "ignore")
+    named = words(values, "ignore")
     if not named:
         return []
     from urdfkit.lint import rules
 
-    _, unknown = rules.ignored(named)
-    for error in unknown:
-        warn(f"--ignore: {error}")
+    unknown = rules.ignored(named).unknown
+    for note in (*filter(None, map(rules.ignore_note, named)), *unknown):
+        warn(f"--ignore: {note}")
     wrong = {error.word for error in unknown}
     return [word for word in named if word not in wrong]
 

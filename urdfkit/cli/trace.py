@@ -15,7 +15,7 @@ from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.trace import Origin
+    from urdfkit.xacro.origin import Origin
 
 #: Levels of definitions that are printed; real models need seven.
 MAX_LEVELS = 20
@@ -62,7 +62,7 @@ def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -
 
 
 def render(found: Element | Attribute, inputs: tuple[Origin, ...]) -> Iterator[str]:
-    """The lines that tell where something comes from."""
+    """The lines that say where something comes from."""
     if isinstance(found, Attribute):
         yield f"{found.path} = {found.value}"
         yield f'  {found.span}  {found.name}="{found.span.text}"'

@@ -32,11 +32,13 @@ class FileIgnore(Record):
     Attributes:
         files: patterns of paths, relative to the configuration's folder.
         codes: of the rules.
+        but_errors: of rules whose errors stay.
         reason: why, for whoever reads the configuration.
     """
 
     files: tuple[str, ...]
     codes: frozenset[str]
+    but_errors: frozenset[str]
     reason: str
 
 
@@ -60,6 +62,7 @@ class Config(Record):
     Attributes:
         path: of the file; empty if there is none.
         select, ignore: codes of rules; ``select`` is empty for all.
+        but_errors: codes of rules whose findings are left out, but their errors.
         fail_on: the mildest severity that counts.
         targets: names of consumers; inferred from each model if empty.
         packages: folders of packages by name, absolute.
@@ -97,6 +100,7 @@ class Config(Record):
     trust: bool = False
     width: int = 0
     warnings: tuple[str, ...] = ()
+    but_errors: frozenset[str] = frozenset()
 
     @property
     def folder(self) -> str:
@@ -153,10 +157,12 @@ class Config(Record):
         """A path as the patterns of the configuration see it."""
         return os.path.relpath(os.path.abspath(path), self.folder).replace(os.sep, "/")
 
-    def ignores(self, code: str, path: str) -> bool:
-        """True if a rule is left out for a file."""
-        return any(
-            code in entry.codes and matches(self.relative(path), entry.files)
+    def ignores(self, code: str, path: str, severity: Severity) -> bool:
+        """True if findings of a rule with some severity are left out for a file."""
+        is_error = severity is Severity.ERROR
+        return (code in self.but_errors and not is_error) or any(
+            (code in entry.codes or (code in entry.but_errors and not is_error))
+            and matches(self.relative(path), entry.files)
             for entry in self.file_ignores
         )
 
@@ -215,10 +221,12 @@ def _read(reader: _Reader, *, trusted: bool) -> Config:
     foreign = reader.rule_packages(trusted=trusted)  # before other settings name their codes
     ignoring = reader.tables("per-file-ignores")
     select, named = reader.codes("select")
+    ignored = reader.ignored("ignore")
     config = Config(
         reader.path,
         select=select,
-        ignore=reader.ignored("ignore"),
+        ignore=ignored.codes,
+        but_errors=ignored.but_errors,
         fail_on=reader.choice("fail-on", Severity.WARNING),
         targets=reader.targets(),
         packages=reader.packages(),
@@ -243,9 +251,9 @@ def _read(reader: _Reader, *, trusted: bool) -> Config:
 
 
 def _file_ignore(reader: _Reader) -> FileIgnore:
-    entry = FileIgnore(
-        reader.texts("files"), reader.ignored("codes"), str(reader.take("reason", str, ""))
-    )
+    files, ignored = reader.texts("files"), reader.ignored("codes")
+    reason = str(reader.take("reason", str, ""))
+    entry = FileIgnore(files, ignored.codes, ignored.but_errors, reason)
     reader.finish()
     if not entry.files or not (entry.codes or reader.warnings):
         raise reader.error("it needs 'files' and 'codes'")
@@ -389,14 +397,13 @@ class _Reader:
             raise self.error(f"'{key}' must be {kind} from 0, not {value!r}")
         return float(value) if not is_whole else int(value)
 
-    def ignored(self, key: str) -> frozenset[str]:
-        """The codes of rules that are left out; a word that means none leaves out nothing."""
+    def ignored(self, key: str) -> rules.Ignored:
+        """The rules that are left out; a word that means none leaves out nothing."""
         words = self.texts(key)
-        for word in words:
-            self._note(key, word)
-        found, unknown = rules.ignored(words)
-        self.warnings += (str(self.error(f"'{key}': {error}")) for error in unknown)
-        return frozenset(found)
+        found = rules.ignored(words)
+        notes = [*filter(None, map(rules.ignore_note, words)), *map(str, found.unknown)]
+        self.warnings += (str(self.error(f"'{key}': {note}")) for note in notes)
+        return found
 
     def choice(self, key: str, default: C) -> C:
         return self._as(type(default), key, self.take(key, str, default.value))
@@ -412,7 +419,12 @@ class _Reader:
         found: dict[str, Severity] = {}
         for word, value in table.items():
             severity = self._as(Severity, f"severity.{word}", value)
-            found.update(dict.fromkeys(self.matching("severity", word), severity))
+            codes = self.matching("severity", word)
+            if rules.redirect(word) and severity is not Severity.ERROR:
+                # It was merged with others, whose errors nobody wanted to lower.
+                self.warnings[-1] += ": its severity is not changed"
+                continue
+            found.update(dict.fromkeys(codes, severity))
         return found
 
     def targets(self) -> tuple[str, ...]:

@@ -14,8 +14,8 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rules as catalogue
 from urdfkit.lint.context import Subject
 from urdfkit.lint.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
-from urdfkit.lint.report import Report, Skipped
-from urdfkit.lint.runner import FileResult, crash, diagnose, judge
+from urdfkit.lint.report import Report, Skipped, crash
+from urdfkit.lint.runner import FileResult, diagnose, judge
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.text.source import Source, Span, shown
 from urdfkit.text.xml_reader import is_launch
@@ -131,11 +131,8 @@ def check(
         RuleError: a package of rules is missing or cannot be used.
     """
     foreign = (*(config.foreign_rules if config else ()), *added_rules(rules))
-    if min_confidence:
-        from urdfkit.lint.config import Config
-
-        config = (config or Config())._replace(min_confidence=Confidence(min_confidence))
-    select = tuple(select)
+    select, ignore = tuple(select), tuple(ignore)
+    config = _overridden(config, select, ignore, min_confidence)
     settings = Settings(
         tuple(choose(select, ignore, config, foreign)),
         {**(config.packages if config else {}), **(packages or {})},
@@ -155,6 +152,24 @@ def check(
     plan = planned(files, resolver, config, arguments, variant=variant, changed=changed)
     judged = _judged(plan.jobs, settings, resolver, jobs, progress)
     return _report(plan, _launched_once(judged), _unopened(plan, settings))
+
+
+def _overridden(
+    config: Config | None, select: Iterable[str], ignore: Iterable[str], min_confidence: str
+) -> Config | None:
+    """A configuration with what the arguments of a check say of its findings."""
+    but_errors = catalogue.ignored(ignore).but_errors
+    if config is None and not (but_errors or min_confidence):
+        return None
+    from urdfkit.lint.config import Config
+
+    found = config or Config()
+    # What is selected by hand is reported, whatever the configuration leaves out.
+    selected = {code for word in select for code in catalogue.matching(word)}
+    found = found._replace(but_errors=(found.but_errors - selected) | but_errors)
+    if min_confidence:
+        found = found._replace(min_confidence=Confidence(min_confidence))
+    return found
 
 
 def subjects(
@@ -227,7 +242,10 @@ def choose(
             other rules than were asked for, and say nothing.
     """
     selected = {code for word in select for code in catalogue.matching(word)}
-    ignored = {code for word in ignore for code in catalogue.matching(word)}
+    left_out = catalogue.ignored(ignore)
+    if left_out.unknown:
+        raise left_out.unknown[0]
+    ignored = set(left_out.codes)
     if config is not None:
         # What is selected by hand runs, whatever the configuration leaves out.
         ignored |= config.ignore - selected
@@ -273,6 +291,11 @@ def _each(
 
 
 def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterable[list[Judged]]:
+    """Each job in a process.
+
+    A process that dies takes the others of its pool with it. What they had not done is checked
+    again by one process, which shows the robot that it dies of.
+    """
     import signal
     import time
     from concurrent.futures import ProcessPoolExecutor
@@ -281,15 +304,22 @@ def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterab
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     silent = (signal.SIGINT, signal.SIG_DFL)
     count = min(processes, len(jobs))
+    done = 0
     with ProcessPoolExecutor(count, initializer=signal.signal, initargs=silent) as pool:
         # Not `map`, which cancels what is left and trips over it when the processes are gone.
         futures = [pool.submit(_run_alone, job, settings) for job in jobs]
         try:
             for future in futures:
                 yield future.result()
+                done += 1
         except BrokenProcessPool:
             time.sleep(1)  # the others may have heard Ctrl-C first; then it is raised here
-            raise
+            if count == 1:
+                died = RuntimeError("the process of its check died")
+                yield [(jobs[done], _failed(jobs[done], died))]
+                done += 1
+    if jobs[done:]:
+        yield from _in_processes(jobs[done:], settings, 1)
 
 
 def _run_alone(job: Job, settings: Settings) -> list[Judged]:
@@ -336,9 +366,12 @@ def _run(
     except UrdfkitError:
         raise
     except Exception as error:  # a bug in urdfkit must not hide the findings of other robots
-        return [
-            (job, FileResult((), (), (crash("", job.source.path, error),), frozenset(), None, 0))
-        ]
+        return [(job, _failed(job, error))]
+
+
+def _failed(job: Job, error: Exception) -> FileResult:
+    """The result of a robot on which urdfkit itself fails."""
+    return FileResult((), (), (crash("", job.source.path, error),), frozenset(), None, 0)
 
 
 def _verdict(job: Job, subject: Subject, settings: Settings) -> FileResult:
@@ -367,14 +400,13 @@ def _unopened(plan: Plan, settings: Settings) -> Iterator[Diagnostic]:
     """A finding for each file of a folder that is called like a robot and cannot be opened."""
     code, config = catalogue.NOT_CHECKED, settings.config
     for path in plan.closed if code in settings.chosen else ():
-        if config and config.ignores(code, path):
-            continue
         at = catalogue.Location(Span(Source(path, b""), 0, 0))
         message = "robot not checked: the file cannot be opened"
         help = "check the symbolic link and the file permissions"
         for found in diagnose(catalogue.get(code), [catalogue.Finding(at, message, help)]):
-            severity = config.severities.get(code) if config else None
-            yield found._replace(severity=severity or found.severity)
+            severity = (config.severities.get(code) if config else None) or found.severity
+            if not (config and config.ignores(code, path, severity)):
+                yield found._replace(severity=severity)
 
 
 def _launched_once(judged: list[Judged]) -> list[Judged]:
@@ -405,7 +437,7 @@ def _report(plan: Plan, judged: list[Judged], unopened: Iterable[Diagnostic]) ->
         tuple(files),
         tuple(sorted((*_distinct(judged), *unopened), key=_reading_order)),
         (*plan.skipped, *(skip for verdict in verdicts for skip in verdict.skipped)),
-        tuple(crash for verdict in verdicts for crash in verdict.crashed),
+        (*plan.crashed, *(crash for verdict in verdicts for crash in verdict.crashed)),
         tuple(sorted({code for verdict in verdicts for code in verdict.ran})),
         tuple(
             (job.source.path, verdict.targets)

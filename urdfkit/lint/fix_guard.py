@@ -172,7 +172,8 @@ class Look:
             **self._options,
             "texts": self._texts(texts),
             "select": tuple(codes),
-            "ignore": (),
+            # The others are not among the codes; of these the errors are.
+            "ignore": tuple(filter(rules.redirect, self._options.get("ignore", ()))),
         }
         return check(*files, resolver=self.resolver, **now)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile, UrdfkitError
-from urdfkit.lint.report import Launched, Skipped
+from urdfkit.lint.report import Crashed, Launched, Skipped, crash
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
@@ -98,6 +98,7 @@ class Plan:
         self.variant = variant
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
+        self.crashed: list[Crashed] = []
         #: Descriptions of a folder that cannot be opened.
         self.closed: list[str] = []
         #: The arguments with which the robots of a folder are checked, by path.
@@ -118,6 +119,10 @@ class Plan:
             except UnreadableFile:
                 if not launches:  # of robots that lie elsewhere
                     raise
+            except UrdfkitError:
+                raise
+            except Exception as error:  # a bug in urdfkit must not hide what else was named
+                self.crashed.append(crash("", folder, error))
             for path in launches:
                 self._add_launch(self.resolver.read(_spelt(path, folder)), found=True)
         else:

@@ -106,7 +106,11 @@ class Finding(Record):
     data: tuple[Related, ...] = ()
 
 
-def reported(subject: Subject, code: str) -> Iterator[Finding]:
+#: What a rule yields.
+Findings = Iterator[Finding]
+
+
+def reported(subject: Subject, code: str) -> Findings:
     """The findings of a rule that only tells what reading met."""
     for problem in subject.problems(code):
         at = Location(problem.span, problem.frame)
@@ -120,7 +124,7 @@ def reported(subject: Subject, code: str) -> Iterator[Finding]:
         )
 
 
-Check = Callable[["Subject"], Iterator[Finding]]
+Check = Callable[["Subject"], Findings]
 
 #: The folder with a folder for each family of rules.
 _CHECKS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "checks")
@@ -215,30 +219,39 @@ class Rule(Record):
 
 
 def rule(
-    code: str,
-    name: str,
     severity: Severity,
     *,
     needs: tuple[Need, ...] = (Need.MODEL,),
     help: str = "",
-    fixable: bool = False,
     by_target: Mapping[str, Severity] | None = None,
     preview: bool = False,
     since: str = FIRST_VERSION,
     options: Mapping[str, float] | None = None,
 ) -> Callable[[Check], Rule]:
-    """Declare a rule; the decorated function becomes its Rule."""
+    """Declare a rule; the decorated function becomes its Rule.
+
+    Code and name are those of the file, and a file with FIXED or FIXED_FILES holds a rule with
+    fixes.
+
+    Raises:
+        RuleError: the file is not named as ``abc123_some_defect.py``.
+    """
 
     def declare(check: Check) -> Rule:
+        module = check.__module__
+        code = code_of(module)
+        if code is None:
+            raise RuleError(f"{module}: the module of a rule is named as abc123_some_defect")
+        examples = vars(sys.modules[module])
         return Rule(
             code,
-            name,
+            _name_of(module),
             severity,
             frozenset(needs),
             check,
             help,
-            fixable,
-            check.__module__,
+            "FIXED" in examples or "FIXED_FILES" in examples,
+            module,
             by_target or {},
             preview,
             since,
@@ -292,6 +305,11 @@ def code_of(module: str) -> str | None:
     return name[:6].upper() if is_one and name.isascii() and name.islower() else None
 
 
+def _name_of(module: str) -> str:
+    """The name of the rule in a module: what follows the code in the module's name."""
+    return module.rpartition(".")[2].partition("_")[2].replace("_", "-")
+
+
 def register(modules: Mapping[str, str]) -> None:
     """Make rules of another package known: the full names of their modules by code.
 
@@ -337,11 +355,8 @@ def _foreign_rule(code: str, module: str) -> Rule:
         found = getattr(load(module), "check", None)
     except Exception as error:
         raise RuleError(f"{module}: {type(error).__name__}: {error}") from error
-    named = module.rpartition(".")[2]
-    if not isinstance(found, Rule) or named != f"{code.lower()}_{found.name.replace('-', '_')}":
-        raise RuleError(
-            f"{module}: it must hold a 'check' with @rule({code!r}, ...) as it is named"
-        )
+    if not isinstance(found, Rule) or found.module != module:
+        raise RuleError(f"{module}: it must hold a function 'check' with @rule(...) for {code}")
     return found
 
 
@@ -413,6 +428,12 @@ def note(word: str) -> str:
     return f"{word} is now {code}" if code else ""
 
 
+def ignore_note(word: str) -> str:
+    """The same of a word that leaves a rule out."""
+    found = note(word)
+    return f"{found}, whose errors it does not ignore" if found else ""
+
+
 def _redirected(word: str) -> str | None:
     code = redirect(word)
     if code == "":
@@ -430,20 +451,35 @@ def named(words: Iterable[str]) -> frozenset[str]:
     return frozenset(found)
 
 
-def ignored(words: Iterable[str]) -> tuple[set[str], list[UnknownRule]]:
-    """The codes that some words mean, and why the others mean none.
+class Ignored(Record):
+    """The rules that some words leave out.
+
+    Attributes:
+        codes: of the rules whose findings are all left out.
+        but_errors: of those that former codes and names stand for. They were merged with other
+            rules, which nobody wanted to ignore: their errors stay.
+        unknown: why the other words mean no rule.
+    """
+
+    codes: frozenset[str]
+    but_errors: frozenset[str]
+    unknown: tuple[UnknownRule, ...]
+
+
+def ignored(words: Iterable[str]) -> Ignored:
+    """The rules that some words leave out.
 
     A rule that is to be left out and does not exist, such as one of another version or of a
     package that is not installed, changes nothing about the check.
     """
-    found: set[str] = set()
+    found: dict[bool, set[str]] = {True: set(), False: set()}
     unknown: list[UnknownRule] = []
     for word in words:
         try:
-            found.update(matching(word))
+            found[redirect(word) is not None].update(matching(word))
         except UnknownRule as error:
             unknown.append(error)
-    return found, unknown
+    return Ignored(frozenset(found[False]), frozenset(found[True]), tuple(unknown))
 
 
 def _hint(word: str, known: list[str]) -> str:
@@ -456,11 +492,9 @@ def names() -> dict[str, list[str]]:
     A name may serve two families: a package can be missing for xacro and for a mesh.
     """
     codes()
-    prefix = len("abc123_")
     found: dict[str, list[str]] = {}
     for code, module in _modules.items():
-        name = module.rpartition(".")[2][prefix:].replace("_", "-")
-        found.setdefault(name, []).append(code)
+        found.setdefault(_name_of(module), []).append(code)
     return found
 
 

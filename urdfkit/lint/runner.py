@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 from urdfkit.core.record import Record
 from urdfkit.lint import rules
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
-from urdfkit.lint.report import Crashed, Skipped
+from urdfkit.lint.report import Crashed, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
 from urdfkit.text.document import Attribute, Element, Step
@@ -34,7 +34,7 @@ _OF_HIDDEN_PARTS = frozenset(
 OWN_FAMILY = "checking"
 
 #: Families of rules that apply to launch files.
-LAUNCH_FAMILIES = frozenset(("checking", "launch", "manifest"))
+LAUNCH_FAMILIES = frozenset(("checking", "launch", "package"))
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -240,7 +240,7 @@ class _Run:
         config = self.config
         return config is not None and (
             diagnostic.confidence.rank > config.min_confidence.rank
-            or config.ignores(diagnostic.code, diagnostic.span.source.path)
+            or config.ignores(diagnostic.code, diagnostic.span.source.path, diagnostic.severity)
         )
 
 
@@ -252,13 +252,6 @@ def _bounded(finding: Finding) -> Finding:
     if (message, remedy) == (finding.message, finding.help):
         return finding
     return finding._replace(message=message, help=remedy)
-
-
-def crash(code: str, path: str, error: Exception) -> Crashed:
-    """What a failure that is being handled says; the code is empty where it is no rule's."""
-    from traceback import format_exc  # 9 ms
-
-    return Crashed(code, path, f"{type(error).__name__}: {error}", format_exc())
 
 
 def _targets(rule: Rule, findings: list[Finding], subject: Subject) -> tuple[str, ...]:

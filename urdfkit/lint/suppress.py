@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from urdfkit.core.libraries import load
 from urdfkit.core.record import Record
 from urdfkit.text.comments import comments
-from urdfkit.text.diagnostic import Call, Diagnostic
+from urdfkit.text.diagnostic import Call, Diagnostic, Severity
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
@@ -30,7 +30,7 @@ class Ignore(Record):
         codes: as written, each with its place; beginnings of codes and names count too.
         reason: as written.
         start, end: bytes of the source that it holds for.
-        redirected: codes of the rules that former codes and names stand for.
+        redirected: codes of the rules that former codes and names stand for; their errors stay.
     """
 
     span: Span
@@ -46,7 +46,9 @@ class Ignore(Record):
 
     def names(self, diagnostic: Diagnostic) -> bool:
         """True if the comment names the rule of a finding."""
-        return diagnostic.code in self.redirected or any(
+        is_former = diagnostic.code in self.redirected
+        # A former rule was merged with others, whose errors nobody wanted to suppress.
+        return (is_former and diagnostic.severity is not Severity.ERROR) or any(
             diagnostic.code.startswith(code.upper()) or diagnostic.name == code
             for code, _ in self.codes
         )

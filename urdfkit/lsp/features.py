@@ -243,7 +243,7 @@ def _fix_all(server: Server, path: str) -> list[lsp.CodeAction]:
     """All safe fixes at once; computed only where they are asked for, as on saving."""
     changes = {
         server.uris.get(file) or to_uri(file): server.replaced(file, text)
-        for file, text in server.robots.mended(path).items()
+        for file, text in server.robots.fixed(path).items()
     }
     if not changes:
         return []

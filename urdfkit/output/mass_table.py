@@ -1,4 +1,4 @@
-"""The mass properties of a robot: each link as declared, beside its shapes, and the whole."""
+"""The mass properties of a robot: declared and computed from the shapes, per link and in total."""
 
 from __future__ import annotations
 

@@ -216,7 +216,7 @@ def _equivalent(
     A second moment of mass along an axis is half of the other two moments less its own; the edge
     of a box, or the half axis of an ellipsoid, is the root of a factor times it over the mass.
     One larger than the robot, or of a light link than half of it, hides what there is to see, and
-    is told in words.
+    is written in words.
     """
     total = sum(link.mass for link in _weighed(scene, subject))
     large: list[Label] = []

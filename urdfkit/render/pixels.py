@@ -65,7 +65,7 @@ def _tents(values: Sequence[Floats], distances: Floats, bound: Floats, axis: int
 
 
 def _beside(offset: int, axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...]]:
-    """The pixels that have one beside them so far along an axis, and those."""
+    """The pixels that have a neighbour at an offset along an axis, and these neighbours."""
     back, on = slice(max(-offset, 0), -offset if offset > 0 else None), slice(None)
     away = slice(max(offset, 0), offset if offset < 0 else None)
     return ((back, on), (away, on)) if axis == 0 else ((on, back), (on, away))
@@ -74,7 +74,7 @@ def _beside(offset: int, axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...
 def matching(
     pixel: Integers, own: Floats, depth: Floats, near: Callable[[Floats], Floats]
 ) -> Integers:
-    """The pixel beside each fragment whose depth is nearest to that; its own if that is near.
+    """The neighbouring pixel whose depth is nearest to each fragment; its own if that is near.
 
     Args:
         pixel: (k,), of the fragments, from the first of the band.

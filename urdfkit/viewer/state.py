@@ -31,7 +31,7 @@ class ViewRequest(Record):
         file: a URDF or xacro file.
         arguments: for xacro.
         packages: folders of ROS packages by name.
-        targets: consumers that findings are weighed for; inferred if empty.
+        targets: programs that severities depend on; detected if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
         variant: which of those that the configuration has of the file.
@@ -50,7 +50,7 @@ class ViewerState(Record):
     """A robot as it was read.
 
     Attributes:
-        document: what is told of it.
+        document: its contents.
         drawings: addresses of pictures, by name.
         scene: the robot in three dimensions; None if it cannot be had.
         declared: the arguments that the xacro declares, each with its value.

@@ -6,15 +6,10 @@ follows late, and the controller then stops it for its position error. Write the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.document import Attribute
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 #: Of our drives, in rad/s.
 FASTEST = 3.14
@@ -32,14 +27,8 @@ GOOD = BAD.replace('velocity="6"', 'velocity="2"')
 FIXED = BAD.replace('velocity="6"', 'velocity="3.14"')
 
 
-@rule(
-    "ACM001",
-    "joint-too-fast",
-    Severity.WARNING,
-    help="write the limit of the drive",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="write the limit of the drive")
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "revolute" or joint.limit is None or joint.limit.velocity is None:
             continue

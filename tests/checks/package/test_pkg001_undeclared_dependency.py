@@ -2,7 +2,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from urdfkit import Diagnostic, check
+import pytest
+
+from tests.launched import MANIFEST, launch
+from urdfkit import Diagnostic, Severity, check
 
 
 def reported(folder: Path, text: str, dependencies: str = "") -> list[Diagnostic]:
@@ -87,10 +90,7 @@ def test_no_cycle_of_packages_is_made(tmp_path: Path) -> None:
         hand.write_text(f"<package><name>hand</name>{text}</package>")
         (found,) = check(arm, select=["PKG001"]).diagnostics
         assert found.fix is None
-        assert found.help == (
-            "'hand' depends on 'arm', and the reverse would be a cycle: "
-            "move the file to one of the two"
-        )
+        assert found.help.startswith("move the file to 'arm' or to 'hand'")
 
 
 def test_two_packages_that_use_one_another_get_no_fix(tmp_path: Path) -> None:
@@ -98,3 +98,42 @@ def test_two_packages_that_use_one_another_get_no_fix(tmp_path: Path) -> None:
     (tmp_path / "hand" / "hand.xacro").write_text("<robot>$(find arm)/x</robot>")
     (found,) = check(tmp_path / "arm" / "arm.xacro", select=["PKG001"]).diagnostics
     assert found.fix is None
+
+
+NODE = '<node name="n" pkg="{}" type="t"/>'
+
+
+def of_launch(folder: Path, text: str, depends: str = "") -> list[Diagnostic]:
+    for name in ("arm", "hand"):
+        (folder / name).mkdir()
+        own = MANIFEST.replace("<name>arm", f"<name>{name}")
+        (folder / name / "package.xml").write_text(
+            own.replace("</package>", f"{depends}</package>")
+        )
+    (folder / "hand" / "b.launch").write_text(launch(NODE.format("hand")))
+    (folder / "arm" / "a.launch").write_text(launch(text))
+    report = check(folder / "arm" / "a.launch", select=["PKG001"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+@pytest.mark.parametrize("text", [NODE.format("hand"), '<include file="$(find hand)/b.launch"/>'])
+def test_a_package_that_is_there_by_chance(tmp_path: Path, text: str) -> None:
+    (found,) = of_launch(tmp_path, text)
+    assert found.message.startswith("package 'hand' is used but not declared in ")
+    assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
+    assert (found.severity, found.span.line) == (Severity.INFO, 2)
+
+
+@pytest.mark.parametrize(
+    ("name", "depends"),
+    [
+        ("hand", "<exec_depend>hand</exec_depend>"),
+        ("hand", "<depend>hand</depend>"),
+        ("arm", ""),
+        ("rviz", ""),
+        ("not_there", ""),
+    ],
+)
+def test_what_a_launch_file_may_use(tmp_path: Path, name: str, depends: str) -> None:
+    assert of_launch(tmp_path, NODE.format(name), depends) == []

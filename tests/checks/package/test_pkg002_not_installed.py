@@ -2,6 +2,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
+from tests.launched import reported as of_launch
 from urdfkit import Diagnostic, check
 
 MESH = '<visual><geometry><mesh filename="package://arm/{}"/></geometry></visual>'
@@ -39,3 +42,75 @@ def test_what_is_installed_or_is_not_there(tmp_path: Path) -> None:
 def test_nothing_says_what_is_installed(tmp_path: Path) -> None:
     assert reported(tmp_path, "meshes/a.stl", build=None) == []
     assert reported(tmp_path, "meshes/a.stl", build="project(arm)") == []
+
+
+CMAKE = "project(arm)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n"
+SETUP = """\
+from glob import glob
+import os
+package_name = 'arm'
+setup(name=package_name, data_files=[
+    ('share/' + package_name, ['package.xml']),
+    (os.path.join('share', package_name, 'launch'), glob({})),
+    ('share/' + package_name + '/config', ['config/c.yaml']),
+])
+"""
+LOAD = '<rosparam file="$(find arm)/config/c.yaml"/>'
+
+
+def files(**more: str) -> dict[str, str]:
+    return {"config/c.yaml": "a: 1\n"} | {k.replace("__", "."): v for k, v in more.items()}
+
+
+def test_the_launch_file_itself(tmp_path: Path) -> None:
+    (found,) = of_launch(
+        tmp_path, "PKG002", "a.launch", LOAD, files(CMakeLists__txt=CMAKE.format("config"))
+    )
+    assert found.message.startswith("'launch/a.launch' is not installed by ")
+    assert found.help == "write install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
+    assert found.span.line == 1
+
+
+def test_what_it_names(tmp_path: Path) -> None:
+    (found,) = of_launch(
+        tmp_path, "PKG002", "a.launch", LOAD, files(CMakeLists__txt=CMAKE.format("launch"))
+    )
+    assert found.message.startswith("'config/c.yaml' is not installed by ")
+    assert found.span.line == 2
+
+
+@pytest.mark.parametrize("pattern", ["'launch/*.launch.py'", "os.path.join('launch', '*.xml')"])
+def test_a_pattern_that_does_not_match(tmp_path: Path, pattern: str) -> None:
+    setup = SETUP.format(pattern)
+    (found,) = of_launch(tmp_path, "PKG002", "a.launch", LOAD, files(setup__py=setup))
+    assert found.message.startswith("'launch/a.launch' is not installed by ")
+    assert found.help == "add the files of launch to data_files in setup.py"
+
+
+@pytest.mark.parametrize(
+    "pattern",
+    [
+        "'launch/*'",
+        "'launch/a.launch'",
+        "'./launch/*.launch'",
+        "os.path.join('launch', '*launch*')",
+        "os.path.join('launch', '*.[pyl]*')",
+        "'launch/**', recursive=True",
+        "FOLDER",
+    ],
+)
+def test_a_pattern_that_may_match_is_calm(tmp_path: Path, pattern: str) -> None:
+    setup = SETUP.format(pattern)
+    assert of_launch(tmp_path, "PKG002", "a.launch", LOAD, files(setup__py=setup)) == []
+
+
+@pytest.mark.parametrize(
+    "cmake", [CMAKE.format("config launch"), "install(DIRECTORY ${FOLDERS} DESTINATION x)", ""]
+)
+def test_installed_or_unclear_is_calm(tmp_path: Path, cmake: str) -> None:
+    assert of_launch(tmp_path, "PKG002", "a.launch", LOAD, files(CMakeLists__txt=cmake)) == []
+
+
+def test_tests_stay_where_they_are(tmp_path: Path) -> None:
+    made = files(CMakeLists__txt=CMAKE.format("config"))
+    assert of_launch(tmp_path, "PKG002", "../a.launch", LOAD, made) == []

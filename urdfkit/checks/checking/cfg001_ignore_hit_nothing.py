@@ -6,15 +6,10 @@ next defect there: delete it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, get, matching, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, get, matching, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r">
@@ -26,15 +21,8 @@ GOOD = BAD.replace("urdfkit: ignore[TRE006] ", "")
 FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE006] closed by the gripper -->\n", "")
 
 
-@rule(
-    "CFG001",
-    "ignore-hit-nothing",
-    Severity.WARNING,
-    needs=(),
-    help="delete the comment",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(), help="delete the comment")
+def check(subject: Subject) -> Findings:
     from urdfkit.lint.suppress import sift
 
     hits = sift(subject.outcome.diagnostics, subject.ignores).hits

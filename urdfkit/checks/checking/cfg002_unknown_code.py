@@ -1,21 +1,16 @@
 """An ignore comment names a rule that does not exist.
 
 The comment suppresses nothing. `urdfkit rules` lists the codes; the beginning of a code stands for
-all rules that begin with it. The former code of a rule still suppresses its findings; that it has
-another one now is an info.
+all rules that begin with it. The former code of a rule, which was merged with another one, still
+suppresses the warnings and infos of both, but no error; that it has another code now is an info.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.errors import UnknownRule
-from urdfkit.lint.rules import Finding, Location, matching, note, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, ignore_note, matching, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r">
@@ -26,14 +21,8 @@ BAD = """\
 GOOD = BAD.replace("TRE999", "TRE006")
 
 
-@rule(
-    "CFG002",
-    "unknown-code",
-    Severity.WARNING,
-    needs=(),
-    help="name a rule that exists; 'urdfkit rules' lists them",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(), help="name a rule that exists; 'urdfkit rules' lists them")
+def check(subject: Subject) -> Findings:
     for ignore in subject.ignores:
         for word, span in ignore.codes:
             try:
@@ -41,7 +30,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             except UnknownRule as error:
                 yield Finding(Location(span), str(error))
             else:
-                if message := note(word):
+                if message := ignore_note(word):
                     yield Finding(
                         Location(span), message, "write the new code", severity=Severity.INFO
                     )

@@ -17,15 +17,10 @@ as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `u
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <!-- urdfkit: ignore[XAC010] its launch file gives the prefix -->
@@ -41,8 +36,8 @@ GOOD = """\
 """
 
 
-@rule("CFG003", "robot-not-checked", Severity.WARNING, needs=())
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=())
+def check(subject: Subject) -> Findings:
     # A part of a robot is checked through the file that includes it, which XAC019 names.
     if subject.reading.document is not None or subject.problems("XAC019"):
         return

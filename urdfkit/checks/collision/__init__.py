@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from urdfkit.core import libraries
-from urdfkit.lint.context import WITHOUT_COAL, Unavailable
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+from urdfkit.lint.context import WITHOUT_COAL, Subject, Unavailable
 
 #: Codes and names of former rules, and the rules that report their findings now.
 REDIRECTS = {

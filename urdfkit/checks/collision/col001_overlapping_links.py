@@ -21,14 +21,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.physics.collision.sampled_poses import Contact, SampledPoses
 
 BAD = """\
@@ -70,8 +69,8 @@ _DEEP = 1e-3
 _PART = 0.6
 
 
-@rule("COL001", "overlapping-links", Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
+def check(subject: Subject) -> Findings:
     if not subject.is_crowded or subject.is_part:
         return
     poses = subject.collisions.still

@@ -14,18 +14,17 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.physics.collision.sampled_poses import Contact
-    from urdfkit.robot.model import Material, RobotModel
 
 BAD = """\
 <link name="hand">
@@ -49,13 +48,11 @@ _NOTES = 5
 
 
 @rule(
-    "COL004",
-    "contained-link",
     Severity.WARNING,
     needs=(Need.MODEL, Need.COLLISIONS),
     help="make the outer geometry smaller, or move the inner one to where the part is",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     if not subject.is_crowded or subject.is_part:
         return
     still = subject.collisions.still

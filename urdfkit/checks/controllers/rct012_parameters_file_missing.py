@@ -12,16 +12,12 @@ Sources:
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest_file
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.controllers import parameter_files
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -46,12 +42,10 @@ _GENERATED = ("generated", "temp", "tmp")
 
 
 @rule(
-    "RCT012",
-    "parameters-file-missing",
     Severity.ERROR,
     help="correct the path; $(find package)/config/controllers.yaml holds on every machine",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for file in parameter_files(subject):
         if file.found is None and file.element:  # LAU003 reports those of launch files
             if os.path.basename(os.path.dirname(file.path)) in _GENERATED:

@@ -12,11 +12,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller, controllers
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
@@ -24,9 +22,6 @@ from urdfkit.ros.ros_control import components
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -45,13 +40,8 @@ FILES = {
 }
 
 
-@rule(
-    "RCT013",
-    "controllers-name-unknown-joint",
-    Severity.ERROR,
-    help="fix the name in the parameter file",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="fix the name in the parameter file")
+def check(subject: Subject) -> Findings:
     if subject.is_part:
         return
     known = set(subject.model.joints_by_name)

@@ -12,11 +12,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from urdfkit.core.spatial import Vector, dot, minus
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.robot.model import length, number
 from urdfkit.ros.catalog.ros_control import Measure
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
@@ -24,9 +24,6 @@ from urdfkit.ros.controllers import Controller, controllers
 from urdfkit.ros.gazebo.drives import DrivenWheel, rolling
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 #: Relative difference; real robots are calibrated within this.
 TOLERANCE = 0.05
@@ -39,8 +36,8 @@ FILES = {
 }
 
 
-@rule("RCT014", "wheel-numbers-disagree", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     for file, found in controllers(subject):
         for controller in found:
             kind = catalogue().get(controller.type)

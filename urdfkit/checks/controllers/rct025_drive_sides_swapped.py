@@ -11,18 +11,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.controllers import controllers
 from urdfkit.ros.gazebo.drives import DrivenWheel, rolling, wrong_sides
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -37,8 +32,8 @@ _LEFT = ("left_wheel_names", "left_wheel")
 _RIGHT = ("right_wheel_names", "right_wheel")
 
 
-@rule("RCT025", "drive-sides-swapped", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     for file, found in controllers(subject):
         for controller in found:
             left, right = controller.values(_LEFT)[:1], controller.values(_RIGHT)[:1]

@@ -10,16 +10,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.controllers import lost, unparsed
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -38,8 +33,8 @@ FILES = {
 }
 
 
-@rule("RCT026", "parameters-not-read", Severity.ERROR, help="fix the parameter file")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="fix the parameter file")
+def check(subject: Subject) -> Findings:
     for file, span, reason in unparsed(subject):
         yield Finding(Location(span), f"invalid YAML: {reason}", related=(file.note,))
     for file, found in lost(subject):

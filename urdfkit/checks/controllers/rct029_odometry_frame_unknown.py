@@ -10,19 +10,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.controllers import Controller, controllers
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import Value
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -33,8 +28,8 @@ FILES = {
 }
 
 
-@rule("RCT029", "odometry-frame-unknown", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     if subject.is_part or len(subject.tree.roots) != 1:
         return
     root = subject.tree.roots[0].name

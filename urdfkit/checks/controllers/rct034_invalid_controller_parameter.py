@@ -24,10 +24,10 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.catalog.controllers import (
     Parameters,
     classes,
@@ -43,9 +43,6 @@ from urdfkit.ros.parameter_types import is_not_positive, type_of
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Node, Value
 from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -84,8 +81,8 @@ _PARAMETER_TYPO, _CLASS_TYPO = 0.88, 0.93
 _Problem = tuple[Span, str, str]
 
 
-@rule("RCT034", "invalid-controller-parameter", Severity.ERROR)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     for file, section in managers(subject):
         for span, message, help in _invalid_values(of_manager(), section):
             at = Location(span)

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.lint.context import Subject
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 #: Codes and names of former rules, and the rules that report their findings now.
 REDIRECTS = {"DYN002": "", "total-mass-disagrees": ""}  # fmt: skip

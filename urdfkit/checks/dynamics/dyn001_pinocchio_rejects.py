@@ -13,16 +13,12 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.model import RobotModel
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 TARGETS = ("pinocchio",)
 BAD = """\
@@ -39,13 +35,11 @@ _NAME = re.compile(r"[\[']([^\]']+)[\]']")
 
 
 @rule(
-    "DYN001",
-    "pinocchio-rejects",
     Severity.ERROR,
     needs=(Need.MODEL, Need.DYNAMICS),
     help="correct what it complains about; the other findings may say more",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     if "pinocchio" in subject.targets.names and not subject.is_part:
         refusal = subject.opinion.refusal
         if refusal:

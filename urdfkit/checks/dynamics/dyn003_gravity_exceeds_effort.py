@@ -14,20 +14,19 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.joint_loads import overloadable
 from urdfkit.robot.joints import effort_unit
+from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.ros.gazebo.values import is_true, text_of
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.physics.dynamics.statics import Load
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base"/>
@@ -51,13 +50,11 @@ _SAMPLES = 200
 
 
 @rule(
-    "DYN003",
-    "gravity-exceeds-effort",
     Severity.WARNING,
     needs=(Need.MODEL, Need.DYNAMICS),
     help="raise the effort to what the motor has, or correct the masses (urdfkit statics)",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     doubtful = overloadable(subject.tree)
     if not doubtful or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return

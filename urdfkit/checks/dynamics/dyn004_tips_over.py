@@ -13,18 +13,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.context import Unavailable
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.bounding_box import WITHOUT_MESHES
+from urdfkit.robot.model import RobotModel, Shape
 from urdfkit.robot.stability import Stability, is_freestanding, stand
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import RobotModel, Shape
-    from urdfkit.robot.tree import KinematicTree
 
 _WHEEL = """
 <link name="{0}">
@@ -64,13 +60,11 @@ _TOLERANCE = 1e-3
 
 
 @rule(
-    "DYN004",
-    "tips-over",
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
     help="move wheels, casters or heavy parts until it stands (urdfkit statics)",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     if subject.is_part or not subject.tree.is_sound or _is_serial(subject.tree):
         return
     standing = stand(subject, meshes=False)

@@ -13,16 +13,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import isinf
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.joint_loads import light
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 _LINK = """
 <link name="{0}">
@@ -45,13 +41,11 @@ GOOD = BAD.replace("1e-9", "1").replace("1e-11", "0.01")
 
 
 @rule(
-    "DYN005",
-    "mass-matrix-ill-conditioned",
     Severity.WARNING,
     needs=(Need.MODEL, Need.DYNAMICS),
     help="give the light link the mass and inertia of the real part, or fix one of the joints",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     doubtful = light(subject.tree)
     if not doubtful or subject.is_part:
         return

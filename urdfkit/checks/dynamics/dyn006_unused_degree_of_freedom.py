@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joint_loads import idle
 from urdfkit.robot.joints import driven
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -38,13 +33,8 @@ BAD = """\
 GOOD = BAD.replace("continuous", "fixed").replace('\n  <axis xyz="0 0 1"/>', "")
 
 
-@rule(
-    "DYN006",
-    "unused-degree-of-freedom",
-    Severity.INFO,
-    help='make it type="fixed", or give the link below it a mass',
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, help='make it type="fixed", or give the link below it a mass')
+def check(subject: Subject) -> Findings:
     if subject.is_part or not any(link.mass for link in subject.model.links):
         return
     moved = driven(subject.model)

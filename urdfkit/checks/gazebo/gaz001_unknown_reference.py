@@ -11,17 +11,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute
 
 BAD = """\
 <link name="wheel">
@@ -37,14 +32,8 @@ GOOD = BAD.replace("whel", "wheel")
 FIXED = GOOD
 
 
-@rule(
-    "GAZ001",
-    "unknown-reference",
-    Severity.ERROR,
-    help="name a link or a joint of this robot",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="name a link or a joint of this robot")
+def check(subject: Subject) -> Findings:
     model = subject.model
     known = {**model.links_by_name, **model.joints_by_name}
     suggester = Suggester(known)

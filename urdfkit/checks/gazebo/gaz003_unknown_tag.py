@@ -13,21 +13,18 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
 from urdfkit.core.suggest import Suggester, did_you_mean, nearest
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog.extensions import copied, extensions, suggested
 from urdfkit.ros.catalog.sensors import children
 from urdfkit.ros.gazebo.sensors import sensors, written
 from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">
@@ -56,14 +53,8 @@ _INSTEAD = {
 _TYPO = 0.8
 
 
-@rule(
-    "GAZ003",
-    "unknown-tag",
-    Severity.WARNING,
-    fixable=True,
-    help="remove it, or write a tag of Gazebo's URDF extensions",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="remove it, or write a tag of Gazebo's URDF extensions")
+def check(subject: Subject) -> Findings:
     known = {*extensions(), *(tag for kind in ("link", "joint", "model") for tag in copied(kind))}
     unknown: dict[str, list[Element]] = {}
     for block in subject.model.gazebo:
@@ -99,7 +90,7 @@ def _misspelt(element: Element, right: str) -> Finding:
     )
 
 
-def _in_sensors(model: RobotModel) -> Iterator[Finding]:
+def _in_sensors(model: RobotModel) -> Findings:
     known = children()
     for sensor in sensors(model):
         for child in sensor.at.children:

@@ -11,21 +11,16 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import isnan
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.model import number
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import RobotModel, number
 from urdfkit.ros.catalog.extensions import Extension, extensions
 from urdfkit.ros.gazebo.values import leading, text_of, value
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">
@@ -47,8 +42,8 @@ _NOT_NEGATIVE = ("mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "maxContacts")
 _COPIED = ("gravity", "self_collide", "kinematic", "enable_wind", "must_be_base_link")
 
 
-@rule("GAZ004", "bad-value", Severity.ERROR, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     handled = extensions()
     for block in subject.model.gazebo:
         for child in block.children:
@@ -68,7 +63,7 @@ def _is_read(model: RobotModel, block: Element, extension: Extension) -> bool:
     return is_link == is_joint or extension.on != ("joint" if is_link else "link")
 
 
-def _handled(child: Element, extension: Extension, text: str) -> Iterator[Finding]:
+def _handled(child: Element, extension: Extension, text: str) -> Findings:
     name = f"<{child.tag}> is {_shown(text)}"
     if extension.type in ("float", "int"):
         yield from _wrong_number(child, text, name)
@@ -82,7 +77,7 @@ def _handled(child: Element, extension: Extension, text: str) -> Iterator[Findin
         yield Finding(child, message, "write true or false")
 
 
-def _wrong_number(child: Element, text: str, name: str) -> Iterator[Finding]:
+def _wrong_number(child: Element, text: str, name: str) -> Findings:
     read, rest = leading(text)
     if not read:
         message = f"{name}, which is not a number: Gazebo's converter ends with an exception"

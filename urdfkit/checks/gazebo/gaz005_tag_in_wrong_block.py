@@ -16,21 +16,16 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
-from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.model import Joint
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Joint, Link, RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
-from urdfkit.ros.catalog.extensions import copied, extensions
+from urdfkit.ros.catalog.extensions import Extension, copied, extensions
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import STEP, insert_after, lines_of, remove_element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link, RobotModel
-    from urdfkit.ros.catalog.extensions import Extension
 
 BAD = """\
 <link name="base">
@@ -55,8 +50,8 @@ FIXED = GOOD
 _NAMED = 4
 
 
-@rule("GAZ005", "tag-in-wrong-block", Severity.WARNING, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     model = subject.model
     handled = extensions()
     owners = _owners(handled)
@@ -71,7 +66,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _of_other_kind(
     subject: Subject, block: Element, handled: Mapping[str, Extension], joint: Joint | None
-) -> Iterator[Finding]:
+) -> Findings:
     """The tags of joints in the block of a link, and those of links in the block of a joint."""
     name, kind = block.get("reference") or "", "joint" if joint else "link"
     for child in block.children:
@@ -96,9 +91,7 @@ def _owners(handled: Mapping[str, Extension]) -> dict[str, str]:
     return owners
 
 
-def _without_reference(
-    model: RobotModel, block: Element, owners: Mapping[str, str]
-) -> Iterator[Finding]:
+def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, str]) -> Findings:
     """At the misspelt attribute, at the tag, or at the block if it holds several."""
     for attribute in block.attributes.values():
         name, value = attribute.name, attribute.value

@@ -10,16 +10,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.catalog.extensions import extensions
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="wheel">
@@ -41,14 +36,8 @@ _OF_THE_BODY = ("turnGravityOff", "selfCollide", "dampingFactor")
 _SCALARS = ("float", "int", "bool", "string", "vector3")
 
 
-@rule(
-    "GAZ006",
-    "conflicting-blocks",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-    help="keep one of the two",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="keep one of the two")
+def check(subject: Subject) -> Findings:
     handled = extensions()
     first: dict[tuple[str, str], Element] = {}
     for block in subject.model.gazebo:

@@ -16,18 +16,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">
@@ -44,13 +39,10 @@ FIXED = GOOD
 
 
 @rule(
-    "GAZ007",
-    "unknown-material",
     Severity.WARNING,
-    fixable=True,
     help="use one of Gazebo's materials, or give the colour in the URDF's <material>",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     known = materials()
     # By their last words: all begin with "Gazebo/", which would make them alike.
     bare = {name.rpartition("/")[2]: name for name in known if not known[name].internal}

@@ -19,19 +19,15 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.rejection import REJECTED
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -47,14 +43,8 @@ GOOD = BAD.replace("<plugin", '<plugin name="drive"')
 FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
 
 
-@rule(
-    "GAZ010",
-    "invalid-plugin-or-sensor-name",
-    Severity.ERROR,
-    needs=(Need.MODEL, Need.GAZEBO),
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         for attribute, what in (("name", "its name"), ("filename", "the file name of its library")):
             if not (use.at.get(attribute) or "").strip():
@@ -82,7 +72,7 @@ def _named(subject: Subject, use: PluginUse) -> Fix | None:
     return Fix(f'add name="{name}"', (Edit(Span(source, end, end), f' name="{name}"'),))
 
 
-def _invalid_node_name(use: PluginUse) -> Iterator[Finding]:
+def _invalid_node_name(use: PluginUse) -> Findings:
     if re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", use.name):
         return
     good = re.sub(r"[^A-Za-z0-9_]", "_", use.name)

@@ -15,17 +15,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -45,18 +40,13 @@ BAD = """\
 GOOD = BAD.replace('"drive" filename="libgazebo_ros_p3d', '"pose" filename="libgazebo_ros_p3d')
 
 
-@rule(
-    "GAZ027",
-    "duplicate-plugin-or-sensor-name",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     yield from _plugins(subject)
     yield from _sensors(subject)
 
 
-def _plugins(subject: Subject) -> Iterator[Finding]:
+def _plugins(subject: Subject) -> Findings:
     first: dict[tuple[str, str], PluginUse] = {}
     for use in subject.plugins:
         if use.plugin is None or not use.plugin.node or not use.name:
@@ -73,7 +63,7 @@ def _plugins(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _sensors(subject: Subject) -> Iterator[Finding]:
+def _sensors(subject: Subject) -> Findings:
     first: dict[tuple[str, str], Sensor] = {}
     for sensor in sensors(subject.model):
         if not sensor.name or not sensor.reference:

@@ -14,18 +14,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.model import RobotModel
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.values import is_true
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_before
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -54,14 +51,11 @@ FIXED = GOOD
 
 
 @rule(
-    "GAZ052",
-    "force-torque-on-fixed-joint",
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
     help="add <preserveFixedJoint>true</preserveFixedJoint> to the <gazebo reference> of the joint",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     kept = {joint.joint.name for joint in subject.gazebo.joints}
     for name, at, who in _measuring(subject.model):
         joint = subject.model.joints_by_name.get(name)

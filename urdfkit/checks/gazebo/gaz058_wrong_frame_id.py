@@ -20,20 +20,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.catalog.sensors import types
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rewrite
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import PluginUse
-    from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="camera">
@@ -62,14 +59,14 @@ _READ = {
 _ELSEWHERE = ("odom", "map", "world", "earth", "utm")
 
 
-@rule("GAZ058", "wrong-frame-id", Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     yield from _missing(subject)
     if not subject.is_part:
         yield from _unknown(subject)
 
 
-def _unknown(subject: Subject) -> Iterator[Finding]:
+def _unknown(subject: Subject) -> Findings:
     known = subject.model.links_by_name
     suggester = Suggester(known)
     for who, at, name in _frames(subject):
@@ -107,7 +104,7 @@ def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
                 yield sensor.who, element, element.text.strip()
 
 
-def _missing(subject: Subject) -> Iterator[Finding]:
+def _missing(subject: Subject) -> Findings:
     """One finding for all sensors: one mistake of whoever wrote or generated the model."""
     targets = subject.targets
     if targets.names and not targets.any_of(_READ):

@@ -9,16 +9,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 from urdfkit.ros.gazebo.values import is_true
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -44,14 +39,8 @@ BAD = """\
 GOOD = BAD.replace("true", "false")
 
 
-@rule(
-    "GAZ063",
-    "static-robot",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-    help="remove the tag",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="remove the tag")
+def check(subject: Subject) -> Findings:
     if not subject.plugins:
         return  # a model to look at
     moving = [joint.name for joint in subject.model.joints if joint.kind in DEGREES_OF_FREEDOM]

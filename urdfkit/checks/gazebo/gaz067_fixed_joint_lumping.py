@@ -25,19 +25,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.ros.gazebo.values import is_true, text_of
 from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element, replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">
@@ -74,20 +69,14 @@ _TAGS = {
 _MERGED = "_fixed_joint_lump__"
 
 
-@rule(
-    "GAZ067",
-    "fixed-joint-lumping",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     yield from _flags(subject)
     yield from _kept_joints(subject)
     yield from _lost_on_shapes(subject)
 
 
-def _flags(subject: Subject) -> Iterator[Finding]:
+def _flags(subject: Subject) -> Findings:
     flags = [
         (block.get("reference") or "", tag)
         for block in subject.model.gazebo
@@ -106,7 +95,7 @@ def _flags(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _kept_joints(subject: Subject) -> Iterator[Finding]:
+def _kept_joints(subject: Subject) -> Findings:
     joints = subject.model.joints_by_name
     massless = {body.top.name for body in subject.gazebo.massless}
     tags = [
@@ -135,7 +124,7 @@ def _kept_joints(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _lost_on_shapes(subject: Subject) -> Iterator[Finding]:
+def _lost_on_shapes(subject: Subject) -> Findings:
     for simulated in subject.gazebo.links:
         for kind in ("collision", "visual"):
             shapes = simulated.collisions if kind == "collision" else simulated.visuals

@@ -19,18 +19,13 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.ros.catalog.plugins import misspelt
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.catalog.plugins import Plugin, misspelt
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.catalog.plugins import Plugin
-    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -47,14 +42,11 @@ FIXED = GOOD
 
 
 @rule(
-    "GAZ011",
-    "unknown-plugin",
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
     help="if it is a vendor's, add its package to your dependencies",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     reported: set[str] = set()
     for use in subject.plugins:
         if use.known:
@@ -83,7 +75,7 @@ def _misspelt(use: PluginUse, suggested: str) -> Finding:
     )
 
 
-def _unknown_class(use: PluginUse) -> Iterator[Finding]:
+def _unknown_class(use: PluginUse) -> Findings:
     classes = [_class_of(plugin, use) for plugin in use.known if plugin.class_name]
     name = use.at.attributes.get("name")
     if not classes or not use.name or name is None:

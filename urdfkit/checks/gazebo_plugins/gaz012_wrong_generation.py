@@ -17,19 +17,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
-from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, target_of_plugin
+from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets, target_of_plugin
 from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.editing.edits import all_or_none, replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.targets import Targets
 
 TARGETS = ("gz-fortress",)
 BAD = """\
@@ -49,14 +43,9 @@ _NONE = "no successor is known"
 
 
 @rule(
-    "GAZ012",
-    "wrong-generation",
-    Severity.ERROR,
-    needs=(Need.MODEL, Need.GAZEBO),
-    by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
-    fixable=True,
+    Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO), by_target=dict.fromkeys(GAZEBO, Severity.ERROR)
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     targets = [name for name in subject.targets.names if name in GENERATIONS]
     is_reported = False
     for use in subject.plugins:
@@ -79,7 +68,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from _mixed(subject.plugins)
 
 
-def _mixed(plugins: tuple[PluginUse, ...]) -> Iterator[Finding]:
+def _mixed(plugins: tuple[PluginUse, ...]) -> Findings:
     """The first plugin that no Gazebo loads together with those before it."""
     first: PluginUse | None = None
     common: set[str] = set()

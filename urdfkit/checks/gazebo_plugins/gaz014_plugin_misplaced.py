@@ -19,15 +19,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -61,8 +56,8 @@ _SAME = {
 _CAMERAS = ("depth", "wide_angle_camera")
 
 
-@rule("GAZ014", "plugin-misplaced", Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     known = {*subject.model.links_by_name, *subject.model.joints_by_name}
     for use in subject.plugins:
         reference = use.block.get("reference")
@@ -94,7 +89,7 @@ def _is_wrong(use: PluginUse, kinds: tuple[str, ...]) -> bool:
     return not (use.plugin.generation == "gz" and is_accepted)
 
 
-def _in_wrong_sensor(use: PluginUse) -> Iterator[Finding]:
+def _in_wrong_sensor(use: PluginUse) -> Findings:
     if use.place != "sensor" or use.plugin is None or not use.plugin.sensors:
         return
     assert use.at.parent is not None

@@ -19,19 +19,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.ros.catalog.plugins import renames
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.catalog.plugins import Plugin, renames
+from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.catalog.plugins import Plugin
-    from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 
 BAD = """\
 <link name="base">
@@ -52,15 +46,8 @@ FIXED = GOOD
 _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "classic": "no ROS"}
 
 
-@rule(
-    "GAZ016",
-    "unread-parameter",
-    Severity.INFO,
-    needs=(Need.MODEL, Need.GAZEBO),
-    help="remove it",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it")
+def check(subject: Subject) -> Findings:
     for use, found in subject.unread:
         if found.other is not None and use.plugin is not None:
             yield _of_other_generation(use, use.plugin, found.other, found.item)

@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.catalog.plugins import Parameter, Plugin
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="arm">
@@ -37,15 +32,15 @@ BAD = """\
 GOOD = BAD.replace("    <topic", "    <bodyName>arm</bodyName>\n    <topic")
 
 
-@rule("GAZ017", "missing-parameter", Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         found = list(_missing(use, use.plugin, subject)) if use.plugin else []
         if found and not _is_of_another(use):
             yield from found
 
 
-def _missing(use: PluginUse, plugin: Plugin, subject: Subject) -> Iterator[Finding]:
+def _missing(use: PluginUse, plugin: Plugin, subject: Subject) -> Findings:
     given = {item.path for item in use.items if item.text}
     blocks = {item.path for item in use.items}
     for parameter in plugin.parameters.values():

@@ -10,18 +10,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import number
+from urdfkit.ros.catalog.plugins import Parameter
 from urdfkit.ros.gazebo.values import leading
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.catalog.plugins import Parameter
 
 BAD = """\
 <link name="base">
@@ -44,8 +39,8 @@ _LENGTHS = {"vector2": 2, "vector3": 3, "quaternion": 3, "pose": 6}
 _TRUE, _FALSE = ("true", "1"), ("false", "0", "no", "off")
 
 
-@rule("GAZ019", "parameter-bad-type", Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         parameters = use.plugin.parameters if use.plugin else {}
         for item in use.items:

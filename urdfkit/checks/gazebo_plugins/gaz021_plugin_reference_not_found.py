@@ -24,19 +24,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.model import Joint
 from urdfkit.ros.catalog.extensions import rewritten
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference, conversion_result
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before, rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base">
@@ -68,15 +63,8 @@ FIXED = GOOD
 _STATES = "gazebo_ros_joint_state_publisher@classic-ros2"
 
 
-@rule(
-    "GAZ021",
-    "plugin-reference-not-found",
-    Severity.ERROR,
-    needs=(Need.MODEL, Need.GAZEBO),
-    help="name a link or joint of this robot",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO), help="name a link or joint of this robot")
+def check(subject: Subject) -> Findings:
     conversion = subject.gazebo
     suggesters = {
         "link": Suggester(subject.model.links_by_name),

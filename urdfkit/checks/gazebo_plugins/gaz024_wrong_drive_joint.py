@@ -13,17 +13,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.gazebo.drives import drive_of, driven
+from urdfkit.ros.gazebo.plugins import Reference
 from urdfkit.ros.gazebo.samples import WHEELED
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import Reference
 
 GOOD = (
     WHEELED
@@ -40,8 +35,8 @@ BAD = GOOD.replace("continuous", "revolute").replace(
 )
 
 
-@rule("GAZ024", "wrong-drive-joint", Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         if drive_of(use) is None:
             continue

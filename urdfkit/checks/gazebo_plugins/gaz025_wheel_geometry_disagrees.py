@@ -13,19 +13,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import dot, minus
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.gazebo.drives import DriveKind, Wheel, drive_of, given, pairs, wheels
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import WHEELED
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import PluginUse
-    from urdfkit.text.document import Attribute, Element
+from urdfkit.text.document import Attribute, Element
 
 #: Relative difference; real robots are calibrated within this.
 TOLERANCE = 0.05
@@ -45,13 +40,8 @@ BAD = (
 GOOD = BAD.replace("<wheelDiameter>0.1<", "<wheelDiameter>0.2<")
 
 
-@rule(
-    "GAZ025",
-    "wheel-geometry-disagrees",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         kind = drive_of(use)
         if kind is not None:
@@ -60,7 +50,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _separation(use, kind, found)
 
 
-def _size(use: PluginUse, kind: DriveKind, found: list[Wheel]) -> Iterator[Finding]:
+def _size(use: PluginUse, kind: DriveKind, found: list[Wheel]) -> Findings:
     radii = [radius for wheel in found if (radius := wheel.rolling.radius) is not None]
     size = given(use, kind.size) if kind.size else None
     if size is None or not radii or max(radii) > (1 + TOLERANCE) * min(radii):
@@ -71,7 +61,7 @@ def _size(use: PluginUse, kind: DriveKind, found: list[Wheel]) -> Iterator[Findi
         yield _finding(use, kind.size, size, shape, factor * radii[0])
 
 
-def _separation(use: PluginUse, kind: DriveKind, found: list[Wheel]) -> Iterator[Finding]:
+def _separation(use: PluginUse, kind: DriveKind, found: list[Wheel]) -> Findings:
     distance = given(use, kind.separation) if kind.separation else None
     if distance is None:
         return

@@ -12,16 +12,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.gazebo.drives import drive_of, pairs, wheels, wrong_sides
 from urdfkit.ros.gazebo.samples import WHEELED
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = (
     WHEELED
@@ -38,13 +33,8 @@ GOOD = BAD.replace("<leftJoint>right", "<leftJoint>left").replace(
 )
 
 
-@rule(
-    "GAZ026",
-    "left-and-right-swapped",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         kind = drive_of(use)
         if kind is None or kind.steered or use.values("legacyMode"):

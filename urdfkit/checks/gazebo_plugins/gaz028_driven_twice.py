@@ -10,16 +10,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.gazebo.drives import driven
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -50,14 +45,8 @@ BAD = """\
 GOOD = BAD[: BAD.index('  <plugin name="gz::sim::systems::ApplyJointForce"')] + "</gazebo>"
 
 
-@rule(
-    "GAZ028",
-    "driven-twice",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-    help="let one of them drive it",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="let one of them drive it")
+def check(subject: Subject) -> Findings:
     drivers = _controlled(subject)
     for use in subject.plugins:
         for reference in driven(use):

@@ -10,15 +10,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.gazebo.drives import driven
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -61,13 +56,11 @@ _MOST = 4
 
 
 @rule(
-    "GAZ029",
-    "driven-by-nothing",
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
     help="add a drive plugin or ros2_control, unless they are meant to turn freely",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     model = subject.model
     if model.transmissions or model.ros2_controls or not subject.plugins or subject.is_part:
         return

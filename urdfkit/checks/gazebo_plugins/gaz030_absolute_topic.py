@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -35,8 +30,8 @@ BAD = """\
 GOOD = BAD.replace("/cmd_vel<", "cmd_vel<")
 
 
-@rule("GAZ030", "absolute-topic", Severity.INFO, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         if use.plugin is None or use.plugin.generation not in ("classic-ros1", "classic-ros2"):
             continue  # in gz-sim a topic is absolute in any case

@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 
 BAD = """\
 <link name="base_footprint">
@@ -53,14 +48,8 @@ _ODOMETRY = ("odometryFrame", "odometry_frame")
 _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf")
 
 
-@rule(
-    "GAZ031",
-    "odometry-frame-is-not-root",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         if use.plugin is None or use.plugin.generation == "gz" or not _sends(use):
             continue

@@ -23,25 +23,19 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, rule
-from urdfkit.ros.catalog.sensors import types
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.ros.catalog.sensors import SensorType, types
 from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
-from urdfkit.ros.gazebo.sensors import sensors, written
-from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ
+from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
+from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets
 from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.catalog.sensors import SensorType
-    from urdfkit.ros.gazebo.sensors import Sensor
-    from urdfkit.ros.targets import Targets
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -65,14 +59,11 @@ _ON_JOINTS = {"force_torque"}
 
 
 @rule(
-    "GAZ040",
-    "sensor-not-created",
     Severity.ERROR,
     help="use a type that Gazebo knows, such as ray, gpu_lidar, camera, imu or contact",
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     known = types()
     for sensor in sensors(subject.model):
         if kind := known.get(sensor.type):
@@ -93,7 +84,7 @@ def _unknown(sensor: Sensor, known: Mapping[str, SensorType], targets: Targets) 
     return Finding(at, f"{sensor.who}: {what}: {REJECTED_BY_GZ}{hint}", fix=_fix(sensor, made))
 
 
-def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Iterator[Finding]:
+def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findings:
     wants_gz, wants_classic = targets.any_of(GZ), targets.any_of(CLASSIC)
     if not kind.gz and (wants_gz or not wants_classic):
         reader, other = "gz-sim", kind.gz_name
@@ -109,7 +100,7 @@ def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Iterat
     )
 
 
-def _of_wrong_element(subject: Subject, sensor: Sensor) -> Iterator[Finding]:
+def _of_wrong_element(subject: Subject, sensor: Sensor) -> Findings:
     is_link = sensor.reference in subject.model.links_by_name
     is_joint = sensor.reference in subject.model.joints_by_name
     if is_joint in (is_link, sensor.type in _ON_JOINTS):

@@ -12,15 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -40,13 +35,8 @@ GOOD = BAD.replace(">0<", ">30<")
 _HEAVY = ("camera", "depth", "lidar", "ray")
 
 
-@rule(
-    "GAZ043",
-    "update-rate-not-positive",
-    Severity.WARNING,
-    help="give the rate of the real sensor in Hz",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="give the rate of the real sensor in Hz")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         is_heavy = bool(sensor.lidar) or any(word in sensor.type for word in _HEAVY)
         if is_heavy and sensor.find("update_rate") is None:

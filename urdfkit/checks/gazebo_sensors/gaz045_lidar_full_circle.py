@@ -11,32 +11,22 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import pi
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = LIDAR.replace(">-1<", ">-3.1415926<").replace(">1<", ">3.1415926<")
 GOOD = BAD.replace(">3.1415926<", ">3.1241<")
 FIXED = BAD.replace(">3.1415926<", ">3.12414<")
 
 
-@rule(
-    "GAZ045",
-    "lidar-full-circle",
-    Severity.INFO,
-    help="end one step before the full circle",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, help="end one step before the full circle")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         scan = f"{sensor.lidar}/scan/horizontal"
         first, last = sensor.number(f"{scan}/min_angle"), sensor.number(f"{scan}/max_angle")

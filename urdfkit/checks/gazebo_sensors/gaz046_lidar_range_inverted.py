@@ -11,31 +11,20 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.targets import CLASSIC, GZ
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import swap
 
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-
 BAD = LIDAR.replace("<min>0.1</min><max>10</max>", "<min>10</min><max>0.1</max>")
 GOOD = FIXED = LIDAR
 
 
-@rule(
-    "GAZ046",
-    "lidar-range-inverted",
-    Severity.ERROR,
-    help="let the least be below the greatest",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="let the least be below the greatest")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         block = sensor.at.child(sensor.lidar) if sensor.lidar else None
         if block is None:
@@ -63,7 +52,7 @@ def _may_sweep_backwards(sensor: Sensor, subject: Subject) -> bool:
     return sensor.type == "ray" and targets.any_of(CLASSIC) and not targets.any_of(GZ)
 
 
-def _inverted(sensor: Sensor, what: str, first: str, last: str, unit: str) -> Iterator[Finding]:
+def _inverted(sensor: Sensor, what: str, first: str, last: str, unit: str) -> Findings:
     least, greatest = (sensor.number(f"{sensor.lidar}/{path}") for path in (first, last))
     if least is None or greatest is None or least.value < greatest.value:
         return

@@ -13,20 +13,16 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import pi, radians
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import number, numbers
 from urdfkit.ros.gazebo.rejection import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.editing.edits import rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = LIDAR.replace(">-1<", ">-90<").replace(">1<", ">90<")
 GOOD = FIXED = BAD.replace("90<", "1.5708<")
@@ -39,14 +35,8 @@ _ANGLES = (
 )
 
 
-@rule(
-    "GAZ047",
-    "sensor-angle-in-degrees",
-    Severity.WARNING,
-    help="write the angle in radians",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="write the angle in radians")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         for path in _ANGLES:
             angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
@@ -64,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from _field_of_view(sensor)
 
 
-def _turned_far(sensor: Sensor) -> Iterator[Finding]:
+def _turned_far(sensor: Sensor) -> Findings:
     """A sensor whose pose turns it by more than a full turn."""
     for pose in sensor.at.all("pose"):
         values = numbers(pose.text)
@@ -83,7 +73,7 @@ def _turned_far(sensor: Sensor) -> Iterator[Finding]:
             )
 
 
-def _field_of_view(sensor: Sensor) -> Iterator[Finding]:
+def _field_of_view(sensor: Sensor) -> Findings:
     for camera in sensor.at.all("camera"):
         element = camera.child("horizontal_fov")
         value = number(element.text.strip()) if element else None

@@ -10,16 +10,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import swap
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -37,14 +32,8 @@ GOOD = BAD.replace("<near>10</near><far>0.1</far>", "<near>0.1</near><far>10</fa
 FIXED = GOOD
 
 
-@rule(
-    "GAZ048",
-    "camera-clip-inverted",
-    Severity.ERROR,
-    help="let near be above 0 and below far",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="let near be above 0 and below far")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         near = sensor.number("camera/clip/near")
         far = sensor.number("camera/clip/far")

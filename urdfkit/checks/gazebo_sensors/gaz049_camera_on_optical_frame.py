@@ -11,18 +11,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import rotate
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import numbers
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -56,13 +51,8 @@ GOOD = BAD.replace('reference="camera_optical_frame"', 'reference="camera_link"'
 _NEARLY = 0.99
 
 
-@rule(
-    "GAZ049",
-    "camera-on-optical-frame",
-    Severity.WARNING,
-    help="refer to the camera's link, and name the optical frame in the plugin",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="refer to the camera's link, and name the optical frame in the plugin")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         if "camera" not in sensor.type and sensor.type != "depth":
             continue

@@ -11,17 +11,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import IDENTITY
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Body
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Body
 
 BAD = """\
 <link name="base">
@@ -41,13 +36,8 @@ BAD = """\
 GOOD = BAD.replace("<min>0.05</min>", "<min>0.2</min>")
 
 
-@rule(
-    "GAZ050",
-    "sensor-sees-itself",
-    Severity.WARNING,
-    help="raise the least range, or make the collision shape smaller",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="raise the least range, or make the collision shape smaller")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         link = subject.model.links_by_name.get(sensor.reference)
         least = sensor.number(f"{sensor.lidar}/range/min") if sensor.lidar else None

@@ -12,18 +12,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -45,14 +40,11 @@ FIXED = GOOD
 
 
 @rule(
-    "GAZ051",
-    "contact-names-unknown-collision",
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
     help="name the collision as Gazebo does; 'urdfkit gazebo' lists the names",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         if sensor.type == "contact" and sensor.find("contact/collision") is None:
             message = f"{sensor.who} names no collision, and feels nothing"

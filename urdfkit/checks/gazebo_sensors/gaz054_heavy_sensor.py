@@ -9,16 +9,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import prod
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -40,13 +36,8 @@ _HEAVY = 1e8
 _WAYS = ("horizontal", "vertical")
 
 
-@rule(
-    "GAZ054",
-    "heavy-sensor",
-    Severity.INFO,
-    help="lower the resolution or the update rate",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, help="lower the resolution or the update rate")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         rate = sensor.number("update_rate")
         amount = _values(sensor)

@@ -12,15 +12,12 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -48,12 +45,10 @@ _TAGS = ("frameName", "frame_name", "gz_frame_id", "frame_id", "ignition_frame_i
 
 
 @rule(
-    "GAZ055",
-    "camera-frame-not-optical",
     Severity.INFO,
     help="name an optical frame, a link turned by -1.5708 0 -1.5708 against the camera's",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         if "camera" not in sensor.type and sensor.type not in ("depth", "rgbd"):
             continue

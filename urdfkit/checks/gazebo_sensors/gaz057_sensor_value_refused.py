@@ -16,20 +16,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isnan
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import number
 from urdfkit.ros.catalog.sensors import Setting
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
 from urdfkit.ros.gazebo.values import leading, value
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.document import Attribute
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="base">
@@ -64,8 +60,8 @@ _COMMON = {
 }
 
 
-@rule("GAZ057", "sensor-value-refused", Severity.ERROR, help="write what SDF reads there")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="write what SDF reads there")
+def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         for at, name, text, setting in _values(sensor):
             if wrong := _wrong(name, setting, text):

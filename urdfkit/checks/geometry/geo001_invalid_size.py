@@ -17,17 +17,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.shapes import shaped, sizes
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute
 
 BAD = """\
 <link name="arm">
@@ -39,8 +34,8 @@ GOOD = BAD.replace("-0.2", "0.2")
 FIXED = GOOD
 
 
-@rule("GEO001", "invalid-size", Severity.ERROR, help="write a positive size in m", fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="write a positive size in m")
+def check(subject: Subject) -> Findings:
     for link, body, shape in shaped(subject.model):
         who = f"link '{link.name}': the <{shape.kind}> in its {body.at.tag} has"
         for attribute, values in sizes(shape):

@@ -18,17 +18,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
-from urdfkit.robot.stability import is_freestanding, stand
+from urdfkit.robot.stability import Stability, is_freestanding, stand
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.stability import Stability
 
 BAD = """\
 <link name="base">
@@ -64,13 +58,11 @@ _HEAVY = 1e-3
 
 
 @rule(
-    "GEO002",
-    "missing-geometry",
     Severity.INFO,
     help="add a <collision> with a simple shape if the link can be touched",
     by_target={"moveit": Severity.WARNING},
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     links = subject.model.links
     if any(link.visuals or link.collisions for link in links):
         yield from _without_collision(subject)
@@ -84,7 +76,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield Finding(subject.model.root, message, help, severity=Severity.INFO)
 
 
-def _without_collision(subject: Subject) -> Iterator[Finding]:
+def _without_collision(subject: Subject) -> Findings:
     links = [link for link in subject.model.links if link.visuals]
     if len(links) > 1 and not any(link.collisions for link in subject.model.links):
         message = f"none of the {len(links)} links with a visual has a collision"
@@ -104,7 +96,7 @@ def _without_collision(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _without_visual(subject: Subject) -> Iterator[Finding]:
+def _without_visual(subject: Subject) -> Findings:
     for link in subject.model.links:
         if link.collisions and not link.visuals:
             yield Finding(
@@ -116,7 +108,7 @@ def _without_visual(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _without_both(subject: Subject) -> Iterator[Finding]:
+def _without_both(subject: Subject) -> Findings:
     if not any(link.collisions for link in subject.model.links) or subject.is_part:
         return
     for body in rigid_bodies(subject.tree):

@@ -24,21 +24,15 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import Transform
-from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, Mismatch
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, Mismatch, VisualCollisionPair
+from urdfkit.robot.model import Body, Link
+from urdfkit.robot.shapes import BoundingBox
 from urdfkit.text.diagnostic import Confidence, Edit, Fix, Related, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_first, remove_element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.visual_collision import VisualCollisionPair
-    from urdfkit.robot.model import Body, Link
-    from urdfkit.robot.shapes import BoundingBox
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -68,14 +62,8 @@ _UNITS = {
 _NEAR = 1.08
 
 
-@rule(
-    "GEO004",
-    "visual-collision-mismatch",
-    Severity.WARNING,
-    help="compare both in RViz, and correct the one that is wrong",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="compare both in RViz, and correct the one that is wrong")
+def check(subject: Subject) -> Findings:
     pairs = subject.visual_collision_pairs
     for one in pairs.mismatches.get(Mismatch.APART, ()):
         yield _apart(one)
@@ -142,7 +130,7 @@ def _rotated(one: VisualCollisionPair) -> Finding:
     )
 
 
-def _diameters(subject: Subject) -> Iterator[Finding]:
+def _diameters(subject: Subject) -> Findings:
     for link in subject.model.links:
         if len(link.visuals) != 1 or len(link.collisions) != 1:
             continue

@@ -12,17 +12,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.model import Shape
 from urdfkit.robot.shapes import shaped
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Shape
 
 BAD = """\
 <link name="left_arm">
@@ -37,8 +32,8 @@ FILES = {"left_arm.stl": PLATE}
 _MAX_RELATED = 20
 
 
-@rule("GEO006", "negative-scale", Severity.INFO, help="mirror the mesh file itself")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, help="mirror the mesh file itself")
+def check(subject: Subject) -> Findings:
     mirrored = [
         (link.name, body.at.tag, shape)
         for link, body, shape in shaped(subject.model)

@@ -10,17 +10,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import chain
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Material
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Material
 
 BAD = """\
 <material name="orange">
@@ -38,14 +34,8 @@ FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 _SLIGHTLY = 2.0
 
 
-@rule(
-    "GEO007",
-    "colour-out-of-range",
-    Severity.ERROR,
-    help="write red, green, blue and alpha from 0 to 1",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="write red, green, blue and alpha from 0 to 1")
+def check(subject: Subject) -> Findings:
     model = subject.model
     in_visuals = (body.material for link in model.links for body in link.visuals)
     for material in chain(model.materials, in_visuals):

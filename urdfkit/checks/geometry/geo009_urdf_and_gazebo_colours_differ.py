@@ -12,19 +12,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.model import Material
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Material
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">
@@ -42,13 +37,8 @@ GOOD = BAD.replace("Gazebo/Red", "Gazebo/Black")
 _TOLERANCE = 0.4
 
 
-@rule(
-    "GEO009",
-    "urdf-and-gazebo-colours-differ",
-    Severity.INFO,
-    help="give both the same colour",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, help="give both the same colour")
+def check(subject: Subject) -> Findings:
     names = [name for name in subject.targets.names if name in GAZEBO]
     if names == ["gz-fortress"]:
         return  # which has no material scripts

@@ -12,16 +12,12 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute, Element
+from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="base">
@@ -35,8 +31,8 @@ GOOD = BAD.replace('0.2 0"', '0.2 1"')
 _INTENDED = re.compile(r"invisible|transparent|hidden|none|clear|glass", re.IGNORECASE)
 
 
-@rule("GEO010", "invisible-visual", Severity.INFO, help="write 1 as the fourth number of rgba")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, help="write 1 as the fourth number of rgba")
+def check(subject: Subject) -> Findings:
     reported: set[Element | Attribute] = set()
     for link, _, material in Colours(subject.model).visuals():
         rgba, name = material.rgba, material.name.value if material.name else ""

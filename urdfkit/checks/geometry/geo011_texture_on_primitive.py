@@ -12,17 +12,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.shapes import SIZES
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute, Element
+from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="sign">
@@ -39,12 +34,10 @@ GOOD = BAD.replace(
 
 
 @rule(
-    "GEO011",
-    "texture-on-primitive",
     Severity.INFO,
     help="use a mesh with texture coordinates, and give the material a <color> for the others",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     reported: set[Element | Attribute] = set()
     for link, body, material in Colours(subject.model).visuals():
         texture, kind = material.texture, body.shape.kind if body.shape else ""

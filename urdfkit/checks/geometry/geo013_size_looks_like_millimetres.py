@@ -9,15 +9,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Body
 from urdfkit.text.diagnostic import Confidence, Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Body
 
 _LINK = """\
 <link name="{name}">
@@ -42,13 +37,8 @@ _LEAST = 5.0
 _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "field")
 
 
-@rule(
-    "GEO013",
-    "size-looks-like-millimetres",
-    Severity.WARNING,
-    help="divide by 1000: lengths are metres",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="divide by 1000: lengths are metres")
+def check(subject: Subject) -> Findings:
     sizes: dict[str, list[tuple[float, float, Body]]] = {}
     for link in subject.model.links:
         for body in (*link.visuals, *link.collisions):

@@ -19,18 +19,15 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
 from urdfkit.text.grammar import calling_macro, owner
 from urdfkit.text.schema import places_of
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -46,13 +43,9 @@ _SHOWN = 5
 
 
 @rule(
-    "URD001",
-    "unknown-element",
-    Severity.WARNING,
-    help="remove it, or give it the namespace prefix of the program that reads it",
-    fixable=True,
+    Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     misplaced = []
     for element, _, needed, suggested in subject.deviations.get("URD001", ()):
         if not suggested and places_of(element.tag):
@@ -104,7 +97,7 @@ def _fix(element: Element, suggested: str) -> Fix | None:
     return Fix(f"remove the <{element.tag}>", remove_element(element))
 
 
-def _misplaced(elements: list[Element]) -> Iterator[Finding]:
+def _misplaced(elements: list[Element]) -> Findings:
     """Elements that URDF has in other places."""
     alike: dict[tuple[str, str], list[Element]] = {}
     for element in elements:

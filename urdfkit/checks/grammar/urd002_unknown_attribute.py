@@ -13,18 +13,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text import schema
 from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rename_attribute
 from urdfkit.text.grammar import owner
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="base"/>
@@ -42,13 +37,9 @@ _SHOWN = 5
 
 
 @rule(
-    "URD002",
-    "unknown-attribute",
-    Severity.WARNING,
-    help="remove it, or give it the namespace prefix of the program that reads it",
-    fixable=True,
+    Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     foreign: dict[tuple[str, bool], list[Attribute]] = {}
     for element, attribute, _, suggested in subject.deviations.get("URD002", ()):
         assert attribute is not None

@@ -19,18 +19,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute
 from urdfkit.text.grammar import owner
 from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">
@@ -42,14 +38,8 @@ GOOD = BAD.replace("radus", "radius")
 FIXED = GOOD
 
 
-@rule(
-    "URD003",
-    "missing-attribute",
-    Severity.ERROR,
-    help="add the attribute",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="add the attribute")
+def check(subject: Subject) -> Findings:
     for element, attribute, missing, suggested in subject.deviations.get("URD003", ()):
         message = f"{owner(element)}: <{element.tag}> has no '{missing}'"
         if attribute is None and element.parent is None:

@@ -14,17 +14,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
 from urdfkit.text.schema import SHAPES
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -41,8 +36,8 @@ GOOD = """\
 </link>"""
 
 
-@rule("URD004", "missing-element", Severity.ERROR, help="add the element")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="add the element")
+def check(subject: Subject) -> Findings:
     for element, _, missing, _ in subject.deviations.get("URD004", ()):
         who = owner(element)
         if not missing:

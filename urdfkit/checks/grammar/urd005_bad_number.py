@@ -16,17 +16,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text import schema
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import as_written, replace_value
 from urdfkit.text.grammar import has_break, is_number, owner
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="ball">
@@ -40,13 +35,10 @@ FIXED = GOOD
 
 
 @rule(
-    "URD005",
-    "bad-number",
     Severity.ERROR,
     help="write as many numbers as it takes, with decimal points, and spaces between them",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for element, attribute, kind, _ in subject.deviations.get("URD005", ()):
         assert attribute is not None
         length = schema.LENGTHS.get(kind, 1)

@@ -12,19 +12,15 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import zip_longest
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import remove_element
 from urdfkit.text.grammar import owner
 from urdfkit.text.schema import SHAPES
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -38,14 +34,8 @@ GOOD = BAD.replace('    <origin xyz="0 0 0.05" />\n', "")
 FIXED = GOOD
 
 
-@rule(
-    "URD007",
-    "duplicate-element",
-    Severity.WARNING,
-    help="remove one of them",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="remove one of them")
+def check(subject: Subject) -> Findings:
     for element, *_ in subject.deviations.get("URD007", ()):
         assert element.parent is not None
         first = _first(element, element.parent)

@@ -13,17 +13,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.catalog.extensions import extensions
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import STEP, insert_after, insert_last, lines_of, remove_elements
 from urdfkit.text.grammar import owner
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="wheel">
@@ -37,8 +34,8 @@ GOOD = """\
 FIXED = GOOD.replace('"wheel"/>', '"wheel">\n</link>')
 
 
-@rule("URD008", "gazebo-tag-misplaced", Severity.WARNING, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     misplaced = [element for element, *_ in subject.deviations.get("URD008", ())]
     fixes = _fixes(subject, misplaced)
     for element in misplaced:

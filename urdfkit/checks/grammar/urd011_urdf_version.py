@@ -20,26 +20,21 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import owner, version_of
 from urdfkit.text.schema import VERSIONS
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute
 
 BAD = '<robot name="cart" version="2.3">\n  <link name="base"/>\n</robot>\n'
 GOOD = BAD.replace(' version="2.3"', "")
 FIXED = BAD.replace("2.3", "1.0")
 
 
-@rule("URD011", "urdf-version", Severity.ERROR, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     version = version_of(subject.document.root)
     for element, attribute, _, since in subject.deviations.get("URD011", ()):
         if not since:

@@ -10,30 +10,19 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import rename_element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = '<Robot name="cart">\n  <link name="base"/>\n</Robot>\n'
 GOOD = BAD.replace("Robot", "robot")
 FIXED = GOOD
 
 
-@rule(
-    "URD015",
-    "root-is-not-robot",
-    Severity.ERROR,
-    help="check the file that holds the <robot>",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="check the file that holds the <robot>")
+def check(subject: Subject) -> Findings:
     xacro = subject.reading.xacro
     if xacro is not None and xacro.is_library:
         return

@@ -11,18 +11,13 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
-from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
-    from urdfkit.text.source import Source
+from urdfkit.text.source import Source, Span
 
 BAD = """\
 <link name="arm">
@@ -40,10 +35,8 @@ _TAGS = rb"<!--[\s\S]*?-->|<[^<>]*>"
 _SHOWN = 40
 
 
-@rule(
-    "URD017", "stray-text", Severity.WARNING, help="write the value as an attribute, or remove it"
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="write the value as an attribute, or remove it")
+def check(subject: Subject) -> Findings:
     for deviation in subject.deviations.get("URD017", ()):
         element = deviation.element
         text = element.text.strip().split("\n")[0].rstrip()

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 
-from urdfkit.lint.rules import Finding
+from urdfkit.lint.rules import Finding, Findings
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.text.diagnostic import Fix, Related
@@ -14,7 +14,7 @@ from urdfkit.text.editing.edits import from_macro
 def together(
     findings: Iterable[tuple[LinkInertia, Finding]],
     by: Callable[[LinkInertia], object] = lambda one: one.tensor,
-) -> Iterator[Finding]:
+) -> Findings:
     """Findings about copies of one tensor as one, the worst first.
 
     ``by`` gives what the copies have in common, where that is less than the whole tensor.

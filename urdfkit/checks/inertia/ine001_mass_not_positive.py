@@ -14,17 +14,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import can_move
+from urdfkit.robot.model import Link
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link
 
 BAD = """\
 <link name="base">
@@ -46,8 +41,8 @@ BAD = """\
 GOOD = BAD.replace('"0"/>\n    <inertia ixx="0.001"', '"0.5"/>\n    <inertia ixx="0.001"')
 
 
-@rule("INE001", "mass-not-positive", Severity.ERROR, help="write the mass of the link in kg")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="write the mass of the link in kg")
+def check(subject: Subject) -> Findings:
     masses = subject.masses
     for link in subject.model.links:
         mass = link.inertial.mass if link.inertial else None

@@ -19,19 +19,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
+from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.masses import Masses
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import LinkInertia
-    from urdfkit.robot.inertials.masses import Masses
 
 BAD = """\
 <link name="arm">
@@ -45,13 +40,10 @@ FIXED = GOOD
 
 
 @rule(
-    "INE003",
-    "impossible-inertia",
     Severity.ERROR,
     help="take the tensor about the centre of mass from the CAD program, or compute it",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     masses = subject.masses
     for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
         links = masses.defects.get(defect, ())

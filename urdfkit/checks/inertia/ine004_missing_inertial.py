@@ -22,18 +22,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.robot.rigid_bodies import NO_MASS
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
 from urdfkit.ros.gazebo.conversion import OLD, Conversion
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.rigid_bodies import RigidBody
 
 BAD = """\
 <link name="base">
@@ -69,14 +63,12 @@ _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
 
 
 @rule(
-    "INE004",
-    "missing-inertial",
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
     help="give it an <inertial>, or a fixed joint if it is only a frame",
     by_target={"mujoco": Severity.ERROR, **dict.fromkeys(GAZEBO, Severity.ERROR)},
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     if subject.masses.total == 0:
         yield from _without_any_mass(subject)
     elif not subject.is_part:  # what a part lacks, the whole may have
@@ -85,7 +77,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from _on_massless_frames(subject)
 
 
-def _without_any_mass(subject: Subject) -> Iterator[Finding]:
+def _without_any_mass(subject: Subject) -> Findings:
     links = subject.model.links
     if links and not subject.is_part:
         count = f"none of the {len(links)} links has a mass"
@@ -97,7 +89,7 @@ def _without_any_mass(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _without_mass(subject: Subject) -> Iterator[Finding]:
+def _without_mass(subject: Subject) -> Findings:
     if subject.masses.total < 0:
         return
     for body in subject.gazebo.massless:
@@ -133,7 +125,7 @@ def _listed(names: list[str]) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
-def _of_tiny_mass(subject: Subject) -> Iterator[Finding]:
+def _of_tiny_mass(subject: Subject) -> Findings:
     for body in subject.masses.bodies:
         if body.joint is None or not 0 < body.mass <= NO_MASS:
             continue
@@ -148,7 +140,7 @@ def _of_tiny_mass(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _on_massless_frames(subject: Subject) -> Iterator[Finding]:
+def _on_massless_frames(subject: Subject) -> Findings:
     for body in Conversion(subject.tree, OLD).stranded:
         joint = body.joint
         assert joint is not None

@@ -16,18 +16,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
+from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.model import Joint
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import LinkInertia
-    from urdfkit.robot.inertials.masses import Masses
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base"/>
@@ -51,13 +48,10 @@ FIXED = GOOD
 
 
 @rule(
-    "INE005",
-    "zero-inertia",
     Severity.ERROR,
     help="compute the tensor from mass and size: urdfkit explain XAC014 has the formulas",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     yield from together(_zero(subject.masses))
     thin = sorted(_thin(subject.masses), key=lambda finding: -finding.weight)
     if thin:
@@ -89,7 +83,7 @@ def _finding(one: LinkInertia, joint: Joint) -> Finding:
     )
 
 
-def _thin(masses: Masses) -> Iterator[Finding]:
+def _thin(masses: Masses) -> Findings:
     for body in masses.singular:
         assert body.joint is not None
         one = masses.by_name.get(body.top.name)

@@ -24,11 +24,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import (
@@ -40,12 +38,9 @@ from urdfkit.robot.inertials.diagnosis import (
     replacement,
     values,
 )
+from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.masses import Masses
 from urdfkit.text.diagnostic import Confidence, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import LinkInertia
-    from urdfkit.robot.inertials.masses import Masses
 
 BAD = """\
 <link name="wheel">
@@ -70,13 +65,10 @@ _SHARE = 0.1
 
 
 @rule(
-    "INE006",
-    "implausible-inertia",
     Severity.WARNING,
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     masses = subject.masses
     too_large = masses.defects.get(InertiaDefect.TOO_LARGE, ())
     # One value for all small links, below which no moment goes, is one decision.

@@ -13,16 +13,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
 from urdfkit.text.diagnostic import Confidence, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="imu">
@@ -38,13 +33,10 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
 
 
 @rule(
-    "INE008",
-    "inertia-differs-from-geometry",
     Severity.INFO,
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     masses = subject.masses
     for one in masses.defects.get(InertiaDefect.UNLIKE_SHAPE, ()):
         assert one.expected is not None

@@ -12,19 +12,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import values
+from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.text.diagnostic import Confidence, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="arm">
@@ -43,12 +38,10 @@ FILES = {"arm.stl": PLATE}
 
 
 @rule(
-    "INE009",
-    "placeholder-inertia",
     Severity.WARNING,
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     links = subject.masses.defects.get(InertiaDefect.PLACEHOLDER, ())
     yield from together((one, _finding(one)) for one in links)
 

@@ -12,11 +12,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.checks.inertia.copies import and_more, together
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertia import scaled
 from urdfkit.robot.inertials.defects import (
     HEAVIEST,
@@ -26,12 +24,9 @@ from urdfkit.robot.inertials.defects import (
     unit_mistake,
 )
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, replacement
+from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="wheel">
@@ -47,14 +42,8 @@ GOOD = BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375",
 FIXED = GOOD
 
 
-@rule(
-    "INE010",
-    "implausible-density",
-    Severity.WARNING,
-    help="correct the mass in kg, or the size in m",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="correct the mass in kg, or the size in m")
+def check(subject: Subject) -> Findings:
     found = [(one, _finding(one)) for one in subject.masses.defects.get(InertiaDefect.DENSITY, ())]
     if subject.masses.consistently_wrong:
         yield _of_the_robot(found)

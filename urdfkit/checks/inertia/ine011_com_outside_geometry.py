@@ -15,17 +15,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import inf
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.core.spatial import Vector
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside, center_mistake
 from urdfkit.text.diagnostic import Confidence, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.core.spatial import Vector
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="caster">
@@ -41,13 +37,8 @@ BAD = """\
 GOOD = BAD.replace("-0.4 0 0", "0 0 0")
 
 
-@rule(
-    "INE011",
-    "com-outside-geometry",
-    Severity.WARNING,
-    help="write the <origin> of the <inertial> in the link's own frame, in m",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="write the <origin> of the <inertial> in the link's own frame, in m")
+def check(subject: Subject) -> Findings:
     for one in subject.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ()):
         distance = center_is_outside(one)
         assert distance is not None

@@ -11,17 +11,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.diagnosis import values
+from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import unlike
 from urdfkit.text.diagnostic import Confidence, Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="hand"/>
@@ -50,13 +45,8 @@ BAD = """\
 GOOD = BAD.replace('"0.15"', '"0.015"')
 
 
-@rule(
-    "INE012",
-    "asymmetric-inertia",
-    Severity.WARNING,
-    help="compare the two, and give both the right value",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="compare the two, and give both the right value")
+def check(subject: Subject) -> Findings:
     for left, right in subject.masses.asymmetric_pairs:
         yield _of_mass(left, right) if unlike(left, right) == "mass" else _of_inertia(left, right)
 

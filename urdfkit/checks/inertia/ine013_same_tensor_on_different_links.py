@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, values
+from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.text.diagnostic import Confidence, Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="base">
@@ -47,13 +42,8 @@ GOOD = BAD.replace(
 )
 
 
-@rule(
-    "INE013",
-    "same-tensor-on-different-links",
-    Severity.INFO,
-    help="compute each tensor from the mass and size of its own link",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, help="compute each tensor from the mass and size of its own link")
+def check(subject: Subject) -> Findings:
     for group in subject.masses.copies:
         yield _finding(sorted(group, key=lambda link: -link.mass))
 

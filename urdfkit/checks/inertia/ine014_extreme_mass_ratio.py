@@ -12,15 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>
@@ -48,14 +43,12 @@ GOOD = BAD.replace('"0.005"', '"1"').replace('"1e-6"', '"0.001"')
 
 
 @rule(
-    "INE014",
-    "extreme-mass-ratio",
     Severity.INFO,
     help="move mass from the heavy links to the light one, or make one joint of two",
     by_target={"isaac": Severity.WARNING, **dict.fromkeys(GAZEBO, Severity.WARNING)},
     options={"ratio": 1000.0},
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     bound = check.option(subject, "ratio")
     for body, load in subject.masses.overloaded(bound):
         link = body.top

@@ -10,17 +10,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import NOISE
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">
@@ -43,13 +38,11 @@ GOOD = BAD.replace('"1"', '"0"')
 
 
 @rule(
-    "INE016",
-    "inertia-on-massless-frame",
     Severity.INFO,
     help="remove the <inertial>, or write the mass of the part",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     masses = subject.masses
     for link in subject.model.links:
         inertial, body = link.inertial, masses.body_of.get(link.name)

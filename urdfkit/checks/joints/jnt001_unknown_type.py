@@ -14,19 +14,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.schema import JOINT_TYPES
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute
 
 BAD = """\
 <link name="base"/>
@@ -43,14 +38,8 @@ FIXED = GOOD
 _LIKENESS = 0.75
 
 
-@rule(
-    "JNT001",
-    "unknown-type",
-    Severity.ERROR,
-    help=f"use one of {', '.join(JOINT_TYPES)}",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help=f"use one of {', '.join(JOINT_TYPES)}")
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         kind = joint.at.attributes.get("type")
         if kind is None or kind.value in JOINT_TYPES or is_expression(kind.value):

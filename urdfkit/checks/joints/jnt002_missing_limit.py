@@ -17,16 +17,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import BOUNDED, effort_unit, unit
+from urdfkit.robot.model import Joint, Limit, RobotModel
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, Limit, RobotModel
 
 BAD = """\
 <link name="base"/>
@@ -39,8 +34,8 @@ BAD = """\
 GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')
 
 
-@rule("JNT002", "missing-limit", Severity.ERROR)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     yield from _unequal(subject.model)
     if subject.targets.are_only("mujoco", "drake"):
         return
@@ -64,7 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _unequal(model: RobotModel) -> Iterator[Finding]:
+def _unequal(model: RobotModel) -> Findings:
     """Continuous joints without limit on a link on which another one has effort and velocity."""
     limited: dict[str, tuple[Joint, Limit]] = {}
     joints = [joint for joint in model.joints if joint.kind == "continuous" and joint.parent]

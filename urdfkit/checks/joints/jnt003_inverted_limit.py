@@ -13,17 +13,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.model import Limit
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import swap
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Limit
 
 BAD = """\
 <link name="base"/>
@@ -40,8 +35,8 @@ FIXED = GOOD
 _FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))
 
 
-@rule("JNT003", "inverted-limit", Severity.ERROR, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         ends = bounds(joint)
         if ends is None or ends[0] <= ends[1]:

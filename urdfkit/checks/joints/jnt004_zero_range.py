@@ -13,16 +13,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.model import Joint
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base"/>
@@ -36,8 +31,8 @@ BAD = """\
 GOOD = BAD.replace('lower="0" upper="0"', 'lower="-0.5" upper="0.5"')
 
 
-@rule("JNT004", "zero-range", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         ends = bounds(joint)
         if ends is None or ends[0] != ends[1]:

@@ -21,21 +21,16 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import hypot
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.core.spatial import Vector
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING
-from urdfkit.robot.model import length
+from urdfkit.robot.model import Joint, Placed, length
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.core.spatial import Vector
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, Placed
 
 BAD = """\
 <link name="base"/>
@@ -61,8 +56,8 @@ _MAX_NOISE = 5e-3
 _MIN_NOISE = 1e-9
 
 
-@rule("JNT006", "axis-not-unit", Severity.WARNING, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         at = joint.at.child("axis")
         if at is None or joint.kind not in (*MOVING, "planar"):
@@ -78,7 +73,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _findings(joint, joint.axis)
 
 
-def _findings(joint: Joint, axis: Placed[Vector]) -> Iterator[Finding]:
+def _findings(joint: Joint, axis: Placed[Vector]) -> Findings:
     norm = length(axis.value)
     who = f"joint '{joint.name}': axis {' '.join(f'{value:g}' for value in axis.value)}"
     if norm < _ZERO:
@@ -100,7 +95,7 @@ def _findings(joint: Joint, axis: Placed[Vector]) -> Iterator[Finding]:
         yield from _noise(joint, axis)
 
 
-def _noise(joint: Joint, axis: Placed[Vector]) -> Iterator[Finding]:
+def _noise(joint: Joint, axis: Placed[Vector]) -> Findings:
     """A unit vector that deviates a little from x, y or z."""
     sizes = [abs(part) for part in axis.value]
     main = sizes.index(max(sizes))

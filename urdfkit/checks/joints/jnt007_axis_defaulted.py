@@ -11,15 +11,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>
@@ -33,8 +28,8 @@ GOOD = BAD.replace("</joint>", '  <axis xyz="0 1 0"/>\n</joint>')
 _DOES = {"prismatic": "moves along", "planar": "moves in the plane across"}
 
 
-@rule("JNT007", "axis-defaulted", Severity.INFO, help="write the axis, also if it is x")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, help="write the axis, also if it is x")
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         if joint.kind in (*MOVING, "planar") and joint.at.child("axis") is None:
             does = _DOES.get(joint.kind, "turns about")

@@ -23,10 +23,8 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import (
     MOVING,
     can_move,
@@ -37,11 +35,8 @@ from urdfkit.robot.joints import (
     several,
     unit,
 )
+from urdfkit.robot.model import Joint, Placed
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, Placed
 
 BAD = """\
 <link name="base"/>
@@ -59,8 +54,8 @@ _HELP = {
 }
 
 
-@rule("JNT008", "effort-or-velocity-not-positive", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     """One finding for each limit: exporters write the same number for every joint."""
     joints = [joint for joint in subject.model.joints if joint.kind in MOVING]
     active = driven(subject.model)

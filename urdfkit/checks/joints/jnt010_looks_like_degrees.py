@@ -26,20 +26,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 from math import pi, radians
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds
-from urdfkit.robot.model import numbers
+from urdfkit.robot.model import Joint, Placed, RobotModel, numbers
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
-from urdfkit.text.document import Attribute
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import replace_value, scale_limits
 from urdfkit.text.grammar import owner
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, Placed, RobotModel
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>
@@ -83,20 +78,14 @@ _TURNS = 8 * pi
 _SLOW = 10.0
 
 
-@rule(
-    "JNT010",
-    "looks-like-degrees",
-    Severity.WARNING,
-    help="write it in radians, or radians per second",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="write it in radians, or radians per second")
+def check(subject: Subject) -> Findings:
     yield from _limits(subject.model)
     yield from _rotations(subject.document.root)
     yield from _speeds(subject.model)
 
 
-def _limits(model: RobotModel) -> Iterator[Finding]:
+def _limits(model: RobotModel) -> Findings:
     suspects: list[tuple[Joint, tuple[float, float]]] = []
     for joint in model.joints:
         ends = bounds(joint)
@@ -137,7 +126,7 @@ def _whole(ends: tuple[float, float]) -> bool:
     return small == int(small) or small < _ONE_TURN
 
 
-def _rotations(root: Element) -> Iterator[Finding]:
+def _rotations(root: Element) -> Findings:
     for origin in _origins(root):
         rpy = origin.attributes.get("rpy")
         angles = _with_degrees(rpy.value) if rpy else ()
@@ -193,7 +182,7 @@ def _in_radians(rpy: Attribute, angles: tuple[float, ...]) -> Fix | None:
     return Fix.of(f'write rpy="{" ".join(texts)}"', edits)
 
 
-def _speeds(model: RobotModel) -> Iterator[Finding]:
+def _speeds(model: RobotModel) -> Findings:
     known = [
         (joint, joint.limit.velocity)
         for joint in model.joints

@@ -18,18 +18,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, related, several
-from urdfkit.robot.model import length
+from urdfkit.robot.model import RobotModel, length
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.editing.edits import scale_limits
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import RobotModel
 
 BAD = """\
 <link name="palm">
@@ -58,19 +52,13 @@ _TIMES = 20.0
 _MIN_TRAVEL = 5.0
 
 
-@rule(
-    "JNT012",
-    "looks-like-millimetres",
-    Severity.WARNING,
-    help="divide by 1000: lengths are metres",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="divide by 1000: lengths are metres")
+def check(subject: Subject) -> Findings:
     yield from _origins(subject.model)
     yield from _limits(subject.model)
 
 
-def _origins(model: RobotModel) -> Iterator[Finding]:
+def _origins(model: RobotModel) -> Findings:
     reaches = [(joint, length(joint.origin.position)) for joint in model.joints]
     far = [(joint, reach) for joint, reach in reaches if reach >= _FAR]
     if not far:
@@ -106,7 +94,7 @@ def _evidence(model: RobotModel, least: float, near: list[float], count: int) ->
     return ""
 
 
-def _limits(model: RobotModel) -> Iterator[Finding]:
+def _limits(model: RobotModel) -> Findings:
     """Prismatic joints that move many times the length of the robot."""
     suspects = [
         (joint, ends)

@@ -11,15 +11,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import all_or_none, remove_attribute
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>
@@ -34,14 +29,8 @@ GOOD = BAD.replace('lower="-6.28" upper="6.28" ', "")
 FIXED = GOOD
 
 
-@rule(
-    "JNT013",
-    "continuous-with-position-limits",
-    Severity.WARNING,
-    help="remove lower and upper, or make the joint revolute",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="remove lower and upper, or make the joint revolute")
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "continuous" or joint.limit is None:
             continue

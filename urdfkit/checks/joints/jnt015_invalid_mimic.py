@@ -18,16 +18,13 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING, related, several
+from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.schema import JOINT_TYPES
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, RobotModel
 
 BAD = """\
 <link name="hand"/>
@@ -53,8 +50,8 @@ _MAX_NAMES = 6
 _IMMOBILE = frozenset(JOINT_TYPES) - frozenset(MOVING)
 
 
-@rule("JNT015", "invalid-mimic", Severity.ERROR)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     for cycle in _cycles(subject.model):
         yield _cycle_finding(cycle)
     yield from _immobile(subject)
@@ -102,7 +99,7 @@ def _cycles(model: RobotModel) -> Iterator[list[Joint]]:
             yield path[path.index(joint) :]
 
 
-def _immobile(subject: Subject) -> Iterator[Finding]:
+def _immobile(subject: Subject) -> Findings:
     """Leaders, and for Drake followers, without one position; one finding for each reason."""
     known = subject.model.joints_by_name
     found: dict[str, list[Joint]] = {}

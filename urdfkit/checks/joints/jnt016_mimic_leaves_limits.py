@@ -12,16 +12,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.model import Joint
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="hand"/>
@@ -44,8 +39,8 @@ GOOD = BAD.replace(' multiplier="-1"', "")
 _TOLERANCE = 0.02
 
 
-@rule("JNT016", "mimic-leaves-limits", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     known = subject.model.joints_by_name
     for joint in subject.model.joints:
         mimic, own = joint.mimic, bounds(joint)

@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import effort_unit, unit
 from urdfkit.robot.model import number
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>
@@ -34,13 +29,8 @@ BAD = """\
 GOOD = BAD.replace("-0.1", "0.1")
 
 
-@rule(
-    "JNT018",
-    "negative-damping-or-friction",
-    Severity.ERROR,
-    help="write the positive amount, or 0 for none",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="write the positive amount, or 0 for none")
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         dynamics = joint.at.child("dynamics")
         if dynamics is None:

@@ -22,17 +22,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
-from urdfkit.robot.model import number
+from urdfkit.robot.model import Joint, RobotModel, number
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, RobotModel
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>
@@ -71,8 +68,8 @@ class _Soft(NamedTuple):
         return f"soft limits [{self.soft[0]:g}, {self.soft[1]:g}] {unit(self.joint)}"
 
 
-@rule("JNT019", "position-outside-limits", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     """One finding for all soft limits with one defect: mostly every joint has the same margin."""
     soft = list(_soft_limits(subject.model))
     if outside := [one for one in soft if one.is_outside and not one.is_empty]:
@@ -104,7 +101,7 @@ def _finding(found: list[_Soft], reason: str, remedy: str) -> Finding:
     )
 
 
-def _calibration(joint: Joint) -> Iterator[Finding]:
+def _calibration(joint: Joint) -> Findings:
     calibration, ends = joint.at.child("calibration"), bounds(joint)
     if calibration is None or ends is None or ends[0] >= ends[1]:
         return

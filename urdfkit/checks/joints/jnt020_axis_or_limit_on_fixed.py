@@ -11,15 +11,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>
@@ -33,8 +28,8 @@ GOOD = BAD.replace('  <axis xyz="0 1 0"/>\n', "")
 FIXED = GOOD
 
 
-@rule("JNT020", "axis-or-limit-on-fixed", Severity.INFO, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO)
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "fixed":
             continue

@@ -16,15 +16,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="odom"/>
@@ -39,13 +34,11 @@ GOOD = """\
 
 
 @rule(
-    "JNT022",
-    "floating-or-planar",
     Severity.INFO,
     help="leave the joint out where it only sets the robot free, or build it of single joints",
     by_target=dict.fromkeys((*GAZEBO, "kdl"), Severity.WARNING),
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         if joint.kind in ("floating", "planar") and joint.type:
             yield Finding(

@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, related, several, unit
+from urdfkit.robot.model import Joint, Limit
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, Limit
 
 BAD = """\
 <link name="upper_arm"/>
@@ -37,12 +32,10 @@ _MARGIN = 0.01
 
 
 @rule(
-    "JNT023",
-    "zero-not-within-limits",
     Severity.INFO,
     help="give the joint an initial position, or turn its origin so that 0 is within the limits",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     """One finding for all: the legs of a quadruped are alike."""
     found: list[tuple[Joint, Limit]] = []
     for joint in subject.model.joints:

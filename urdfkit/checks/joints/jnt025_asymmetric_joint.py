@@ -23,20 +23,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.checks.joints.mirrored import misplaced
-from urdfkit.core.spatial import dot, rotate
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.core.spatial import Transform, Vector, dot, rotate
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.kinematics import TURNING, direction
-from urdfkit.robot.model import number
+from urdfkit.robot.model import Joint, Placed, number
 from urdfkit.text.diagnostic import Confidence, Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.core.spatial import Transform, Vector
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, Placed
 
 BAD = """\
 <link name="torso"/>
@@ -69,12 +64,8 @@ _LOSSES = 2.0
 _RANGE_TOLERANCE = 0.05
 
 
-@rule(
-    "JNT025",
-    "asymmetric-joint",
-    Severity.WARNING,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     for first, second in subject.symmetric_joints:
         if differences := list(_differences(first, second)):
             yield Finding(
@@ -143,7 +134,7 @@ def _same(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
     return abs(ours[0] - theirs[0]) <= allowed and abs(ours[1] - theirs[1]) <= allowed
 
 
-def _axes(subject: Subject) -> Iterator[Finding]:
+def _axes(subject: Subject) -> Findings:
     """Joints that turn about another axis than their counterparts."""
     frames = subject.tree.frames
     for left, right in subject.symmetric_joints:

@@ -16,17 +16,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING, related, several
+from urdfkit.robot.model import RobotModel
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import RobotModel
 
 BAD = """\
 <link name="hand">
@@ -73,13 +68,11 @@ GOOD = BAD.replace(
 
 
 @rule(
-    "JNT026",
-    "mimic-unsupported",
     Severity.INFO,
     help="list them in <ros2_control>, add a mimic plugin, or choose bullet-featherstone",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     """One finding for all: a hand has a dozen of them."""
     if not subject.targets.any_of(GAZEBO):
         return

@@ -12,17 +12,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import Rotation
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Joint
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="camera_link"/>
@@ -46,8 +41,8 @@ _UNDER_WATER = ("thruster", "dvl", "sonar", "ned", "auv", "rov", "uuv", "rexrov"
 _TOLERANCE = 0.01
 
 
-@rule("JNT030", "optical-frame-misrotated", Severity.WARNING, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "fixed" or joint.parent is None or joint.child is None:
             continue

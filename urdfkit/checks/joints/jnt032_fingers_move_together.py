@@ -9,18 +9,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import dot, minus, rotate
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import length
+from urdfkit.robot.model import Joint, length
 from urdfkit.text.diagnostic import Confidence, Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 _FINGER = """\
 <link name="{side}_finger"/>
@@ -44,13 +38,8 @@ _NEAR = 1e-3
 _ALONG = 0.9
 
 
-@rule(
-    "JNT032",
-    "fingers-move-together",
-    Severity.WARNING,
-    help="turn the axis of one of the two, or the sign of the multiplier",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="turn the axis of one of the two, or the sign of the multiplier")
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         target = joint.mimic.joint if joint.mimic else None
         leader = subject.model.joints_by_name.get(target.value) if target else None

@@ -14,19 +14,16 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from urdfkit.core.spatial import Vector, dot, rotate
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
+from urdfkit.robot.model import Body, Joint, Link
 from urdfkit.robot.shapes import AXES, LinkSolid, MeshSolid, solid
 from urdfkit.text.diagnostic import Confidence, Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Body, Joint, Link
 
 BAD = """\
 <link name="base"/>
@@ -55,8 +52,8 @@ _UNLIMITED = 100.0
 _ROUND, _FLAT = 0.94, 0.75
 
 
-@rule("JNT033", "wheel-cannot-roll", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
         if link := links.get(joint.child.value) if joint.child else None:
@@ -64,9 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _limited(joint, link)
 
 
-def _across(
-    joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | None]
-) -> Iterator[Finding]:
+def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | None]) -> Findings:
     """A wheel whose joint turns about another axis than its shape."""
     if joint.kind != "continuous" or not _is_wheel(joint, link):
         return
@@ -86,7 +81,7 @@ def _across(
         )
 
 
-def _limited(joint: Joint, link: Link) -> Iterator[Finding]:
+def _limited(joint: Joint, link: Link) -> Findings:
     """A wheel with position limits."""
     ends = bounds(joint)
     if joint.kind != "revolute" or ends is None or ends[0] >= ends[1]:

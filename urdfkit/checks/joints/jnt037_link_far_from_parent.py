@@ -10,18 +10,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import Transform
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, solid
 from urdfkit.text.diagnostic import Confidence, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link
 
 _LINK = """\
 <link name="{name}">
@@ -49,12 +44,10 @@ _HELD = ("fixed", "revolute", "continuous")
 
 
 @rule(
-    "JNT037",
-    "link-far-from-parent",
     Severity.WARNING,
     help="look for a slipped decimal point; the origin is measured from the parent link, in m",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
         if max(map(abs, joint.origin.position)) < _LEAST or joint.kind not in _HELD:

@@ -14,16 +14,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING, effort_unit, unit
+from urdfkit.robot.model import Joint, Placed
 from urdfkit.text.diagnostic import Confidence, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, Placed
 
 _LINK = '<link name="{name}"/>\n'
 _JOINT = """\
@@ -51,13 +46,8 @@ _TIMES_LESS = 200.0
 _OTHERS = 3
 
 
-@rule(
-    "JNT039",
-    "limit-out-of-line",
-    Severity.WARNING,
-    help="look for a unit or a decimal point: N m or N, rad/s or m/s",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="look for a unit or a decimal point: N m or N, rad/s or m/s")
+def check(subject: Subject) -> Findings:
     joints = [joint for joint in subject.model.joints if joint.kind in MOVING and joint.limit]
     for kind in MOVING:  # wheels are other motors than arms
         alike = [joint for joint in joints if joint.kind == kind]
@@ -65,7 +55,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _odd(alike, of, times)
 
 
-def _odd(joints: list[Joint], of: str, times: float) -> Iterator[Finding]:
+def _odd(joints: list[Joint], of: str, times: float) -> Findings:
     """The one joint whose limit is far above, or far below, those of all others."""
     known = [(joint, limit) for joint in joints if (limit := _limit(joint, of))]
     known.sort(key=lambda pair: pair[1].value)

@@ -14,19 +14,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.joints import MOVING, effort_unit, unit
-from urdfkit.robot.model import number
+from urdfkit.robot.model import Joint, number
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>
@@ -46,13 +40,8 @@ _CREEPS = {"rad": 0.1, "m": 0.01}
 _SLOW = 0.05
 
 
-@rule(
-    "JNT041",
-    "motor-weaker-than-friction",
-    Severity.WARNING,
-    help="write friction in N m (N for a slide), damping in N m s/rad (N s/m)",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="write friction in N m (N for a slide), damping in N m s/rad (N s/m)")
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         dynamics = joint.at.child("dynamics")
         most = effort(joint)
@@ -60,7 +49,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _judged(joint, dynamics, most)
 
 
-def _judged(joint: Joint, dynamics: Element, most: float) -> Iterator[Finding]:
+def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
     friction, damping = (number(dynamics.get(key)) or 0.0 for key in ("friction", "damping"))
     who, of = f"joint '{joint.name}'", effort_unit(joint)
     if friction > most:

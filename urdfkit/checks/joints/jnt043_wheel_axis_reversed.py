@@ -18,17 +18,13 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.core.spatial import dot, rotate
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.core.spatial import Vector, dot, rotate
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
+from urdfkit.robot.model import Joint
 from urdfkit.text.diagnostic import Confidence, Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.core.spatial import Vector
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 _WHEEL = """\
 <link name="{name}"/>
@@ -55,17 +51,13 @@ _OTHERS = ("caster", "castor", "swivel", "steer", "mecanum", "omni", "roller")
 _PARALLEL = 0.95
 
 
-@rule(
-    "JNT043",
-    "wheel-axis-reversed",
-    Severity.WARNING,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     yield from _one_of_four(list(_axles(subject)))
     yield from _opposite(subject)
 
 
-def _one_of_four(axles: list[tuple[Joint, Vector]]) -> Iterator[Finding]:
+def _one_of_four(axles: list[tuple[Joint, Vector]]) -> Findings:
     if len(axles) != 4:
         return
     (_, first), *others = axles
@@ -96,7 +88,7 @@ def _axles(subject: Subject) -> Iterator[tuple[Joint, Vector]]:
             yield joint, axle
 
 
-def _opposite(subject: Subject) -> Iterator[Finding]:
+def _opposite(subject: Subject) -> Findings:
     """The only pair of wheels, if their axes are opposite."""
     wheels = [pair for pair in subject.symmetric_joints if all(map(_rolls, pair))]
     if len(wheels) != 1:

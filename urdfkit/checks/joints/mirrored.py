@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
+from urdfkit.lint.context import Subject
+from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.symmetry import pairs
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, RobotModel
 
 #: In m; people round.
 _NEAR = 1e-4

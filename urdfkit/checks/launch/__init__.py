@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.lint.context import Subject
 from urdfkit.text.xml_reader import is_launch
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 #: Former codes and names of rules.
 REDIRECTS = {

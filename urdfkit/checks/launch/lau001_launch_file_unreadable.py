@@ -9,26 +9,15 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = "<launch><node></launch>"
 GOOD = "<launch/>"
 
 
-@rule(
-    "LAU001",
-    "launch-file-unreadable",
-    Severity.ERROR,
-    needs=(Need.LAUNCH,),
-    help="fix the file; the parser stopped here",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.LAUNCH,), help="fix the file; the parser stopped here")
+def check(subject: Subject) -> Findings:
     yield from reported(subject, "LAU001")

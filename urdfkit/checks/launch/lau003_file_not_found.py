@@ -10,16 +10,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import nearest_file
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.install_rules import InstallRules
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = '<launch><rosparam file="$(dirname)/config/controler.yaml"/></launch>'
@@ -27,14 +22,8 @@ GOOD = BAD.replace("controler", "controllers")
 FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 
 
-@rule(
-    "LAU003",
-    "file-not-found",
-    Severity.WARNING,
-    needs=(Need.LAUNCH,),
-    help="create the file, or fix its name",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.LAUNCH,), help="create the file, or fix its name")
+def check(subject: Subject) -> Findings:
     for file in subject.launch.files:
         if not file.exists and not _may_come_from_elsewhere(subject, file.path):
             suggested = nearest_file(file.path)

@@ -11,15 +11,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.ros.launch.contents import LaunchedDescription
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.launch.contents import LaunchedDescription
 
 NAME = "robot.launch"
 _ROBOT = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="%s"/></robot>'
@@ -29,13 +24,11 @@ GOOD = BAD.replace("bad.xacro", "good.xacro")
 
 
 @rule(
-    "LAU004",
-    "robot-description-fails",
     Severity.ERROR,
     needs=(Need.LAUNCH,),
     help="fix the errors in the xacro, or pass the arguments that it needs",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for description in subject.launch.descriptions:
         robot = subject.beside(description.path, description.arguments)
         if robot.reading.document is None and not _may_expand(description, robot):

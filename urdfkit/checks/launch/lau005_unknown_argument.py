@@ -12,15 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Location, Need, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = (
@@ -45,14 +40,8 @@ FILES = {
 }
 
 
-@rule(
-    "LAU005",
-    "unknown-argument",
-    Severity.WARNING,
-    needs=(Need.LAUNCH,),
-    help="pass an argument that the file has",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.LAUNCH,), help="pass an argument that the file has")
+def check(subject: Subject) -> Findings:
     for finding in reported(subject, "LAU005"):
         _, _, argument = finding.message.partition(" has no ")
         yield finding._replace(alike=argument)

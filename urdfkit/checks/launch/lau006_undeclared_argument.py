@@ -13,14 +13,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = """\
@@ -32,12 +27,6 @@ BAD = """\
 GOOD = BAD.replace("use_giu", "use_gui")
 
 
-@rule(
-    "LAU006",
-    "undeclared-argument",
-    Severity.ERROR,
-    needs=(Need.LAUNCH,),
-    help="declare the argument, or fix its name",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.LAUNCH,), help="declare the argument, or fix its name")
+def check(subject: Subject) -> Findings:
     yield from reported(subject, "LAU006")

@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = """\
@@ -31,6 +26,6 @@ FILES = {
 }
 
 
-@rule("LAU008", "argument-not-given", Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
     yield from reported(subject, "LAU008")

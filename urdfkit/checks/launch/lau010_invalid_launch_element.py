@@ -18,20 +18,15 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = '<launch><node name="rviz" pkg="rviz" type="rviz" respwan="true"/></launch>'
 GOOD = BAD.replace("respwan", "respawn")
 
 
-@rule("LAU010", "invalid-launch-element", Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
     yield from reported(subject, "LAU010")

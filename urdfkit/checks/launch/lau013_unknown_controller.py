@@ -15,19 +15,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import Suggester, did_you_mean, nearest
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.ros.controllers import controllers as in_files
 from urdfkit.ros.controllers import read
 from urdfkit.ros.launch.spawned_controllers import controllers
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.ros_packages import comes_with_ros
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "launch/robot.launch"
 BAD = """\
@@ -53,13 +50,11 @@ _MAX_FILES, _MAX_FOLDERS = 200, 2000
 
 
 @rule(
-    "LAU013",
-    "unknown-controller",
     Severity.ERROR,
     needs=(Need.LAUNCH,),
     help="fix the name, or define the controller in the YAML file",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     wanted = [(word, s.frame) for s in subject.launch.started for word in controllers(s)]
     if not wanted or subject.launch.names_parameters:
         return

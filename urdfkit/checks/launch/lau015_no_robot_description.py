@@ -9,15 +9,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -34,14 +29,8 @@ GOOD = BAD.replace("descripton", "description")
 _PARAMETER = "robot_description"
 
 
-@rule(
-    "LAU015",
-    "no-robot-description",
-    Severity.ERROR,
-    needs=(Need.LAUNCH,),
-    help="give the node the parameter robot_description",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.LAUNCH,), help="give the node the parameter robot_description")
+def check(subject: Subject) -> Findings:
     for node in subject.launch.started:
         given = node.parameters
         if node.package != "robot_state_publisher" or given is None or node.words:

@@ -15,18 +15,14 @@ Sources:
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawning import SPAWNERS, Spawner, options
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -49,8 +45,8 @@ _NAMED = {
 _TOPIC = "robot_description"
 
 
-@rule("LAU016", "invalid-spawn-arguments", Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
     for started in subject.launch.started:
         spawner = SPAWNERS.get((started.package, started.executable))
         if spawner is None:
@@ -73,7 +69,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _missing(started, spawner, given)
 
 
-def _value(option: str, word: Word, place: Location) -> Iterator[Finding]:
+def _value(option: str, word: Word, place: Location) -> Findings:
     """The value of an option, if it is invalid."""
     text = word.text or ""
     if option == "file" and text.endswith(".xacro"):
@@ -90,9 +86,7 @@ def _value(option: str, word: Word, place: Location) -> Iterator[Finding]:
             yield Finding(place, message, f"write {_TOPIC}")
 
 
-def _missing(
-    started: StartedProgram, spawner: Spawner, given: dict[str, Word]
-) -> Iterator[Finding]:
+def _missing(started: StartedProgram, spawner: Spawner, given: dict[str, Word]) -> Findings:
     for group in spawner.required:
         if not any(option in given for option in group):
             required = " or ".join(f"-{option}" for option in group)

@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = '<launch><rosparam command="load" file="$(dirname)/control.yaml"/></launch>'
@@ -25,6 +20,6 @@ GOOD = BAD.replace('yaml"', 'yaml" subst_value="true"')
 FILES = {"control.yaml": b"drive:\n  base_frame_id: $(arg prefix)base_link\n"}
 
 
-@rule("LAU019", "substitution-not-made", Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
     yield from reported(subject, "LAU019")

@@ -22,19 +22,15 @@ Sources:
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.mesh_files import MeshReference
-    from urdfkit.workspace.resolve import ResolvedReference
+from urdfkit.workspace.resolve import ResolvedReference
 
 BAD = """\
 <link name="arm">
@@ -55,14 +51,11 @@ _REMOTE = ("http", "https", "ftp", "fuel")
 
 
 @rule(
-    "MSH001",
-    "missing-file",
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
     help="add the file, or generate one: urdfkit mesh generate --model ROBOT",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     missing = set(map(id, subject.files.missing))
     for mesh in subject.files.meshes:
         scheme, colon, rest = mesh.at.value.partition("://")

@@ -18,18 +18,14 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.mesh_files import MeshReference
 
 BAD = """\
 <link name="arm">
@@ -49,15 +45,8 @@ _WRITTEN_ABSOLUTE = re.compile(
 )
 
 
-@rule(
-    "MSH003",
-    "not-portable-path",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.FILES),
-    help="refer to it as package://PACKAGE/...",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.FILES), help="refer to it as package://PACKAGE/...")
+def check(subject: Subject) -> Findings:
     for mesh in subject.files.meshes:
         path = mesh.located.path
         if path is None:

@@ -11,19 +11,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.robot.assets.mesh_files import is_typo
+from urdfkit.robot.assets.mesh_files import MeshReference, is_typo
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.mesh_files import MeshReference
 
 BAD = """\
 <link name="arm">
@@ -40,14 +34,11 @@ FILES = {
 
 
 @rule(
-    "MSH005",
-    "package-not-found",
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
     help="pass its directory with --package NAME=DIR, or source the workspace that has it",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for name, meshes in subject.files.without_package.items():
         if name:
             yield _not_found(subject, name, meshes)

@@ -16,16 +16,12 @@ Sources:
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import BY_SUFFIX
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -43,13 +39,9 @@ _NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
 
 
 @rule(
-    "MSH007",
-    "unsupported-format",
-    Severity.ERROR,
-    needs=(Need.MODEL, Need.FILES),
-    help="export it as STL, COLLADA (.dae) or OBJ",
+    Severity.ERROR, needs=(Need.MODEL, Need.FILES), help="export it as STL, COLLADA (.dae) or OBJ"
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for mesh in subject.files.meshes:
         facts, path = mesh.facts, mesh.located.path
         if facts is None or path is None or facts.defect:

@@ -20,18 +20,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.context import Unavailable
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_defects import MeshDefect, losses
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -54,13 +48,11 @@ _HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE NEW.dae"
 
 
 @rule(
-    "MSH009",
-    "unreadable-mesh",
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
     help="export the mesh again, or copy it from where the robot comes from",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for mesh in subject.files.meshes:
         if mesh.facts is None:
             continue
@@ -75,7 +67,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from _partly(subject)
 
 
-def _partly(subject: Subject) -> Iterator[Finding]:
+def _partly(subject: Subject) -> Findings:
     """Of files that look whole; none where meshes are not measured."""
     try:
         measured = subject.measured

@@ -17,19 +17,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
+from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import edits
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.mesh_uses import MeshUse
 
 BAD = """\
 <link name="base"/>
@@ -51,14 +46,11 @@ FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
 
 
 @rule(
-    "MSH012",
-    "wrong-scale",
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
     help='add scale="0.001 0.001 0.001" to the mesh, or export it in metres',
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.MILLIMETRES, ()):
         length = use.longest

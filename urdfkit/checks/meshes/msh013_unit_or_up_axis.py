@@ -28,16 +28,16 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.mesh.io.facts import MeshFacts
 
 BAD = """\
@@ -54,13 +54,11 @@ FILES = {
 
 
 @rule(
-    "MSH013",
-    "unit-or-up-axis",
     Severity.WARNING,
     needs=(Need.MODEL, Need.FILES),
     help="bake the unit into the vertices: urdfkit mesh convert FILE NEW.dae",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     collisions = {mesh.located.path for mesh in subject.files.meshes if mesh.role == "collision"}
     for mesh in subject.files.each_file:
         if mesh.facts and has_other_unit(mesh.facts):
@@ -96,7 +94,7 @@ def _once(
     describe: Callable[[MeshFacts], str],
     effect: str,
     help: str,
-) -> Iterator[Finding]:
+) -> Findings:
     """One info for all files of a robot that a predicate holds for."""
     found = [mesh for mesh in subject.files.each_file if mesh.facts and concerns(mesh.facts)]
     if found:

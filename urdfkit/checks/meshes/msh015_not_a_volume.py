@@ -23,18 +23,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import BOX, box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
+from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.mesh_uses import MeshUse
 
 BAD = """\
 <link name="arm">
@@ -50,13 +45,11 @@ FILES = {
 
 
 @rule(
-    "MSH015",
-    "not-a-volume",
     Severity.INFO,
     needs=(Need.MODEL, Need.MESHES),
     help="urdfkit mesh repair FILE, or urdfkit mesh hull FILE",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.FLAT, ()):
         x, y, z = use.edges

@@ -12,16 +12,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import BOX, box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -36,14 +31,8 @@ FILES = {
 }
 
 
-@rule(
-    "MSH016",
-    "inverted-mesh",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.MESHES),
-    help="urdfkit mesh repair FILE",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.MESHES), help="urdfkit mesh repair FILE")
+def check(subject: Subject) -> Findings:
     for use in subject.measured.defects.get(MeshDefect.INVERTED, ()):
         found = use.measures
         what = "its triangles face inwards"

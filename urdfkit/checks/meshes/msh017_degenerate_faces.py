@@ -11,17 +11,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -36,14 +31,8 @@ FILES = {
 }
 
 
-@rule(
-    "MSH017",
-    "degenerate-faces",
-    Severity.INFO,
-    needs=(Need.MODEL, Need.MESHES),
-    help="urdfkit mesh repair FILE",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(Need.MODEL, Need.MESHES), help="urdfkit mesh repair FILE")
+def check(subject: Subject) -> Findings:
     for use in subject.measured.defects.get(MeshDefect.DEGENERATE, ()):
         found = use.measures
         yield Finding(

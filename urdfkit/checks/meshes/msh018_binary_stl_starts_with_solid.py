@@ -14,15 +14,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -37,14 +32,8 @@ FILES = {
 }
 
 
-@rule(
-    "MSH018",
-    "binary-stl-starts-with-solid",
-    Severity.INFO,
-    needs=(Need.MODEL, Need.FILES),
-    help="urdfkit mesh convert FILE NEW.stl",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(Need.MODEL, Need.FILES), help="urdfkit mesh convert FILE NEW.stl")
+def check(subject: Subject) -> Findings:
     found = [one for one in subject.files.each_file if one.facts and one.facts.starts_with_solid]
     if found:
         mesh, *others = found

@@ -21,10 +21,8 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import (
     DENSE_COLLISION,
@@ -34,9 +32,6 @@ from urdfkit.robot.assets.mesh_defects import (
     MeshDefect,
 )
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -52,14 +47,12 @@ FILES = {
 
 
 @rule(
-    "MSH019",
-    "dense-mesh",
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
     help="make a lighter one: urdfkit mesh collision FILE, or urdfkit mesh simplify FILE",
     options={"triangles": DENSE_COLLISION},
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     defects = subject.measured.defects
     bound = check.option(subject, "triangles")
     dense = {

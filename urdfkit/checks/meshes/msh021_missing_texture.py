@@ -15,16 +15,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import MeshDefect, missing_textures
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -40,13 +35,11 @@ FILES = {
 
 
 @rule(
-    "MSH021",
-    "missing-texture",
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
     help="add the image next to the mesh, or give the mesh a plain colour",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.MISSING_TEXTURES, ()):
         names = missing_textures(use)

@@ -6,15 +6,10 @@ both places; a `<mesh>` can be mirrored with its scale and moved with its `<orig
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="left">
@@ -35,14 +30,8 @@ GOOD = BAD.replace("right.stl", "left.stl")
 FILES = dict.fromkeys(("left.stl", "right.stl"), stl(box((0, 0, 0), (0.1, 0.1, 0.3))))
 
 
-@rule(
-    "MSH024",
-    "duplicate-mesh-files",
-    Severity.INFO,
-    needs=(Need.MODEL, Need.FILES),
-    help="refer to one of them from both places",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(Need.MODEL, Need.FILES), help="refer to one of them from both places")
+def check(subject: Subject) -> Findings:
     if not subject.files.copies:
         return
     (copy, first), *others = subject.files.copies

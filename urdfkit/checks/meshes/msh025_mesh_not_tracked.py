@@ -10,15 +10,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -38,12 +33,10 @@ FILES = {
 
 
 @rule(
-    "MSH025",
-    "mesh-not-tracked",
     Severity.WARNING,
     needs=(Need.MODEL, Need.FILES),
     help="git add -f FILE, and an exception in .gitignore",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for mesh in subject.files.ignored:
         yield Finding(mesh.at, f"{mesh.who} is ignored by git: clones of the repository lack it")

@@ -17,16 +17,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import COLOURS, MeshDefect, extras
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="arm">
@@ -45,13 +40,11 @@ FILES = {
 
 
 @rule(
-    "MSH029",
-    "ignored-content",
     Severity.INFO,
     needs=(Need.MODEL, Need.MESHES),
     help="export the mesh alone, or urdfkit mesh convert FILE NEW.dae",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.EXTRAS, ()):
         content = ", ".join(extras(use))

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Subject
 
 #: Codes and names of former rules, and the rules that report their findings now.
 REDIRECTS = {

@@ -15,15 +15,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>
@@ -36,8 +33,8 @@ BAD = """\
 GOOD = BAD.replace('<link name="wheel"/>\n', "", 1)
 
 
-@rule("NAM001", "duplicate-name", Severity.ERROR)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     model = subject.model
     remedy = "give each {} its own name, in a macro by a prefix"
     yield from _duplicates((link.at for link in model.links), remedy.format("link"))
@@ -46,7 +43,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from _duplicates(materials, "keep one of them", alike="material")
 
 
-def _duplicates(elements: Iterable[Element], remedy: str, alike: str = "") -> Iterator[Finding]:
+def _duplicates(elements: Iterable[Element], remedy: str, alike: str = "") -> Findings:
     first: dict[str, Element] = {}
     for element in elements:
         name = element.attributes.get("name")

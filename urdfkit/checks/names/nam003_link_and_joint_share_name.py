@@ -15,15 +15,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.model import Joint
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base"/>
@@ -36,8 +31,6 @@ GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
 
 
 @rule(
-    "NAM003",
-    "link-and-joint-share-name",
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
     help="rename the joint, and its name in controllers and launch files",
@@ -46,7 +39,7 @@ GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
         **dict.fromkeys(("gz-fortress", "gz-harmonic", "gz-jetty"), Severity.ERROR),
     },
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
         if joint.name not in links:

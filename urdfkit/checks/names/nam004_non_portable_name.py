@@ -25,25 +25,20 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Link
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Attribute
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link
-    from urdfkit.text.document import Attribute
 
 BAD = '<link name="base link"/>'
 GOOD = '<link name="base_link"/>'
 
 
-@rule("NAM004", "non-portable-name", Severity.WARNING, help="use letters, digits and _")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="use letters, digits and _")
+def check(subject: Subject) -> Findings:
     for name in subject.model.names:
         if name.value and not is_expression(name.value):
             yield from _characters(name)
@@ -51,7 +46,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _reserved(subject, name)
 
 
-def _characters(name: Attribute) -> Iterator[Finding]:
+def _characters(name: Attribute) -> Findings:
     """At most one finding about a character that is not accepted."""
     tag, text = name.element.tag, name.value
     is_fixed_joint = tag == "joint" and name.element.get("type") == "fixed"
@@ -70,7 +65,7 @@ def _characters(name: Attribute) -> Iterator[Finding]:
     yield Finding(name, f"{tag} '{text}': {reason}", alike=reason, severity=severity)
 
 
-def _first_character(subject: Subject, name: Attribute) -> Iterator[Finding]:
+def _first_character(subject: Subject, name: Attribute) -> Findings:
     tag, text = name.element.tag, name.value
     if text.startswith("/") and tag == "link":
         yield Finding(
@@ -87,7 +82,7 @@ def _first_character(subject: Subject, name: Attribute) -> Iterator[Finding]:
         )
 
 
-def _reserved(subject: Subject, name: Attribute) -> Iterator[Finding]:
+def _reserved(subject: Subject, name: Attribute) -> Findings:
     tag, text = name.element.tag, name.value
     model = subject.model
     if len(text) > 4 and text.startswith("__") and text.endswith("__"):

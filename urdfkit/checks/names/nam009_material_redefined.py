@@ -12,14 +12,11 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Link, Material, RobotModel
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link, Material, RobotModel
 
 BAD = """\
 <link name="base">
@@ -35,8 +32,8 @@ BAD = """\
 GOOD = BAD.replace('"body"><color rgba="1 0', '"dome"><color rgba="1 0')
 
 
-@rule("NAM009", "material-redefined", Severity.WARNING, help="give each colour its own name")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, help="give each colour its own name")
+def check(subject: Subject) -> Findings:
     model = subject.model
     first: dict[str, Material] = {}
     for material in model.materials:

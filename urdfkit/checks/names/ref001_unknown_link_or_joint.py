@@ -17,19 +17,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import from_macro, insert_before, replace_value
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint, RobotModel
-    from urdfkit.text.document import Attribute
 
 BAD = """\
 <link name="base_link"/>
@@ -42,18 +37,13 @@ GOOD = BAD.replace("base_lnk", "base_link")
 FIXED = GOOD
 
 
-@rule(
-    "REF001",
-    "unknown-link-or-joint",
-    Severity.ERROR,
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     yield from _links(subject)
     yield from _leaders(subject.model)
 
 
-def _links(subject: Subject) -> Iterator[Finding]:
+def _links(subject: Subject) -> Findings:
     known = subject.model.links_by_name
     children = {joint.child.value for joint in subject.model.joints if joint.child}
     # A second parent would be another error.
@@ -80,7 +70,7 @@ def _links(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _leaders(model: RobotModel) -> Iterator[Finding]:
+def _leaders(model: RobotModel) -> Findings:
     known = model.joints_by_name
     suggester = Suggester(known)
     for joint in model.joints:

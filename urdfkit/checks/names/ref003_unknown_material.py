@@ -11,18 +11,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import is_expression, owner
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <material name="dark_grey">
@@ -43,13 +38,10 @@ SHOWN = 8
 
 
 @rule(
-    "REF003",
-    "unknown-material",
     Severity.WARNING,
     help='define it below <robot>, as <material name="..."><color rgba="..."/></material>',
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     model = subject.model
     top = {material.at.get("name"): material.at for material in model.materials}
     used = [body.material.at for link in model.links for body in link.visuals if body.material]

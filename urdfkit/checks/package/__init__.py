@@ -1,15 +1,27 @@
-"""The package of a robot: what it mentions and what its build installs."""
+"""The ROS package around a robot or a launch file: what it needs, declares and installs."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.lint.context import Subject
+from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.package_references import are_in
 
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+#: Former codes and names of rules.
+REDIRECTS = {
+    "LAU002": "XAC011",
+    "LAU014": "PKG002",
+    "LAU017": "PKG001",
+    "PKG003": "PKG005",
+    "PKG006": "PKG005",
+    "manifest-refused": "PKG005",
+    "name-differs": "PKG005",
+    "not-registered": "PKG005",
+}
 
 
 def applies(subject: Subject) -> bool:
-    """True if the description mentions packages."""
-    return are_in(subject.document.sources)
+    """True for a launch file, and for a description that refers to packages."""
+    if is_launch(subject.source.path) or subject.problems("XAC011"):
+        return True
+    document = subject.reading.document
+    return are_in(document.sources if document else (subject.source,))

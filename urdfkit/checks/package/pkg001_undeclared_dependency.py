@@ -1,8 +1,9 @@
-"""A description uses a package that its own `package.xml` does not declare.
+"""A description or a launch file uses a package that its own `package.xml` does not declare.
 
-It works on the machine where that package happens to be. Elsewhere rosdep does not install it,
-colcon and catkin build in the wrong order, and `$(find ...)` or `package://` leads nowhere.
-Packages that come with ROS are not reported.
+It works on the machine where that package happens to be installed. Elsewhere rosdep does not
+install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
+launch file end with "package not found". In a launch file it is an info. Packages that come with
+ROS are not reported.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
@@ -11,22 +12,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import insert_after, insert_last
-from urdfkit.text.xml_reader import read_xml
+from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import is_launch, read_xml
 from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.package_references import of_package
 from urdfkit.workspace.ros_packages import comes_with_ros
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.source import Source
-    from urdfkit.workspace.resolve import Resolver
 
 NAME = "bot_description/bot.urdf"
 BAD = """\
@@ -51,32 +48,53 @@ FIXED_FILES = {
 }
 
 #: colcon and catkin reject cyclic dependencies of packages.
-_CYCLE = "'{}' depends on '{}', and the reverse would be a cycle: move the file to one of the two"
+_CYCLE = "move the file to '{1}' or to '{0}': '{0}' depends on '{1}', so the reverse makes a cycle"
 
 
-@rule("PKG001", "undeclared-dependency", Severity.WARNING, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
-    packages = subject.resolver.packages
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     manifest = manifest_of(subject.resolver, subject.source.path)
     if manifest is None:
         return
-    reported = {manifest.package, *manifest.dependencies}
-    for mention in of_package(subject.document.sources, packages):
-        name = mention.package
-        if name in reported or comes_with_ros(name):
+    is_of_launch = is_launch(subject.source.path)
+    tag = manifest.dependency_tag
+    seen = {manifest.package, *manifest.dependencies}
+    for name, span in _launched(subject) if is_of_launch else _referenced(subject):
+        if name in seen or comes_with_ros(name):
             continue
-        reported.add(name)
-        near = mention.span.source.path
-        if not _is_found(subject.resolver, name, near):
+        seen.add(name)
+        help_, fix = f"add <{tag}>{name}</{tag}> to package.xml", None
+        if not depends_on(name, manifest.package, span.source.path, subject.resolver):
+            fix = _fix(subject.resolver.read(manifest.path), name, tag)
+        elif is_of_launch:
             continue
-        message = f"package '{name}' is used but not declared in {manifest.path}"
-        if depends_on(name, manifest.package, near, subject.resolver):
-            yield Finding(Location(mention.span), message, _CYCLE.format(name, manifest.package))
+        else:
+            help_ = _CYCLE.format(name, manifest.package)
+        yield Finding(
+            Location(span),
+            f"package '{name}' is used but not declared in {manifest.path}",
+            help_,
+            fix,
+            alike="undeclared" if fix else "",
+            severity=Severity.INFO if is_of_launch else None,
+        )
+
+
+def _launched(subject: Subject) -> Iterator[tuple[str, Span]]:
+    """The packages that a launch file names itself and that are found; XAC011 has the others."""
+    for package in subject.launch.packages:
+        if package.searched is None and package.span.source.path == subject.source.path:
+            yield package.name, package.span
+
+
+def _referenced(subject: Subject) -> Iterator[tuple[str, Span]]:
+    """The packages that a description refers to and that are found; XAC011 has the others."""
+    for mention in of_package(subject.document.sources, subject.resolver.packages):
+        try:
+            subject.resolver.package(mention.package, mention.span.source.path)
+        except PackageNotFound:
             continue
-        tag = manifest.dependency_tag
-        help_ = f"add <{tag}>{name}</{tag}> to package.xml"
-        fix = _fix(subject.resolver.read(manifest.path), name, tag)
-        yield Finding(Location(mention.span), message, help_, fix, alike="undeclared")
+        yield mention.package, mention.span
 
 
 def _fix(source: Source, name: str, tag: str) -> Fix | None:
@@ -90,12 +108,3 @@ def _fix(source: Source, name: str, tag: str) -> Fix | None:
     others = [child for child in others if child.tag == tag] or others
     edits = insert_after(others[-1], (line,)) if others else insert_last(package, (line,))
     return Fix(f"add {line} to package.xml", edits)
-
-
-def _is_found(resolver: Resolver, name: str, near: str) -> bool:
-    """False for a package that is not there; MSH005 and XAC011 report that."""
-    try:
-        resolver.package(name, near)
-    except PackageNotFound:
-        return False
-    return True

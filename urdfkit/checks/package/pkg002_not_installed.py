@@ -1,8 +1,9 @@
-"""A description refers to a directory of its own package that is not installed.
+"""A file of the package that is used is not installed by its build.
 
-From the source tree everything works. After `colcon build` or `catkin_make install` the folder is
-not under `share/`, and `$(find ...)` and `package://` lead to files that are not there: RViz
-shows the robot without meshes, xacro stops. Install the directory.
+In the source tree the file exists. After `colcon build` or `catkin_make install` it is not under
+`share/`, and `$(find ...)` and `package://` lead to a file that is not there: RViz shows the robot
+without meshes, xacro stops, "file 'robot.launch.py' was not found in the share directory". Install
+the directory.
 
 Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
@@ -13,16 +14,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Span
+from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.package_references import of_package
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "urdf/bot.urdf"
 BAD = """\
@@ -44,24 +44,38 @@ FILES = {
 }
 
 
-@rule("PKG002", "not-installed", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
-    packages = subject.resolver.packages
-    home = packages.enclosing(subject.source.path)
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
+    home = subject.resolver.packages.enclosing(subject.source.path)
     if home is None:
         return
     name, folder = home
-    shipping = InstallRules(folder, name)
+    rules = InstallRules(folder, name)
+    uses = _launched if is_launch(subject.source.path) else _referenced
     reported: set[str] = set()
-    for mention in of_package(subject.document.sources, packages):
-        top = mention.relative.partition("/")[0]
-        if mention.package != name or not top or top in reported:
-            continue
-        there = os.path.exists(os.path.join(folder, mention.relative))
-        if there and not shipping.installs(mention.relative):
+    for relative, span in uses(subject, name, folder):
+        top = relative.partition("/")[0]
+        is_there = os.path.exists(os.path.join(folder, relative))
+        if top not in reported and is_there and not rules.installs(relative):
             reported.add(top)
-            yield Finding(
-                Location(mention.span),
-                f"'{mention.relative}' is not installed by {shipping.file}",
-                shipping.remedy(top),
-            )
+            message = f"'{relative}' is not installed by {rules.file}"
+            yield Finding(Location(span), message, rules.remedy(top))
+
+
+def _referenced(subject: Subject, name: str, folder: str) -> Iterator[tuple[str, Span]]:
+    """The files of its own package that a description refers to, relative to the package."""
+    for mention in of_package(subject.document.sources, subject.resolver.packages):
+        if mention.package == name and mention.relative.partition("/")[0]:
+            yield mention.relative, mention.span
+
+
+def _launched(subject: Subject, name: str, folder: str) -> Iterator[tuple[str, Span]]:
+    """A launch file, and the files of its own package that it names, relative to the package."""
+    own = os.path.abspath(subject.source.path)
+    if not os.path.relpath(own, folder).startswith("launch"):
+        return  # a test or an example, which stay in the source tree
+    named = [(file.path, file.span) for file in subject.launch.files if file.exists]
+    for path, span in [(own, Span(subject.source, 0, 0)), *named]:
+        relative = os.path.relpath(path, folder)
+        if os.sep in relative and not relative.startswith(os.pardir):
+            yield relative, span

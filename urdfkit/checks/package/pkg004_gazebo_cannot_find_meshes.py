@@ -15,18 +15,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.ros.gazebo.paths import survey
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Source, Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.text.xml_reader import is_launch
 
 NAME = "urdf/bot.urdf"
 BAD = """\
@@ -56,13 +52,13 @@ _GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
 
 
 @rule(
-    "PKG004",
-    "gazebo-cannot-find-meshes",
     Severity.WARNING,
     needs=(Need.MODEL, Need.FILES),
     by_target=dict.fromkeys(("classic-ros2", *_GZ), Severity.WARNING),
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
+    if is_launch(subject.source.path):
+        return
     if not (subject.model.gazebo or subject.given_targets) or subject.is_part:
         return
     if not subject.targets.any_of(("classic-ros2", *_GZ)):

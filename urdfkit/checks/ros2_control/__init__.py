@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Subject
 
 #: Former codes and names of rules.
 REDIRECTS = {

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings
 from urdfkit.ros.catalog.ros_control import hardware, words
 from urdfkit.ros.ros_control import (
+    Component,
+    ControlPart,
+    Interface,
     components,
     control_plugins,
     driven_joints,
@@ -16,19 +17,15 @@ from urdfkit.ros.ros_control import (
     reads_transmissions,
 )
 from urdfkit.text.diagnostic import Fix
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.ros_control import Component, ControlPart, Interface
-    from urdfkit.text.document import Attribute, Element
 
 _HELP = "correct the name of the interface"
 #: The state interfaces of a simulated joint.
 _SIMULATED_STATES = ("position", "velocity", "effort")
 
 
-def invalid_interfaces(subject: Subject) -> Iterator[Finding]:
+def invalid_interfaces(subject: Subject) -> Findings:
     """Interfaces that are misspelt, or that a simulator does not offer."""
     for component in components(subject.model):
         for part in component.parts:
@@ -38,7 +35,7 @@ def invalid_interfaces(subject: Subject) -> Iterator[Finding]:
         yield from _of_ros1(subject)
 
 
-def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> Iterator[Finding]:
+def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> Findings:
     name = interface.name
     if not name or part.kind == "gpio":
         return
@@ -64,7 +61,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> I
         yield Finding(at, f"{who} is not one of {simulated.name} (such as {standard[0]})", _HELP)
 
 
-def _of_ros1(subject: Subject) -> Iterator[Finding]:
+def _of_ros1(subject: Subject) -> Findings:
     simulated = _has_default_simulation(subject)
     known = [*words("transmission", "interfaces"), *words("transmission", "unprefixed")]
     simulable = [*words("transmission", "gazebo"), *words("transmission", "unprefixed")]

@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding
+from urdfkit.lint.rules import Finding, Findings
 from urdfkit.robot.model import number
+from urdfkit.ros.ros_control import Component
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.ros.ros_control import Component
-    from urdfkit.text.document import Element
 
 _NUMBERS = ("min", "max", "initial_value")
 #: Similarity from which an unknown name is a typo.
 _TYPO = 0.85
 
 
-def invalid_values(component: Component) -> Iterator[Finding]:
+def invalid_values(component: Component) -> Findings:
     """The parameters of interfaces, ``rw_rate`` and ``size``."""
     yield from _integer(component.at, "rw_rate", 0, component.called)
     for part in component.parts:
@@ -32,7 +27,7 @@ def invalid_values(component: Component) -> Iterator[Finding]:
                 yield from _parameter(who, element)
 
 
-def _integer(element: Element, name: str, least: int, who: str) -> Iterator[Finding]:
+def _integer(element: Element, name: str, least: int, who: str) -> Findings:
     attribute = element.attributes.get(name)
     text = attribute.value.strip() if attribute else ""
     if attribute is None or is_expression(text):
@@ -43,7 +38,7 @@ def _integer(element: Element, name: str, least: int, who: str) -> Iterator[Find
         yield Finding(attribute, message, help, severity=Severity.WARNING)
 
 
-def _parameter(who: str, element: Element) -> Iterator[Finding]:
+def _parameter(who: str, element: Element) -> Findings:
     name, text = element.attributes.get("name"), element.text.strip()
     if name is None:
         return

@@ -13,18 +13,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.ros_control import called, components, driven_joints, reads_transmissions
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute
 
 BAD = """\
 <link name="base"/>
@@ -48,14 +45,8 @@ GOOD = BAD.replace("sholder", "shoulder")
 FIXED = GOOD
 
 
-@rule(
-    "RCT001",
-    "unknown-joint",
-    Severity.ERROR,
-    help="fix the name, or add the joint",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="fix the name, or add the joint")
+def check(subject: Subject) -> Findings:
     known = subject.model.joints_by_name
     if not known:
         return  # a description of the hardware alone; Webots, say, has the joints in its world
@@ -92,7 +83,7 @@ def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:
                 yield element.attributes["name"], called(transmission)
 
 
-def _not_in_block(subject: Subject) -> Iterator[Finding]:
+def _not_in_block(subject: Subject) -> Findings:
     """A transmission of ROS 2 finds the joints of its own block only."""
     for component in components(subject.model):
         listed = {joint.name for joint in component.joints}

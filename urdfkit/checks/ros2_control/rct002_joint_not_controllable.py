@@ -22,13 +22,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.catalog import ros_control
 from urdfkit.ros.ros_control import (
     ROS1,
     ROS2,
+    ControlPart,
     called,
     components,
     driven_joints,
@@ -36,11 +37,7 @@ from urdfkit.ros.ros_control import (
     reads_transmissions,
 )
 from urdfkit.text.diagnostic import Confidence, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.ros_control import ControlPart
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>
@@ -64,13 +61,8 @@ GOOD = BAD.replace('type="fixed"', 'type="continuous"')
 _HUMBLE, _JAZZY = ("classic-ros2", "gz-fortress"), ("gz-harmonic", "gz-jetty")
 
 
-@rule(
-    "RCT002",
-    "joint-not-controllable",
-    Severity.WARNING,
-    by_target=dict.fromkeys((*ROS1, *ROS2), Severity.ERROR),
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, by_target=dict.fromkeys((*ROS1, *ROS2), Severity.ERROR))
+def check(subject: Subject) -> Findings:
     yield from _fixed(subject)
     targets = subject.targets
     is_jazzy = targets.any_of(_JAZZY) and not targets.any_of(_HUMBLE)
@@ -92,7 +84,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 )
 
 
-def _fixed(subject: Subject) -> Iterator[Finding]:
+def _fixed(subject: Subject) -> Findings:
     joints = subject.model.joints_by_name
     for element, owner in _driven(subject):
         joint = joints.get(element.get("name") or "")
@@ -122,7 +114,7 @@ def _is_of_a_vendor(joint: Element) -> bool:
     return bool(named) and named.isdisjoint(known)
 
 
-def _commanded_mimic(part: ControlPart, leader: str, is_humble: bool) -> Iterator[Finding]:
+def _commanded_mimic(part: ControlPart, leader: str, is_humble: bool) -> Findings:
     """A mimic joint with a command interface; one with Humble's parameters is written for it."""
     commands = part.of("command")
     has_motor = (part.at.get("mimic") or "").lower() == "false"

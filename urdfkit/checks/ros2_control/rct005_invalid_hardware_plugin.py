@@ -20,20 +20,15 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.catalog.ros_control import hardware as simulated_hardware
-from urdfkit.ros.ros_control import called, components, control_plugins
+from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
 from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.ros_control import Component, ControlPlugin
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>
@@ -67,8 +62,8 @@ _TYPO = 0.9
 _ADD_PLUGIN = "add <hardware><plugin>package/Class</plugin></hardware> to the block"
 
 
-@rule("RCT005", "invalid-hardware-plugin", Severity.ERROR, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     plugins = control_plugins(subject.model)
     for component in components(subject.model):
         if component.plugin is None and _is_left_to_arguments(component.at):
@@ -79,7 +74,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _of_other_simulator(component, plugins)
 
 
-def _missing(component: Component) -> Iterator[Finding]:
+def _missing(component: Component) -> Findings:
     hardware = component.at.child("hardware")
     if hardware is None:
         yield Finding(component.at, f"{component.called} has no <hardware>", _ADD_PLUGIN)
@@ -105,7 +100,7 @@ def _is_left_to_arguments(component: Element) -> bool:
     return bool(_CONDITIONAL.search(component.tag_at.whole_span.text))
 
 
-def _misspelt(component: Component) -> Iterator[Finding]:
+def _misspelt(component: Component) -> Findings:
     """A class that is nearly a known one, or a known one without its package."""
     name, known = component.hardware, (*_COMMON, *simulated_hardware())
     if component.plugin is None or not name or name in known or name.startswith("fake_"):
@@ -117,7 +112,7 @@ def _misspelt(component: Component) -> Iterator[Finding]:
         yield Finding(component.plugin, message, f"write {suggested}", fix)
 
 
-def _of_other_simulator(component: Component, plugins: list[ControlPlugin]) -> Iterator[Finding]:
+def _of_other_simulator(component: Component, plugins: list[ControlPlugin]) -> Findings:
     kinds = {plugin.kind for plugin in plugins}
     known = simulated_hardware()
     found = known.get(component.hardware)

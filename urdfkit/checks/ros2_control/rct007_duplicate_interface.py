@@ -14,16 +14,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>
@@ -55,14 +50,14 @@ BAD = """\
 GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 
 
-@rule("RCT007", "duplicate-interface", Severity.ERROR, help="keep one of them")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="keep one of them")
+def check(subject: Subject) -> Findings:
     blocks = components(subject.model)
     yield from _duplicate_names(blocks)
     yield from _duplicate_interfaces(blocks)
 
 
-def _duplicate_names(blocks: list[Component]) -> Iterator[Finding]:
+def _duplicate_names(blocks: list[Component]) -> Findings:
     first: dict[str, Component] = {}
     for component in blocks:
         name = component.name
@@ -78,7 +73,7 @@ def _duplicate_names(blocks: list[Component]) -> Iterator[Finding]:
             )
 
 
-def _duplicate_interfaces(blocks: list[Component]) -> Iterator[Finding]:
+def _duplicate_interfaces(blocks: list[Component]) -> Findings:
     """One finding for each joint: with two blocks, all of its interfaces are there twice."""
     first: dict[tuple[str, ...], Related] = {}
     reported: set[tuple[int, str]] = set()

@@ -18,19 +18,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
-from urdfkit.ros.ros_control import components
+from urdfkit.robot.model import Joint
+from urdfkit.ros.ros_control import Component, ControlPart, Interface, components
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
-    from urdfkit.ros.ros_control import Component, ControlPart, Interface
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>
@@ -63,8 +57,8 @@ ROUNDING = 1e-3
 _MAX_RELATED = 20
 
 
-@rule("RCT009", "command-range-outside-limits", Severity.WARNING)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     joints = subject.model.joints_by_name
     for component in components(subject.model):
         yield from _wider_ranges(component, joints)
@@ -76,7 +70,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                     yield from _initial_value(joint, interface)
 
 
-def _wider_ranges(component: Component, joints: dict[str, Joint]) -> Iterator[Finding]:
+def _wider_ranges(component: Component, joints: dict[str, Joint]) -> Findings:
     """One finding for each block: usually all of its ranges are out of date."""
     wider = [
         found
@@ -134,7 +128,7 @@ def _limits(joint: Joint, interface: str) -> tuple[float, float, str] | None:
     return -placed.value, placed.value, of
 
 
-def _empty_range(part: ControlPart, interface: Interface) -> Iterator[Finding]:
+def _empty_range(part: ControlPart, interface: Interface) -> Findings:
     least, greatest = interface.bound("min"), interface.bound("max")
     at = interface.parameter("min")
     if at and least is not None and greatest is not None and least > greatest:
@@ -146,7 +140,7 @@ def _empty_range(part: ControlPart, interface: Interface) -> Iterator[Finding]:
         )
 
 
-def _initial_value(joint: Joint, interface: Interface) -> Iterator[Finding]:
+def _initial_value(joint: Joint, interface: Interface) -> Findings:
     limits = _limits(joint, "position")
     value, at = interface.bound("initial_value"), interface.parameter("initial_value")
     if limits is None or value is None or at is None:

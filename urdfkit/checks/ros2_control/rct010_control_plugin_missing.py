@@ -11,19 +11,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.catalog.ros_control import control_plugins as files
 from urdfkit.ros.catalog.ros_control import hardware
-from urdfkit.ros.ros_control import components, control_plugins, is_of_pr2
+from urdfkit.ros.ros_control import ControlPlugin, components, control_plugins, is_of_pr2
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.ros_control import ControlPlugin
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">
@@ -68,12 +62,10 @@ FILES = {
 
 
 @rule(
-    "RCT010",
-    "control-plugin-missing",
     Severity.WARNING,
     help="have the control plugin of the simulator once, in a <gazebo> block without reference",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     plugins = control_plugins(subject.model)
     yield from _twice(plugins)
     if subject.is_part:
@@ -84,7 +76,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from _without_transmission(subject, plugins[0])
 
 
-def _twice(plugins: list[ControlPlugin]) -> Iterator[Finding]:
+def _twice(plugins: list[ControlPlugin]) -> Findings:
     seen: dict[tuple[str, str], ControlPlugin] = {}
     for plugin in plugins:
         key = (plugin.kind, _namespace(plugin.at))
@@ -103,7 +95,7 @@ def _namespace(plugin: Element) -> str:
     return " ".join(found.text.strip() for found in plugin.walk() if found.tag in tags)
 
 
-def _missing(subject: Subject) -> Iterator[Finding]:
+def _missing(subject: Subject) -> Findings:
     for component in components(subject.model):
         found = hardware().get(component.hardware)
         if found and component.plugin:
@@ -122,7 +114,7 @@ def _missing(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _without_transmission(subject: Subject, plugin: ControlPlugin) -> Iterator[Finding]:
+def _without_transmission(subject: Subject, plugin: ControlPlugin) -> Findings:
     """The plugin of ROS 1 moves the joints of transmissions, and of nothing else."""
     if any(not is_of_pr2(transmission) for transmission in subject.model.transmissions):
         return

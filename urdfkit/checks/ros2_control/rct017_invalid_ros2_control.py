@@ -23,22 +23,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.checks.ros2_control.interfaces import invalid_interfaces
 from urdfkit.checks.ros2_control.parameters import invalid_values
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.catalog.ros_control import component_types, grammar
-from urdfkit.ros.ros_control import components
+from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element, replace_value
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.ros_control import Component
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>
@@ -68,13 +64,10 @@ _PREFIX = ":"
 
 
 @rule(
-    "RCT017",
-    "invalid-ros2-control",
     Severity.ERROR,
     help="use the elements of <ros2_control>: hardware, joint, sensor, gpio, transmission",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for component in components(subject.model):
         block = component.at
         yield from _elements(block)
@@ -89,7 +82,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield finding._replace(severity=Severity.WARNING)
 
 
-def _elements(block: Element) -> Iterator[Finding]:
+def _elements(block: Element) -> Findings:
     """Unknown elements, and elements without a name."""
     tags = grammar()
     known = tags["ros2_control"].children
@@ -140,7 +133,7 @@ def _named(block: Element) -> Iterator[Element]:
                 yield from inner.all("param")
 
 
-def _type(component: Component) -> Iterator[Finding]:
+def _type(component: Component) -> Findings:
     known = component_types()
     kind = component.at.attributes.get("type")
     help = f"write type={', '.join(known)}"

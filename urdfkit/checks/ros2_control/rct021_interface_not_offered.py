@@ -18,19 +18,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller, ParameterFile, controllers
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
 from urdfkit.ros.ros_control import components, control_plugins, driven_joints
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = (
     ARM
@@ -77,8 +72,8 @@ _DRIVE = "diff_drive_controller/DiffDriveController"
 _Offered = dict[str, set[str]]
 
 
-@rule("RCT021", "interface-not-offered", Severity.ERROR)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
     read = [(file, one) for file, found in controllers(subject) for one in found]
     yield from _without_command(subject, read)
     states = _offered(subject, "state")
@@ -90,9 +85,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from _without_state(subject)
 
 
-def _without_command(
-    subject: Subject, read: list[tuple[ParameterFile, Controller]]
-) -> Iterator[Finding]:
+def _without_command(subject: Subject, read: list[tuple[ParameterFile, Controller]]) -> Findings:
     by_ros = {1: _transmitted(subject), 2: _offered(subject, "command")}
     served = {
         value.text
@@ -114,7 +107,7 @@ def _lacking(
     needed: list[str],
     offered: _Offered,
     direction: str,
-) -> Iterator[Finding]:
+) -> Findings:
     for value in joints:
         available = offered.get(value.text)
         missing = [name for name in needed if available is not None and name not in available]
@@ -129,7 +122,7 @@ def _lacking(
             )
 
 
-def _without_state(subject: Subject) -> Iterator[Finding]:
+def _without_state(subject: Subject) -> Findings:
     blocks = components(subject.model)
     measured = {part.name for block in blocks for part in block.parts if part.of("state")}
     for block in blocks:

@@ -14,22 +14,16 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import Suggester, did_you_mean
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.catalog.ros_control import hardware
 from urdfkit.ros.controllers import controllers
 from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.ros.ros_control import components
+from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.ros_control import Component
 
 BAD = """\
 <link name="base">
@@ -61,15 +55,15 @@ _BROADCASTERS = (
 )
 
 
-@rule("RCT032", "unknown-sensor", Severity.WARNING, fixable=True)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
     blocks = components(subject.model)
     if not subject.is_part:
         yield from _not_in_gazebo(subject, blocks)
     yield from _not_in_ros2_control(subject, blocks)
 
 
-def _not_in_gazebo(subject: Subject, blocks: list[Component]) -> Iterator[Finding]:
+def _not_in_gazebo(subject: Subject, blocks: list[Component]) -> Findings:
     simulated = {sensor.name for sensor in sensors(subject.model)}
     suggester = Suggester(simulated)
     for component in blocks:
@@ -87,7 +81,7 @@ def _not_in_gazebo(subject: Subject, blocks: list[Component]) -> Iterator[Findin
             )
 
 
-def _not_in_ros2_control(subject: Subject, blocks: list[Component]) -> Iterator[Finding]:
+def _not_in_ros2_control(subject: Subject, blocks: list[Component]) -> Findings:
     parts = [part for component in blocks for part in component.parts]
     known = {part.name for part in parts if part.kind == "sensor"}
     if not known:

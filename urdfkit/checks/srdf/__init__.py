@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from urdfkit.lint.context import Subject
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 #: Former codes and names of rules.
 REDIRECTS = {

@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Location
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location
 from urdfkit.ros.moveit.config import group_entries, joint_entries, names_without_settings
 from urdfkit.ros.moveit.joint_limits import planned_limits
+from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.diagnostic import Severity
 
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.moveit.srdf import Srdf
 
-
-def unknown_names(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+def unknown_names(subject: Subject, srdf: Srdf) -> Findings:
     """The unknown joints, groups and controllers in the configuration files."""
     yield from _joint_limits(subject)
     yield from _groups(subject, srdf)
     yield from _controllers(subject, srdf)
 
 
-def _joint_limits(subject: Subject) -> Iterator[Finding]:
+def _joint_limits(subject: Subject) -> Findings:
     known = subject.model.joints_by_name
     planned = list(planned_limits(subject))
     unknown = [limit for limit in planned if limit.joint not in known]
@@ -38,7 +33,7 @@ def _joint_limits(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _groups(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+def _groups(subject: Subject, srdf: Srdf) -> Findings:
     known = srdf.known("group")
     entries = list(group_entries(srdf, subject.resolver))
     for entry in entries:
@@ -53,7 +48,7 @@ def _groups(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
             )
 
 
-def _controllers(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+def _controllers(subject: Subject, srdf: Srdf) -> Findings:
     known = srdf.known("joint")
     named = list(joint_entries(srdf, subject.resolver))
     unknown = [(who, joint) for who, joint in named if joint.text not in known]

@@ -29,19 +29,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.moveit.srdf import Srdf
-    from urdfkit.text.document import Attribute
 
 BAD = """\
 <robot name="bad">
@@ -66,14 +61,11 @@ _LIKE = 0.66
 
 
 @rule(
-    "SRD001",
-    "unknown-name",
     Severity.ERROR,
     needs=(Need.MODEL, Need.SRDF),
     help="fix the name, or generate the SRDF for this robot",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return
@@ -108,7 +100,7 @@ def _is_free_flyer(attribute: Attribute) -> bool:
     return attribute.value == "root_joint" and len(value.split()) == 7
 
 
-def _not_in_group(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+def _not_in_group(subject: Subject, srdf: Srdf) -> Findings:
     for state in srdf.states:
         group = state.get("group") or ""
         links = srdf.links_of(group)

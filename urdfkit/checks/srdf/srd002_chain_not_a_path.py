@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">
@@ -45,13 +40,11 @@ FILES = {
 
 
 @rule(
-    "SRD002",
-    "chain-not-a-path",
     Severity.ERROR,
     needs=(Need.MODEL, Need.SRDF),
     help="swap base and tip, or name links of one branch",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return

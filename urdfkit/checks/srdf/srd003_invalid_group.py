@@ -9,15 +9,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.moveit.srdf import Srdf
 
 BAD = """\
 <robot name="bad">
@@ -37,8 +32,8 @@ FILES = {
 }
 
 
-@rule("SRD003", "invalid-group", Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
+def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     for name, elements in srdf.groups_by_name.items() if srdf else ():
         if not any(element.children for element in elements):

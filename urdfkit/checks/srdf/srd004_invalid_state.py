@@ -13,16 +13,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.joints import unit
 from urdfkit.robot.model import number
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">
@@ -54,8 +49,8 @@ FILES = {
 _ROUNDING = 1e-3
 
 
-@rule("SRD004", "invalid-state", Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
+def check(subject: Subject) -> Findings:
     for state in subject.srdf.states if subject.srdf else ():
         for element in state.all("joint"):
             joint = subject.model.joints_by_name.get(element.get("name") or "")

@@ -11,14 +11,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">
@@ -48,13 +43,11 @@ FILES = {
 
 
 @rule(
-    "SRD006",
-    "end-effector-parts",
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
     help="let the groups share no link, and let the parent link be one of the parent group",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return

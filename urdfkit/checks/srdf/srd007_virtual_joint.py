@@ -12,15 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.model import Link
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link
 
 BAD = """\
 <robot name="bad">
@@ -49,13 +44,11 @@ _TYPES = ("fixed", "planar", "floating")
 
 
 @rule(
-    "SRD007",
-    "virtual-joint",
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
     help="attach it to the root link, with type fixed, planar or floating",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return

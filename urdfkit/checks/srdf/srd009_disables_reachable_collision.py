@@ -13,14 +13,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">
@@ -75,13 +70,11 @@ _WORK = 400_000
 
 
 @rule(
-    "SRD009",
-    "disables-reachable-collision",
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
     help="compute the matrix again: urdfkit collisions ROBOT --srdf FILE",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     if subject.srdf is None:
         return
     said = [

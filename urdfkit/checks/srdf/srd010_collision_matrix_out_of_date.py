@@ -16,16 +16,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.adjacency import Adjacency
+from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.moveit.srdf import Srdf
 
 BAD = """\
 <robot name="bad">
@@ -70,13 +65,11 @@ _DEEP = 1e-4
 
 
 @rule(
-    "SRD010",
-    "collision-matrix-out-of-date",
     Severity.INFO,
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
     help="update it: urdfkit collisions ROBOT --srdf FILE",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return
@@ -95,7 +88,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _not_adjacent(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+def _not_adjacent(subject: Subject, srdf: Srdf) -> Findings:
     adjacency = Adjacency(subject.tree)
     for pair in srdf.root.all("disable_collisions"):
         first, second = pair.get("link1") or "", pair.get("link2") or ""

@@ -9,15 +9,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">
@@ -29,15 +24,8 @@ FILES = {"example.srdf": b'<robot name="other"/>'}
 FIXED_FILES = {"example.srdf": b'<robot name="bad"/>'}
 
 
-@rule(
-    "SRD011",
-    "robot-name-differs",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.SRDF),
-    help="give the SRDF the name of the robot",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF), help="give the SRDF the name of the robot")
+def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return

@@ -16,19 +16,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.model import Joint
 from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
 from urdfkit.ros.parameter_types import is_not_positive, type_of
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.manifest import manifest_of
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="column"/>
@@ -62,8 +59,8 @@ _LIMITS = {
 _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
 
 
-@rule("SRD015", "invalid-joint-limits", Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
+def check(subject: Subject) -> Findings:
     for planned in planned_limits(subject):
         if joint := subject.model.joints_by_name.get(planned.joint):
             invalid = dict(_invalid(planned, subject))

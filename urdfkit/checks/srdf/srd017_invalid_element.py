@@ -13,20 +13,14 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.robot.model import number
-from urdfkit.ros.moveit.srdf import unreadable
+from urdfkit.ros.moveit.srdf import Srdf, unreadable
 from urdfkit.ros.moveit.srdf_grammar import lacking, mistakes
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute, rename_element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.ros.moveit.srdf import Srdf
 
 BAD = """\
 <robot name="bad">
@@ -52,15 +46,8 @@ FILES = {
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 
-@rule(
-    "SRD017",
-    "invalid-element",
-    Severity.ERROR,
-    needs=(Need.MODEL, Need.SRDF),
-    help="fix the XML of the SRDF",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), help="fix the XML of the SRDF")
+def check(subject: Subject) -> Findings:
     if not subject.is_part:
         for problem in unreadable(subject.source.path, subject.model.name, subject.resolver):
             at = Location(problem.span, problem.frame)
@@ -71,7 +58,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from _positions(subject.srdf)
 
 
-def _misspelt(srdf: Srdf) -> Iterator[Finding]:
+def _misspelt(srdf: Srdf) -> Findings:
     for mistake in mistakes(srdf.root):
         if isinstance(mistake.at, Element):
             what, edits = f"element <{mistake.name}>", rename_element(mistake.at, mistake.suggested)
@@ -88,13 +75,13 @@ def _misspelt(srdf: Srdf) -> Iterator[Finding]:
         )
 
 
-def _incomplete(srdf: Srdf) -> Iterator[Finding]:
+def _incomplete(srdf: Srdf) -> Findings:
     for element, name in lacking(srdf.root):
         message = f"<{element.tag}> has no {name}, so that MoveIt ignores it"
         yield Finding(element, message, f"add {name}")
 
 
-def _positions(srdf: Srdf) -> Iterator[Finding]:
+def _positions(srdf: Srdf) -> Findings:
     for state in srdf.states:
         for joint in state.all("joint"):
             value = joint.attributes.get("value")

@@ -9,17 +9,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.ros.moveit.config import group_entries
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">
@@ -71,8 +66,8 @@ _OF_ROBOTS = "IKFast"
 _TYPO = 0.93
 
 
-@rule("SRD023", "solver-misspelt", Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
+def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     for entry in group_entries(srdf, subject.resolver) if srdf else ():
         solver = entry.values.get("kinematics_solver")

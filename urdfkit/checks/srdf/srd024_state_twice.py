@@ -8,15 +8,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">
@@ -45,14 +40,8 @@ FILES = {
 }
 
 
-@rule(
-    "SRD024",
-    "state-twice",
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.SRDF),
-    help="give one of them another name",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF), help="give one of them another name")
+def check(subject: Subject) -> Findings:
     first: dict[tuple[str | None, str | None], Element] = {}
     for state in subject.srdf.states if subject.srdf else ():
         name, group = state.get("name"), state.get("group")

@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="left_base"/>
@@ -37,12 +32,10 @@ FILES = {
 
 
 @rule(
-    "SRD025",
-    "other-variant",
     Severity.INFO,
     needs=(Need.MODEL, Need.SRDF),
     help="check the variant that the SRDF is for, or generate an SRDF for this one",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     if subject.srdf is not None and subject.other_variant:
         yield Finding(subject.srdf.root, subject.other_variant)

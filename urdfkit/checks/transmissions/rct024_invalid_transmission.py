@@ -24,20 +24,17 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import number
 from urdfkit.ros.catalog.ros_control import words
 from urdfkit.ros.ros_control import ROS1, called, is_of_pr2, reads_transmissions
 from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rename_element, rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="base"/>
@@ -73,14 +70,8 @@ _TYPO = 0.85
 _MAX_RELATED = 20
 
 
-@rule(
-    "RCT024",
-    "invalid-transmission",
-    Severity.WARNING,
-    fixable=True,
-    by_target=dict.fromkeys(ROS1, Severity.ERROR),
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, by_target=dict.fromkeys(ROS1, Severity.ERROR))
+def check(subject: Subject) -> Findings:
     transmissions = subject.model.transmissions
     if not transmissions:
         return
@@ -132,7 +123,7 @@ def _missing(transmission: Element) -> list[str]:
     return missing
 
 
-def _interfaces(transmission: Element) -> Iterator[Finding]:
+def _interfaces(transmission: Element) -> Findings:
     for joint in transmission.all("joint"):
         if _has_text(joint, "hardwareInterface") or transmission.child("type") is None:
             continue
@@ -150,7 +141,7 @@ def _has_text(element: Element, tag: str) -> bool:
     return any(found.text.strip() for found in element.all(tag))
 
 
-def _type(transmission: Element) -> Iterator[Finding]:
+def _type(transmission: Element) -> Findings:
     element, known = transmission.child("type"), words("transmission", "types")
     name = element.text.strip() if element else ""
     if element is None or name in known:
@@ -164,7 +155,7 @@ def _type(transmission: Element) -> Iterator[Finding]:
         yield Finding(element, message, f"write {suggested}", fix)
 
 
-def _count(transmission: Element) -> Iterator[Finding]:
+def _count(transmission: Element) -> Findings:
     """One joint and actuator for a simple transmission, two of each for the others."""
     element = transmission.child("type")
     kind = element.text.strip().rpartition("/")[2] if element else ""
@@ -177,7 +168,7 @@ def _count(transmission: Element) -> Iterator[Finding]:
             yield Finding(found[-1], f"{called(transmission)}: {message}", help)
 
 
-def _children(element: Element, who: str) -> Iterator[Finding]:
+def _children(element: Element, who: str) -> Findings:
     """Misspelt elements, and invalid gear ratios."""
     for child in element.children:
         known = _CHILDREN.get(element.tag, ())
@@ -192,7 +183,7 @@ def _children(element: Element, who: str) -> Iterator[Finding]:
             yield Finding(child, message, "write the gear ratio, such as 50")
 
 
-def _duplicates(transmissions: Iterable[Element]) -> Iterator[Finding]:
+def _duplicates(transmissions: Iterable[Element]) -> Findings:
     names: dict[str, Attribute] = {}
     driven: dict[tuple[str, str], Attribute] = {}
     for transmission in transmissions:

@@ -9,22 +9,17 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.grammar import owner
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = '<robot name="cart">\n</robot>\n'
 GOOD = '<robot name="cart">\n  <link name="base"/>\n</robot>\n'
 
 
-@rule("TRE001", "no-link", Severity.ERROR, help='add a link, as <link name="base_link"/>')
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help='add a link, as <link name="base_link"/>')
+def check(subject: Subject) -> Findings:
     root = subject.document.root
     if root.tag != "robot" or root.child("link") or subject.is_part:
         return

@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Link
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link
-    from urdfkit.robot.tree import KinematicTree
 
 BAD = """\
 <link name="base"/>
@@ -43,13 +38,8 @@ GOOD = (
 SHOWN = 8
 
 
-@rule(
-    "TRE002",
-    "several-roots",
-    Severity.ERROR,
-    help="connect each of the others to the robot with a joint, or remove it",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="connect each of the others to the robot with a joint, or remove it")
+def check(subject: Subject) -> Findings:
     # Below a link that is missing hangs no root: the reference is REF001's.
     children = {joint.child.value for joint in subject.model.joints if joint.child}
     roots = [root for root in subject.tree.roots if root.name not in children]

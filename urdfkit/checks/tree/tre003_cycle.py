@@ -12,15 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Joint
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base"/>
@@ -40,8 +35,8 @@ GOOD = BAD.replace('<parent link="rod"/>', '<parent link="base"/>')
 SHOWN = 8
 
 
-@rule("TRE003", "cycle", Severity.ERROR, help="leave one of these joints out")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="leave one of these joints out")
+def check(subject: Subject) -> Findings:
     for loop in subject.tree.cycles:
         yield Finding(
             loop[-1].child or loop[-1].at,

@@ -11,14 +11,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>
@@ -39,8 +34,8 @@ BAD = """\
 GOOD = BAD[: BAD.index('\n<joint name="mount"')]
 
 
-@rule("TRE004", "two-parents", Severity.ERROR, help="keep one joint for each child")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="keep one joint for each child")
+def check(subject: Subject) -> Findings:
     for name, joints in subject.tree.parents.items():
         for joint in joints[1:]:
             first = joints[0]

@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>
@@ -29,13 +24,8 @@ BAD = """\
 GOOD = BAD.replace('<child link="base"/>', '<child link="arm"/>')
 
 
-@rule(
-    "TRE006",
-    "joint-to-itself",
-    Severity.ERROR,
-    help="name the link that this joint moves as its child",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="name the link that this joint moves as its child")
+def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         if joint.parent and joint.child and joint.parent.value == joint.child.value:
             yield Finding(

@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Link, RobotModel
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link, RobotModel
 
 BAD = """\
 <link name="base">
@@ -44,14 +39,11 @@ TARGETS = ("kdl",)
 
 
 @rule(
-    "TRE007",
-    "root-with-inertia",
     Severity.INFO,
     help="for KDL, add an empty link above it with a fixed joint",
-    fixable=True,
     by_target={"kdl": Severity.WARNING},
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     roots = subject.tree.roots
     if len(roots) != 1 or roots[0].inertial is None:
         return

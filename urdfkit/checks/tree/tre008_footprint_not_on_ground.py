@@ -13,24 +13,18 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import hypot
-from typing import TYPE_CHECKING
 
-from urdfkit.core.spatial import dot, rotate
-from urdfkit.lint.rules import Finding, rule
+from urdfkit.core.spatial import Rotation, Transform, Vector, dot, rotate
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import number
+from urdfkit.robot.model import Body, Joint, number
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_before, replace_value
 from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.core.spatial import Rotation, Transform, Vector
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Body, Joint
-    from urdfkit.robot.tree import KinematicTree
-    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base_footprint"/>
@@ -60,13 +54,10 @@ MAX_FOOTPRINTS = 10
 
 
 @rule(
-    "TRE008",
-    "footprint-not-on-ground",
     Severity.WARNING,
     help="let the joint between base_footprint and base_link lift the robot by that height",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     tree = subject.tree
     if len(tree.roots) != 1:
         return  # TRE002 or TRE003 comes first

@@ -14,14 +14,10 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -41,13 +37,11 @@ _UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro passes over .*)?")
 
 
 @rule(
-    "XAC001",
-    "xacro-error",
     Severity.ERROR,
     needs=(),
     help="correct the expression or the call; the notes show what it refers to",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for finding in reported(subject, "XAC001"):
         lacking = _UNDEFINED.match(finding.message)
         yield finding._replace(alike=lacking[1] or lacking[0]) if lacking else finding

@@ -10,17 +10,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text import schema
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Element
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -37,14 +32,11 @@ FIXED = GOOD
 
 
 @rule(
-    "XAC002",
-    "missing-xacro-prefix",
     Severity.ERROR,
     needs=(Need.XACRO, Need.MODEL),
     help="write the tag, and its end tag, with the prefix: <xacro:...>",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     # A <robot> is a robot, whatever macros are called.
     macros = {macro.name for macro in subject.xacro.macros} - {"robot"}
     stack = [(subject.document.root, schema.ROBOT)]

@@ -13,15 +13,11 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.grammar import is_expression
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = '<link name="${side}_arm"/>'
 GOOD = '<link name="left_arm"/>'
@@ -32,13 +28,11 @@ _SUBSTITUTION = re.compile(r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv
 
 
 @rule(
-    "XAC003",
-    "unexpanded-expression",
     Severity.ERROR,
     help="expand the file with xacro first; a xacro declares "
     'xmlns:xacro="http://www.ros.org/wiki/xacro"',
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for finding in reported(subject, "XAC003"):
         help = "include the file that defines the macro, or delete the call"
         yield finding._replace(help=help, severity=Severity.WARNING)

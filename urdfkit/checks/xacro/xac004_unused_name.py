@@ -11,16 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.workspace.includes import is_included
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -33,15 +28,8 @@ GOOD = BAD.replace("${side}_base", "${side}_${width}")
 FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
 
 
-@rule(
-    "XAC004",
-    "unused-name",
-    Severity.WARNING,
-    needs=(Need.XACRO, Need.MODEL, Need.FILES),
-    help="delete it, or use it",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL, Need.FILES), help="delete it, or use it")
+def check(subject: Subject) -> Findings:
     xacro = subject.xacro
     if xacro.is_library or not xacro.is_complete:
         return
@@ -51,7 +39,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from found
 
 
-def _unused(subject: Subject) -> Iterator[Finding]:
+def _unused(subject: Subject) -> Findings:
     xacro = subject.xacro
     for definition in xacro.properties:
         name = definition.name.removeprefix("**")

@@ -11,18 +11,14 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from math import pi
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.robot.model import number
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.xacro.expansion import Definition
+from urdfkit.xacro.definitions import Definition
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -40,15 +36,8 @@ _CERTAIN = 1e-4
 _NAMED = 2e-2
 
 
-@rule(
-    "XAC007",
-    "own-pi",
-    Severity.INFO,
-    needs=(Need.XACRO,),
-    help="write ${pi}, which expressions know",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(Need.XACRO,), help="write ${pi}, which expressions know")
+def check(subject: Subject) -> Findings:
     for definition in subject.xacro.properties:
         value = number(definition.attributes.get("value"))
         if value is None or value == pi:

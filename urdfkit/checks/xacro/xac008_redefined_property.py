@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -30,11 +25,9 @@ GOOD = BAD.replace('name="width" value="0.4"', 'name="height" value="0.4"')
 
 
 @rule(
-    "XAC008",
-    "redefined-property",
     Severity.WARNING,
     needs=(),
     help="delete one of the two, or use default= where a value may already be given",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     return reported(subject, "XAC008")

@@ -13,14 +13,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -35,11 +30,9 @@ GOOD = """\
 
 
 @rule(
-    "XAC009",
-    "unsafe-expression",
     Severity.ERROR,
     needs=(),
     help="write it with plain arithmetic, or add --trust if you trust the author of the model",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     return reported(subject, "XAC009")

@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -32,12 +27,6 @@ GOOD = """\
 """
 
 
-@rule(
-    "XAC010",
-    "argument-without-value",
-    Severity.ERROR,
-    needs=(),
-    help="pass it as name:=value, or give the <xacro:arg> a default",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(), help="pass it as name:=value, or give the <xacro:arg> a default")
+def check(subject: Subject) -> Findings:
     return reported(subject, "XAC010")

@@ -14,17 +14,12 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.robot.inertials.macro_fixes import computing
+from urdfkit.robot.model import Link
 from urdfkit.text.diagnostic import Related, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.robot.model import Link
-    from urdfkit.text.document import Step, Tag
+from urdfkit.text.document import Step, Tag
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -72,14 +67,11 @@ FIXED = """\
 
 
 @rule(
-    "XAC014",
-    "macro-gives-constant-inertia",
     Severity.WARNING,
     needs=(Need.XACRO, Need.MODEL),
     help="compute ixx ... izz in the macro from mass and size (urdfkit explain XAC014)",
-    fixable=True,
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     for tag, links in subject.masses.shared_by_macro.items():
         finding = _finding(links, sorted(filter(None, (link.mass for link in links))), tag)
         yield finding._replace(fix=computing(subject, links, tag))

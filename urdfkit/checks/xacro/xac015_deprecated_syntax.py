@@ -9,14 +9,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -31,13 +26,6 @@ GOOD = """\
 FIXED = GOOD
 
 
-@rule(
-    "XAC015",
-    "deprecated-syntax",
-    Severity.INFO,
-    needs=(),
-    help="write the function with its name space",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(), help="write the function with its name space")
+def check(subject: Subject) -> Findings:
     return reported(subject, "XAC015")

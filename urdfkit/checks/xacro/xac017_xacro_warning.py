@@ -13,14 +13,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -31,12 +26,6 @@ BAD = """\
 GOOD = BAD.replace(' unit="m"', "")
 
 
-@rule(
-    "XAC017",
-    "xacro-warning",
-    Severity.WARNING,
-    needs=(),
-    help="correct or remove it; xacro ignores what it does not know",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(), help="correct or remove it; xacro ignores what it does not know")
+def check(subject: Subject) -> Findings:
     return reported(subject, "XAC017")

@@ -12,14 +12,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 FILES = {
     "whole.xacro": b"""\
@@ -42,12 +37,6 @@ GOOD = """\
 """
 
 
-@rule(
-    "XAC019",
-    "part-of-a-robot",
-    Severity.INFO,
-    needs=(),
-    help="check the file that includes this one",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.INFO, needs=(), help="check the file that includes this one")
+def check(subject: Subject) -> Findings:
     return reported(subject, "XAC019")

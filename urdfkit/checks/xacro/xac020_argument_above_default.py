@@ -12,14 +12,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -36,11 +31,9 @@ GOOD = """\
 
 
 @rule(
-    "XAC020",
-    "argument-above-default",
     Severity.ERROR,
     needs=(),
     help="move the <xacro:arg> above the first use; for the robot's own name write the name",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     return reported(subject, "XAC020")

@@ -12,17 +12,13 @@ Sources:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
-    from urdfkit.text.document import Attribute, Element
-    from urdfkit.xacro import Xacro
+from urdfkit.xacro import Xacro
 
 NAME = "example.urdf.xacro"
 BAD = """\
@@ -44,14 +40,8 @@ FIXED = GOOD = BAD.replace('"{side}', '"${side}')
 _BRACES = r"(?<![$\w}])\{([A-Za-z_]\w*)\}"
 
 
-@rule(
-    "XAC021",
-    "brace-without-dollar",
-    Severity.WARNING,
-    needs=(Need.XACRO, Need.MODEL),
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL))
+def check(subject: Subject) -> Findings:
     known = _names(subject.xacro)
     for element in subject.document.root.walk():
         values: list[tuple[Element | Attribute, str]] = [(element, element.text.strip())]

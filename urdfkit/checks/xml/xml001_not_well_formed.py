@@ -14,14 +14,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r">
@@ -31,13 +26,6 @@ BAD = """\
 FIXED = GOOD = BAD.replace("--debug", "- -debug")
 
 
-@rule(
-    "XML001",
-    "not-well-formed",
-    Severity.ERROR,
-    needs=(),
-    help="close every tag and quote; write < as &lt; and & as &amp;",
-    fixable=True,
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(), help="close every tag and quote; write < as &lt; and & as &amp;")
+def check(subject: Subject) -> Findings:
     return reported(subject, "XML001")

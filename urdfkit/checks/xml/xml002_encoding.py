@@ -12,25 +12,18 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = b'<robot name="r"><!-- gr\xf6\xdfe --><link name="a"/></robot>'
 GOOD = BAD.decode("latin-1").encode()
 
 
 @rule(
-    "XML002",
-    "encoding",
     Severity.ERROR,
     needs=(),
     help="save the file as UTF-8, or declare its real encoding in the first line",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     return reported(subject, "XML002")

@@ -12,14 +12,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <!DOCTYPE robot [<!ENTITY base "base_link">]>
@@ -28,12 +23,6 @@ BAD = """\
 GOOD = '<robot name="r"><link name="base_link"/></robot>'
 
 
-@rule(
-    "XML003",
-    "entity-declaration",
-    Severity.ERROR,
-    needs=(),
-    help="write the text out, or use an <xacro:property>",
-)
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, needs=(), help="write the text out, or use an <xacro:property>")
+def check(subject: Subject) -> Findings:
     return reported(subject, "XML003")

@@ -10,14 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r">
@@ -30,12 +25,9 @@ GOOD = FIXED
 
 
 @rule(
-    "XML004",
-    "namespace-unbound",
     Severity.ERROR,
     needs=(),
-    fixable=True,
     help='declare it on the root element, such as xmlns:xacro="http://www.ros.org/wiki/xacro"',
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     return reported(subject, "XML004")

@@ -15,16 +15,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Location, Need, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.source import Source, Span
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 FILES = {"package.xml": b"<package><name>a</name><build_type>ament_cmake</build_type></package>"}
 BAD = '<robot name="r"><!-- units: metres --><link name="a"/></robot>'
@@ -34,13 +30,11 @@ _COMMENT = rb"<!--.*?-->"
 
 
 @rule(
-    "XML005",
-    "colon-in-comment",
     Severity.INFO,
     needs=(Need.FILES,),
     help="write the comment without the colon, or set value_type=str in the launch file",
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     xacro = subject.reading.xacro
     if not _is_ament(subject):
         return

@@ -12,14 +12,9 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.lint.rules import Finding, reported, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 BAD = '<!-- made by hand -->\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>'
 FIXED = '<?xml version="1.0"?>\n<!-- made by hand -->\n<robot name="r"><link name="a"/></robot>'
@@ -27,12 +22,9 @@ GOOD = FIXED
 
 
 @rule(
-    "XML007",
-    "not-strict-xml",
     Severity.WARNING,
     needs=(),
-    fixable=True,
     help='put <?xml version="1.0"?> first, and declare every prefix on the root element',
 )
-def check(subject: Subject) -> Iterator[Finding]:
+def check(subject: Subject) -> Findings:
     return reported(subject, "XML007")

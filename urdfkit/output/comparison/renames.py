@@ -64,7 +64,7 @@ def _parent(joint: Joint) -> str:
 def _known_again(
     old: _Tree, new: _Tree, links: dict[str, str], allowed: Tolerances
 ) -> dict[str, str]:
-    """Links beside known ones that can be one link only; so can those that they became."""
+    """Links next to matched ones that can correspond to one link only, in both directions."""
     taken = set(links.values())
     fits: dict[str, list[str]] = {}
     for name in old.links.keys() - links.keys():

@@ -23,22 +23,17 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
-
-from urdfkit.checks.manifest.build_files import not_registered, other_name
+from urdfkit.checks.package.build_files import not_registered, other_name
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Location, rule
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.xml_reader import is_launch, read_xml
 from urdfkit.workspace.manifest import REQUIRED, beside, known_tags
 from urdfkit.workspace.package_references import are_in
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
 
 NAME = "urdf/bot.urdf"
 BAD = """\
@@ -70,8 +65,8 @@ FILES = {
 _BROKEN = ("XML001", "XML002")
 
 
-@rule("PKG005", "invalid-package", Severity.ERROR, help="fix the package.xml")
-def check(subject: Subject) -> Iterator[Finding]:
+@rule(Severity.ERROR, help="fix the package.xml")
+def check(subject: Subject) -> Findings:
     path, resolver = subject.source.path, subject.resolver
     if not (is_launch(path) or are_in(subject.document.sources)):
         return
@@ -98,7 +93,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from _values(document.root)
 
 
-def _missing(package: Element) -> Iterator[Finding]:
+def _missing(package: Element) -> Findings:
     tags = [child.tag for child in package.children]
     for tag in REQUIRED:
         if tag not in tags:
@@ -108,7 +103,7 @@ def _missing(package: Element) -> Iterator[Finding]:
             yield Finding(Location(again.span), f"duplicate <{tag}>", "keep one")
 
 
-def _tags(package: Element) -> Iterator[Finding]:
+def _tags(package: Element) -> Findings:
     """Tags that the format of the file does not have."""
     known = known_tags(package.get("format"))
     renamed = {"run_depend": "exec_depend", "exec_depend": "run_depend"}
@@ -121,7 +116,7 @@ def _tags(package: Element) -> Iterator[Finding]:
         yield Finding(Location(child.span), f"<{child.tag}> is not a tag of format {number}", help)
 
 
-def _values(package: Element) -> Iterator[Finding]:
+def _values(package: Element) -> Findings:
     name, version = package.child("name"), package.child("version")
     if name and not _is_name(name.text.strip()):
         yield Finding(Location(name.span), f"'{name.text.strip()}' is not a valid package name")

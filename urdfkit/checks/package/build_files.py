@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Location
+from urdfkit.lint.rules import Finding, Findings, Location
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
@@ -21,7 +20,7 @@ _NAMES = {
 _INDEX = "share/ament_index/resource_index/packages"
 
 
-def other_name(name: str, folder: str) -> Iterator[Finding]:
+def other_name(name: str, folder: str) -> Findings:
     """A build file whose project has another name than the package."""
     for file, pattern in _NAMES.items():
         source = _read(folder, file)
@@ -39,7 +38,7 @@ def other_name(name: str, folder: str) -> Iterator[Finding]:
         return
 
 
-def not_registered(name: str, folder: str) -> Iterator[Finding]:
+def not_registered(name: str, folder: str) -> Findings:
     """A Python package of ROS 2 that ROS or colcon does not find."""
     if os.path.exists(os.path.join(folder, "CMakeLists.txt")):
         return
@@ -64,7 +63,7 @@ def _read(folder: str, file: str) -> Source | None:
     return Source(path, data) if data else None
 
 
-def _unregistered(setup: Source, folder: str, name: str) -> Iterator[Finding]:
+def _unregistered(setup: Source, folder: str, name: str) -> Findings:
     if b"resource_index" not in setup.data:
         yield Finding(
             Location(Span(setup, 0, 0)),

@@ -5,6 +5,8 @@ from pathlib import Path
 from tests.xacros import codes, reported, told_of, write
 from urdfkit.lint import engine
 from urdfkit.lint.grouping import grouped
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 
 def test_what_was_searched_and_how_to_name_it() -> None:
@@ -54,3 +56,39 @@ def test_a_package_that_is_used_often_is_shown_once() -> None:
     (found,) = grouped(reported("XAC011", uses))
     assert found.message.endswith("(and 6 more like this)")
     assert len(found.related) == 6
+
+
+def launch(package: str) -> bytes:
+    return f'<launch><node name="a" pkg="{package}" type="a"/></launch>'.encode()
+
+
+def test_an_unknown_package_of_a_launch_file_is_reported_with_the_folders_searched(
+    tmp_path: Path,
+) -> None:
+    source = Source(str(tmp_path / "a.launch"), launch("no_such_pkg"))
+    (finding,) = engine.check(source).diagnostics
+    assert (finding.code, finding.severity) == ("XAC011", Severity.WARNING)
+    assert finding.span.text == "no_such_pkg"
+    assert finding.message == "package 'no_such_pkg' is not found"
+    assert str(tmp_path) in finding.help
+
+
+def test_what_a_launch_file_lacks_is_one_finding_for_people(tmp_path: Path) -> None:
+    text = b"".join(launch(name) for name in ("no_pkg", "no_node", "no_drivers"))
+    text = text.replace(b"</launch><launch>", b"")
+    found = engine.check(Source(str(tmp_path / "a.launch"), text)).diagnostics
+    assert len(found) == 3
+    (seen,) = grouped(found)
+    assert [note.message for note in seen.related] == [
+        "package 'no_node' is not found",
+        "package 'no_drivers' is not found",
+    ]
+
+
+def test_packages_of_ros_and_declared_ones_are_calm(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>a</name><exec_depend>no_such_pkg</exec_depend></package>"
+    )
+    for package in ("robot_state_publisher", "rviz2", "gazebo_ros", "no_such_pkg"):
+        path = str(tmp_path / "a.launch")
+        assert engine.check(Source(path, launch(package))).diagnostics == ()
