@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.model import Body, Joint, RobotModel, Shape
     from urdfkit.robot.shapes import MeshSolid
     from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import Conversion
     from urdfkit.ros.gazebo.parameters import UnreadParameter
     from urdfkit.ros.gazebo.plugins import PluginUse
@@ -318,6 +319,15 @@ class Subject:
         from urdfkit.ros.gazebo.parameters import unread
 
         return tuple((use, found) for use in self.plugins for found in unread(use))
+
+    @cached_property
+    def controllers(self) -> tuple[tuple[ParameterFile, list[Controller]], ...]:
+        """The controllers in the parameter files of the robot."""
+        if not (self.parameters or self.model.gazebo):
+            return ()
+        from urdfkit.ros.controllers import controllers
+
+        return tuple(controllers(self))
 
     @cached_property
     def srdf(self) -> Srdf | None:
