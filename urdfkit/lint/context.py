@@ -378,21 +378,21 @@ class Subject:
         """The masses and inertias of the model, and what is doubtful about them."""
         from urdfkit.robot.inertials.masses import Masses
 
-        return Masses(self.model, self.tree, self.lump)
+        return Masses(self.model, self.tree, self.mesh_solid)
 
     @cached_property
     def visual_collision_pairs(self) -> VisualCollisionPairs:
         """The collisions of each link beside its visuals."""
         from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 
-        return VisualCollisionPairs(self.model, self.lump, self.files.has_ambiguous_axes)
+        return VisualCollisionPairs(self.model, self.mesh_solid, self.files.has_ambiguous_axes)
 
-    def lump(self, body: Body) -> MeshSolid | None:
+    def mesh_solid(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""
         if body.shape is None or body.shape.filename is None:
             return None
         try:
-            return self.measured.lump(body)
+            return self.measured.solid(body)
         except Unavailable:
             return None
 
