@@ -66,6 +66,22 @@ class Outcome(Record):
     chosen: frozenset[str] | None = None
 
 
+class UncheckedValues(Record):
+    """Values of an argument with which a robot is not checked, though files give them.
+
+    Attributes:
+        name: of the argument.
+        values: of it.
+        total: how many values it has.
+        why: they are left out.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    total: int
+    why: str
+
+
 class Subject:
     """One description, its model and what belongs to it.
 
@@ -80,6 +96,7 @@ class Subject:
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
         options: values of options of rules, by code and name, as configured; set by the runner.
+        unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
     def __init__(
@@ -102,6 +119,7 @@ class Subject:
         self._given_targets = targets
         self.outcome = Outcome()
         self.options: Mapping[str, Mapping[str, float]] = {}
+        self.unchecked: tuple[UncheckedValues, ...] = ()
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
