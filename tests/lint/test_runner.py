@@ -284,9 +284,9 @@ WORSE = [
     (
         "INE005",
         "mujoco",
-        '<link name="b"/><joint name="j" type="continuous"><parent link="b"/><child link="a"/>'
-        '</joint><link name="a"><inertial><mass value="1"/>'
-        '<inertia ixx="0" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>',
+        """<link name="b"/><joint name="j" type="continuous"><parent link="b"/><child link="a"/>
+        </joint><link name="a"><inertial><mass value="1"/>
+        <inertia ixx="0" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>""",
     ),
     (
         "GEO001",
@@ -298,9 +298,9 @@ WORSE = [
     (
         "JNT015",
         "drake",
-        '<link name="a"/><link name="b"/><link name="c"/><joint name="j" type="fixed">'
-        '<parent link="a"/><child link="b"/></joint><joint name="k" type="continuous">'
-        '<parent link="a"/><child link="c"/><mimic joint="j"/></joint>',
+        """<link name="a"/><link name="b"/><link name="c"/><joint name="j" type="fixed">
+        <parent link="a"/><child link="b"/></joint><joint name="k" type="continuous">
+        <parent link="a"/><child link="c"/><mimic joint="j"/></joint>""",
     ),
 ]
 
