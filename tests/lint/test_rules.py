@@ -62,11 +62,11 @@ def test_a_name_that_two_families_have(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         rules,
         "_modules",
-        {code: f"urdfkit.checks.{code.lower()}_package_not_found" for code in ("MSH005", "XAC011")},
+        {code: f"urdfkit.checks.{code.lower()}_same_name" for code in ("ABC001", "XYZ001")},
     )
-    assert rules.matching("package-not-found") == ["MSH005", "XAC011"]
-    with pytest.raises(UnknownRule, match="alone: MSH005 and XAC011 have that name"):
-        rules.find_rule("package-not-found")
+    assert rules.matching("same-name") == ["ABC001", "XYZ001"]
+    with pytest.raises(UnknownRule, match="alone: ABC001 and XYZ001 have that name"):
+        rules.find_rule("same-name")
 
 
 def test_choose() -> None:

@@ -38,8 +38,8 @@ GOOD = """\
 
 @rule(Severity.WARNING, needs=())
 def check(subject: Subject) -> Findings:
-    # A part of a robot is checked through the file that includes it, which XAC019 names.
-    if subject.reading.document is not None or subject.problems("XAC019"):
+    # A part of a robot is checked through the file that includes it, which XAC001 names.
+    if subject.reading.document is not None or subject.is_fragment:
         return
     from urdfkit.lint.argument_values import missing_argument
     from urdfkit.lint.unchecked import why_unchecked
