@@ -174,9 +174,9 @@ def test_the_table_has_the_rules_that_ran_with_their_help() -> None:
     (result,) = run["results"]
     assert table[result["ruleIndex"]]["id"] == result["ruleId"] == "TRE003"
     entry, rule = table[2], rules.get("TRE003")
-    assert entry["name"] == "JointToItself"
+    assert entry["name"] == "Cycle"
     assert entry["shortDescription"]["text"] == rule.explanation.split("\n")[0]
-    assert entry["fullDescription"]["text"].startswith("urdfdom loops forever on it")
+    assert entry["fullDescription"]["text"].startswith("URDF describes trees")
     assert rule.help in entry["help"]["text"]
     assert entry["defaultConfiguration"] == {"level": "error"}
     assert run["tool"]["driver"]["version"] == urdfkit.__version__

@@ -2,9 +2,9 @@
 
 Without it a xacro cannot be expanded, and no program here can load its meshes: an error, one for
 all meshes of a package. `roslaunch` stops with "ResourceNotFound", `ros2 launch` with "package not
-found": a warning, unless the package comes with ROS or `package.xml` declares it. That the package is not on this machine does not mean that the model is
-wrong: the message lists what was searched. Name its directory, put the package into the workspace,
-or source the ROS installation that has it.
+found": a warning, unless the package comes with ROS or `package.xml` declares it. That the package
+is not on this machine does not mean that the model is wrong: the message lists what was searched.
+Name its directory, put the package into the workspace, or source the ROS installation that has it.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
