@@ -15,7 +15,9 @@ def test_a_line_for_every_rule(capsys: pytest.CaptureFixture[str]) -> None:
     line = next(line for line in lines if line.startswith("TRE003"))
     words = line.split()
     assert words[:3] == ["TRE003", "error", "cycle"]
-    assert line.endswith("  Joints form a closed loop, or one joint has the same link as parent and child.")
+    assert line.endswith(
+        "  Joints form a closed loop, or one joint has the same link as parent and child."
+    )
     for line in lines:
         assert ("  fix  " in line[:24]) is rules.get(line[:6]).fixable
 
