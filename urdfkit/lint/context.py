@@ -66,6 +66,22 @@ class Outcome(Record):
     chosen: frozenset[str] | None = None
 
 
+class UncheckedValues(Record):
+    """Values of an argument with which a robot is not checked, though files give them.
+
+    Attributes:
+        name: of the argument.
+        values: of it.
+        total: how many values it has.
+        why: they are left out.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    total: int
+    why: str
+
+
 class Subject:
     """One description, its model and what belongs to it.
 
@@ -80,6 +96,7 @@ class Subject:
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
         options: values of options of rules, by code and name, as configured; set by the runner.
+        unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
     def __init__(
@@ -102,6 +119,7 @@ class Subject:
         self._given_targets = targets
         self.outcome = Outcome()
         self.options: Mapping[str, Mapping[str, float]] = {}
+        self.unchecked: tuple[UncheckedValues, ...] = ()
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
@@ -378,21 +396,21 @@ class Subject:
         """The masses and inertias of the model, and what is doubtful about them."""
         from urdfkit.robot.inertials.masses import Masses
 
-        return Masses(self.model, self.tree, self.lump)
+        return Masses(self.model, self.tree, self.mesh_solid)
 
     @cached_property
     def visual_collision_pairs(self) -> VisualCollisionPairs:
         """The collisions of each link beside its visuals."""
         from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 
-        return VisualCollisionPairs(self.model, self.lump, self.files.has_ambiguous_axes)
+        return VisualCollisionPairs(self.model, self.mesh_solid, self.files.has_ambiguous_axes)
 
-    def lump(self, body: Body) -> MeshSolid | None:
+    def mesh_solid(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""
         if body.shape is None or body.shape.filename is None:
             return None
         try:
-            return self.measured.lump(body)
+            return self.measured.solid(body)
         except Unavailable:
             return None
 

@@ -446,7 +446,11 @@ def _report(plan: Plan, judged: list[Judged], unopened: Iterable[Diagnostic]) ->
         ),
         sum(verdict.suppressed for verdict in verdicts),
         errors=tuple(
-            tuple(d for d in verdict.diagnostics if d.severity is Severity.ERROR)
+            tuple(
+                one
+                for one in (*verdict.diagnostics, *verdict.consequences)
+                if one.severity is Severity.ERROR
+            )
             for verdict in verdicts
         ),
         proposals=tuple(
