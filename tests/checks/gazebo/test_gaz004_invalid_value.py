@@ -196,7 +196,10 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         (
             "camera",
             CAMERA.format(640, "r8g8b8"),
-            "<format> is 'r8g8b8', unknown to SDF: gz-sim rejects the model; did you mean 'R8G8B8'?",
+            (
+                "<format> is 'r8g8b8', unknown to SDF: gz-sim rejects the model; "
+                "did you mean 'R8G8B8'?"
+            ),
         ),
         (
             "ray",
