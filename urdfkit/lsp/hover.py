@@ -1,4 +1,4 @@
-"""What is shown beside the mouse: numbers of a robot, origins of a value, reasons of a rule."""
+"""Hover texts: numbers of a robot, origins of a value, explanations of a rule."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from urdfkit.ros.catalog import extensions, plugins
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.document import Attribute
 from urdfkit.text.source import Span
-from urdfkit.xacro.trace import Origin
+from urdfkit.xacro.origin import Origin
 
 #: Values of one expression, levels of definitions and lines of a macro that are shown.
 MAX_SHOWN = 6

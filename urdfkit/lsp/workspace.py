@@ -178,16 +178,16 @@ class Workspace:
         """A file is closed: what is on disk counts again.
 
         Returns:
-            What is left to tell of the files of robots that no open file is part of any more.
+            The findings left in files of robots that no open file is part of any more.
         """
         parts = {entry.file for entry in self.entries(path)}
         self.texts.pop(path, None)
         closed = parts - {entry.file for other in self.texts for entry in self.entries(other)}
         files = {file for root in closed for file in self._found.pop(root, ())}
-        self.look_again()
+        self.reload()
         return {file: list(self._of_file(file)) for file in files}
 
-    def look_again(self) -> None:
+    def reload(self) -> None:
         """Files on disk have changed."""
         self._entries.clear()
         self._launched.clear()
@@ -303,7 +303,7 @@ class Workspace:
             resolver=resolver,
         ).diagnostics
 
-    def mended(self, path: str) -> dict[str, bytes]:
+    def fixed(self, path: str) -> dict[str, bytes]:
         """The texts that change when all safe fixes of a file's robots are applied, by path.
 
         Raises:
@@ -314,7 +314,7 @@ class Workspace:
         fixes = fix(*roots, config=config, texts=self.texts)
         return {os.path.realpath(f.path): Source(f.path, f.after).data for f in fixes.files}
 
-    def laid_out(self, path: str) -> bytes:
+    def formatted_text(self, path: str) -> bytes:
         """The text of a file in the layout of ``urdfkit format``.
 
         Raises:
@@ -327,7 +327,7 @@ class Workspace:
         return (file for by_file in self._found.values() for file in by_file)
 
     def _of_file(self, file: str) -> Iterator[Diagnostic]:
-        """The findings in a file; what several robots have is told in the words of the first."""
+        """The findings in a file; one that several robots share has the message of the first."""
         reported: set[tuple[str, int, int]] = set()
         for by_file in self._found.values():
             fresh = [one for one in by_file.get(file, ()) if _key(one) not in reported]

@@ -3,7 +3,6 @@ from __future__ import annotations
 import base64
 import os
 from pathlib import Path
-from time import process_time
 
 import pytest
 
@@ -317,10 +316,8 @@ def test_nodes_that_multiply(tmp_path: Path) -> None:
         for i in range(60)
     )
     library = f'{doubling}<node id="n60">{SHOWN}</node>'
-    start = process_time()
     with pytest.raises(UnloadableMesh, match="shows more than"):
         square(tmp_path, library=library, nodes='<node><instance_node url="#n0"/></node>')
-    assert process_time() - start < 20
 
 
 def test_nodes_within_nodes_ten_thousand_deep(tmp_path: Path) -> None:

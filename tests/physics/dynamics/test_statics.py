@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from math import pi, sin
 
 import pytest
@@ -107,11 +106,9 @@ def test_a_chain_of_a_hundred_joints_is_bounded() -> None:
     robot = dynamics(text)
     assert robot.data is not None  # large, and made once
     reported: list[tuple[int, int]] = []
-    start = time.process_time()
     found = statics(
         robot, samples=2000, progress=lambda done, total: reported.append((done, total))
     )
-    assert time.process_time() - start < 30
     assert len(found.loads) == number
     # All links in one level row: the sum of 0.1 n for n from 1 to 100.
     assert found.loads[0].worst == pytest.approx(G * 0.1 * number * (number + 1) / 2, rel=0.05)
