@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.reading import Reading
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
@@ -66,6 +67,22 @@ class Outcome(Record):
     chosen: frozenset[str] | None = None
 
 
+class UncheckedValues(Record):
+    """Values of an argument with which a robot is not checked, though files give them.
+
+    Attributes:
+        name: of the argument.
+        values: of it.
+        total: how many values it has.
+        why: they are left out.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    total: int
+    why: str
+
+
 class Subject:
     """One description, its model and what belongs to it.
 
@@ -80,6 +97,7 @@ class Subject:
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
         options: values of options of rules, by code and name, as configured; set by the runner.
+        unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
     def __init__(
@@ -102,6 +120,7 @@ class Subject:
         self._given_targets = targets
         self.outcome = Outcome()
         self.options: Mapping[str, Mapping[str, float]] = {}
+        self.unchecked: tuple[UncheckedValues, ...] = ()
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
@@ -134,6 +153,11 @@ class Subject:
         """What reading met that a rule explains, in a description or a launch file."""
         read = self.launch if is_launch(self.source.path) else self.reading
         return [problem for problem in read.problems if problem.code == code]
+
+    @property
+    def is_fragment(self) -> bool:
+        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
+        return any(problem.severity is Severity.INFO for problem in self.problems("XAC001"))
 
     @property
     def xacro(self) -> Xacro:

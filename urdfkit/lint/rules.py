@@ -91,6 +91,7 @@ class Finding(Record):
         alike: the same for findings that many robots have in numbers, and that one slip made:
             more than a few of them are told as one.
         severity: where it is not that of the rule, whatever the targets.
+        targets: those for which it has this severity; empty if it does not depend on them.
         data: where the numbers stand that expressions took out of data files; the judge finds it.
     """
 
@@ -103,6 +104,7 @@ class Finding(Record):
     weight: float = 0.0
     alike: str = ""
     severity: Severity | None = None
+    targets: tuple[str, ...] = ()
     data: tuple[Related, ...] = ()
 
 
@@ -363,9 +365,9 @@ def _foreign_rule(code: str, module: str) -> Rule:
 def find_rule(word: str) -> Rule:
     r"""The rule of a code or a name, in small or capital letters.
 
-    >>> rule = find_rule("joint-to-itself")
+    >>> rule = find_rule("no-link")
     >>> rule.code, rule.severity.value, rule.explanation.partition("\n")[0]
-    ('TRE006', 'error', 'A joint has the same link as parent and child.')
+    ('TRE001', 'error', 'The robot has no link.')
 
     Raises:
         UnknownRule: there is none, or two have that name; the message says which, or the nearest.
