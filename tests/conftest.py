@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -17,8 +18,9 @@ from urdfkit.workspace import packages
 os.environ["URDFKIT_CACHE_DIR"] = ""
 
 # How long an example takes is the machine's affair.
-settings.register_profile("urdfkit", deadline=None)
-settings.load_profile("urdfkit")
+settings.register_profile("default", deadline=None, max_examples=25, derandomize=True)
+settings.register_profile("thorough", deadline=None, max_examples=150)
+settings.load_profile("default")
 
 ROOT = Path(__file__).resolve().parents[1]
 MODELS = ROOT / "models"
@@ -90,9 +92,50 @@ SLOW = (
 )
 
 
+#: Tests with many parameters of a kind, and of how many one is run unless ``--thorough``.
+SAMPLED = {
+    "tests/test_fixing_corpus.py": 10,
+}
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--thorough",
+        action="store_true",
+        help="all parameters of the sampled tests, and more examples for each property",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.getoption("thorough"):
+        settings.load_profile("thorough")
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
+    """Processes for a whole run only: a file of tests is run sooner than they start."""
+    return None if config.args_source is pytest.Config.ArgsSource.TESTPATHS else 0
+
+
 def pytest_itemcollected(item: pytest.Item) -> None:
     if item.nodeid.startswith(SLOW):
         item.add_marker(pytest.mark.slow)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what is not sampled, unless tests are chosen by name."""
+    chosen = config.getoption("keyword") or any("::" in argument for argument in config.args)
+    if chosen or config.getoption("thorough"):
+        return
+    seen: Counter[str] = Counter()
+    kept, left_out = [], []
+    for item in items:
+        name = item.nodeid.partition("[")[0]
+        every = next((n for file, n in SAMPLED.items() if name.startswith(file)), 1)
+        (left_out if seen[name] % every else kept).append(item)
+        seen[name] += 1
+    items[:] = kept
+    config.hook.pytest_deselected(items=left_out)
 
 
 @pytest.fixture
