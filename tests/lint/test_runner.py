@@ -291,6 +291,15 @@ def test_a_rule_is_stopped_at_a_thousand_findings(judged) -> None:
     assert len(judged(rule(endless)).diagnostics) == 1000
 
 
+def test_ten_places_in_data_files_are_listed(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        places = tuple(Related(Span(one.source, n, n + 1), "") for n in range(12))
+        yield Finding(one.document.root, "numbers", data=places)
+
+    (found,) = judged(rule(find)).diagnostics
+    assert [note.span.start for note in found.related] == list(range(10))
+
+
 def test_a_message_is_bounded_whatever_names_are_in_it() -> None:
     robot = f'<robot name="r"><link name="a"/><joint name="{"j" * 5000}" type="fixed"/></robot>'
     found = check(Source("r.urdf", robot.encode())).diagnostics
