@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats
-from urdfkit.physics.collision.batch_kinematics import chain
+from urdfkit.physics.collision.batch_kinematics import Axis, chain
 from urdfkit.physics.collision.collision_geometry import (
     TOUCH,
     CollisionGeometry,
@@ -38,6 +38,9 @@ from urdfkit.robot.tree import KinematicTree
 _SAMPLES = 50
 #: Colliding samples of a pair in which the other pairs are looked at.
 _POSES = 20
+
+#: Of the range of a joint: zero is 2 % from two limits of the Panda that MoveIt ships.
+_NEAR_END = 0.05
 
 _CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
 _POINT = form(CollisionArrays("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES))
@@ -121,10 +124,14 @@ class SampledPoses:
         return seen.hits == len(rows)
 
     def is_at_zero(self, meeting: Contact) -> bool:
-        """True if no joint above two links begins elsewhere than at zero.
+        """True if no joint above two links begins elsewhere than at zero, nor between them almost.
 
-        A robot that cannot be at zero is never there: its users begin in a pose of their own.
+        A robot that cannot be at zero is never there: its users begin in a pose of their own. One
+        that comes there shortly before the end of a range, but not at it, is hardly ever.
         """
+        pair = self._pair(meeting.small.link, meeting.large.link)
+        if any(_ends_near_zero(self.chain.axes[column]) for column in self.chain.between(*pair)):
+            return False
         for link in (meeting.small.link, meeting.large.link):
             at = self._number[link]
             while step := self.chain.above.get(at):
@@ -280,6 +287,12 @@ class SampledPoses:
             for center, one in zip(centers, forms, strict=True)
         )
         return middle, reach
+
+
+def _ends_near_zero(axis: Axis) -> bool:
+    """True if zero is next to an end of a joint's range, but not the end itself."""
+    ends = min(abs(axis.lower), abs(axis.upper))
+    return 0 < ends < _NEAR_END * (axis.upper - axis.lower)
 
 
 def _distance(
