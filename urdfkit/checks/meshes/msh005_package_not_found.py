@@ -1,8 +1,9 @@
 """The package of a mesh reference is not found on this machine.
 
-Without it, the meshes cannot be checked, and no program can load them here. There is one finding
-for all references to the package. If the package is installed elsewhere, pass its directory or
-source the workspace that has it; if the name is misspelt, correct it.
+Without it, the meshes cannot be checked, and no program can load them here: an error, or a warning
+if `package.xml` declares the package or ROS has it, since only this machine then lacks it. There is
+one finding for all references to the package. If the package is installed elsewhere, pass its
+directory or source the workspace that has it; if the name is misspelt, correct it.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -18,6 +19,7 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference, is_typo
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
+from urdfkit.workspace.manifest import is_known_dependency
 
 BAD = """\
 <link name="arm">
@@ -53,12 +55,14 @@ def _not_found(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
     searched = ", ".join(first.located.searched)
     known = subject.resolver.packages.known(subject.source.path)
     suggested = did_you_mean(name, [package for package in known if is_typo(name, package)])
+    is_known = is_known_dependency(name, first.at.span.source.path, subject.resolver)
     return Finding(
         first.at,
         f"link '{first.link}': package '{name}' is not found on this machine, so {held} of it "
         f"cannot be checked; searched {searched}",
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
+        severity=Severity.WARNING if is_known else None,
     )
 
 
