@@ -306,7 +306,7 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
     group.sort(key=lambda finding: ((finding.severity or severity).rank, -finding.weight))
     worst = group[0]
     if worst.severity is not None:
-        severity, suffering = worst.severity, ()
+        severity, suffering = worst.severity, worst.targets
     calls = tuple(Call(f.message, place(f)[1], _path(f)) for f in group)
     return Diagnostic(
         rule.code,
