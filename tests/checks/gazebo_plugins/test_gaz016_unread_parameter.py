@@ -16,7 +16,7 @@ def test_a_tag_that_is_not_read() -> None:
     text = BASE + plugin(MOVE, "<odometryFrame>odom</odometryFrame><enableYAxis>1</enableYAxis>")
     (found,) = reported("GAZ016", text)
     assert (found.message, found.severity) == (
-        f"{NAME} does not read <enableYAxis>",
+        f"{NAME}: unknown element <enableYAxis> (ignored)",
         Severity.INFO,
     )
     assert places("GAZ016", text) == [(4, "<enableYAxis>")]
@@ -26,7 +26,7 @@ def test_a_block_is_reported_once_with_its_path() -> None:
     wheel = '<wheel link_name="base"><wheel_normal_force>1</wheel_normal_force><a><b/></a></wheel>'
     text = BASE + plugin("libWheelSlipPlugin.so", wheel)
     assert messages("GAZ016", text) == [
-        "plugin 'p' (libWheelSlipPlugin.so) does not read <a> in <wheel>"
+        "plugin 'p' (libWheelSlipPlugin.so): unknown element <a> in <wheel> (ignored)"
     ]
 
 
@@ -71,7 +71,7 @@ def of_other_generation(tags: str, target: str = "classic-ros2") -> list[tuple[s
     ],
 )
 def test_names_of_ros1(old: str, help: str) -> None:
-    message = f"{NAME} reads <{old}> in ROS 1, but not in ROS 2"
+    message = f"{NAME}: <{old}> is read in ROS 1, but ignored in ROS 2"
     assert of_other_generation(f"<{old}>x</{old}>") == [(message, help)]
     assert of_other_generation(f"<{old}>x</{old}>", "classic-ros1") == []
 

@@ -55,7 +55,11 @@ def check(subject: Subject) -> Findings:
             yield _misspelt(use, found.item, found.suggested)
         else:
             path = "> in <".join(reversed(found.item.path.split("/")))
-            yield Finding(found.item.at, f"{use.title} does not read <{path}>", alike=use.filename)
+            yield Finding(
+                found.item.at,
+                f"{use.title}: unknown element <{path}> (ignored)",
+                alike=use.filename,
+            )
 
 
 def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
@@ -63,7 +67,7 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
     assert isinstance(element, Element)
     return Finding(
         element,
-        f"{use.title} does not read <{element.tag}>",
+        f"{use.title}: unknown element <{element.tag}> (ignored)",
         f"did you mean <{name}>?",
         Fix.of(f"rename it to <{name}>", rename_element(element, name)),
         alike=f"{use.filename} misspelt",
@@ -80,7 +84,7 @@ def _of_other_generation(
     edits = rename_element(element, new) if new and not use.values(new) else None
     return Finding(
         element,
-        f"{use.title} reads <{element.tag}> in {_NAMES[other.generation]}, but not in "
+        f"{use.title}: <{element.tag}> is read in {_NAMES[other.generation]}, but ignored in "
         f"{_NAMES[plugin.generation]}",
         f"write <{new}>" if new else _advice(item, plugin),
         Fix.of(f"rename it to <{new}>", edits),
