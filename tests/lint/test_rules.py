@@ -55,23 +55,23 @@ def test_a_family_is_no_rule_but_matches() -> None:
         rules.find_rule("XML")
     assert rules.matching("xml") == [code for code in rules.codes() if code.startswith("XML")]
     assert rules.matching("XML00") == rules.matching("XML")
-    assert rules.matching("joint-to-itself") == ["TRE006"]
+    assert rules.matching("cycle") == ["TRE003"]
 
 
 def test_a_name_that_two_families_have(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         rules,
         "_modules",
-        {code: f"urdfkit.checks.{code.lower()}_package_not_found" for code in ("MSH005", "XAC011")},
+        {code: f"urdfkit.checks.{code.lower()}_same_name" for code in ("ABC001", "XYZ001")},
     )
-    assert rules.matching("package-not-found") == ["MSH005", "XAC011"]
-    with pytest.raises(UnknownRule, match="alone: MSH005 and XAC011 have that name"):
-        rules.find_rule("package-not-found")
+    assert rules.matching("same-name") == ["ABC001", "XYZ001"]
+    with pytest.raises(UnknownRule, match="alone: ABC001 and XYZ001 have that name"):
+        rules.find_rule("same-name")
 
 
 def test_choose() -> None:
     assert choose([], []) == rules.codes()
-    assert choose(["TRE006", "xml001"], ["CFG003"]) == ["TRE006", "XML001"]
+    assert choose(["TRE003", "xml001"], ["CFG003"]) == ["TRE003", "XML001"]
     some = choose(["XML"], ["XML001"])
     assert some == ["CFG003", *(code for code in rules.matching("XML") if code != "XML001")]
     assert choose([], ["XML"]) == [c for c in rules.codes() if not c.startswith("XML")]
@@ -83,10 +83,10 @@ def test_choose() -> None:
 
 
 def test_the_rule_about_unchecked_robots_is_chosen_unless_it_is_ignored() -> None:
-    assert choose(["TRE006"], []) == ["CFG003", "TRE006"]
-    config = Config(select=frozenset({"TRE006"}))
-    assert choose([], [], config) == ["CFG003", "TRE006"]
-    assert choose([], [], config._replace(ignore=frozenset({"CFG003"}))) == ["TRE006"]
+    assert choose(["TRE003"], []) == ["CFG003", "TRE003"]
+    config = Config(select=frozenset({"TRE003"}))
+    assert choose([], [], config) == ["CFG003", "TRE003"]
+    assert choose([], [], config._replace(ignore=frozenset({"CFG003"}))) == ["TRE003"]
 
 
 def test_former_codes_and_names_lead_to_rules_that_exist() -> None:
@@ -116,7 +116,7 @@ def test_a_rule_that_was_removed() -> None:
     for look_up in (rules.matching, rules.find_rule):
         with pytest.raises(UnknownRule, match="no rule 'TRE998': it was removed"):
             look_up("TRE998")
-    assert rules.note("TRE998") == rules.note("TRE006") == rules.note("TRE") == ""
+    assert rules.note("TRE998") == rules.note("TRE003") == rules.note("TRE") == ""
 
 
 def test_listing_the_rules_imports_none() -> None:

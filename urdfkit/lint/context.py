@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.reading import Reading
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
@@ -43,7 +44,10 @@ if TYPE_CHECKING:
 
 
 _WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
-WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+_WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+
+#: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
+MAX_BODIES = 2000
 
 
 class Unavailable(Exception):
@@ -52,6 +56,18 @@ class Unavailable(Exception):
 
 class NotApplicable(Unavailable):
     """A description is of another kind than a rule is about; nothing is missing."""
+
+
+def need_coal() -> None:
+    """Import coal.
+
+    Raises:
+        Unavailable: it is not installed.
+    """
+    try:
+        libraries.load("coal")
+    except ImportError as error:
+        raise Unavailable(_WITHOUT_COAL) from error
 
 
 class Outcome(Record):
@@ -152,6 +168,11 @@ class Subject:
         """What reading met that a rule explains, in a description or a launch file."""
         read = self.launch if is_launch(self.source.path) else self.reading
         return [problem for problem in read.problems if problem.code == code]
+
+    @property
+    def is_fragment(self) -> bool:
+        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
+        return any(problem.severity is Severity.INFO for problem in self.problems("XAC001"))
 
     @property
     def xacro(self) -> Xacro:
@@ -431,31 +452,18 @@ class Subject:
             raise Unavailable(str(reason)) from reason
 
     @cached_property
-    def is_crowded(self) -> bool:
-        """True if bodies of two links may overlap where the robot begins; no library is needed."""
-        from urdfkit.robot.clearance import may_overlap
-
-        return may_overlap(self.tree)
-
-    @cached_property
     def collisions(self) -> Collisions:
-        """Which links collide with one another, by coal.
+        """Which links collide with one another; coal is loaded where it is needed.
 
         Raises:
-            Unavailable: coal is not installed, or the robot has too many bodies.
+            Unavailable: the robot has too many bodies, or later, coal is not installed.
         """
-        from urdfkit.robot.clearance import MAX_BODIES
+        from urdfkit.physics.collision.robot import Collisions
 
         bodies = sum(len(link.collisions) for link in self.model.links)
         if bodies > MAX_BODIES:
             raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
-        if libraries.find("coal") is None:
-            raise Unavailable(WITHOUT_COAL)
-        try:
-            from urdfkit.physics.collision.robot import Collisions
-        except ImportError as error:
-            raise Unavailable(WITHOUT_COAL) from error
-        return Collisions(self)
+        return Collisions(self, need_coal)
 
     @cached_property
     def opinion(self) -> PinocchioReading:

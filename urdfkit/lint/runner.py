@@ -93,7 +93,8 @@ def judge(
     if rules.NOT_CHECKED in own:
         own.remove(rules.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
-        is_unexplained = wants_arguments or not run.has_errors()
+        is_explained = run.has_errors() or any(one.code == "XAC011" for one in run.diagnostics)
+        is_unexplained = wants_arguments or not is_explained
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
             run.rules([rules.NOT_CHECKED])

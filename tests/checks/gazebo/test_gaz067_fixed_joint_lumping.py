@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, BODY, block, child
+from tests.massive import shape
 from tests.reported import fixed, messages, places
 from tests.sensing import findings
 from urdfkit import Diagnostic
@@ -22,7 +23,8 @@ OFF = "<turnGravityOff>true</turnGravityOff>"
     ],
 )
 def test_a_flag_of_a_merged_link(tag: str) -> None:
-    (message,) = messages("GAZ067", BASE + CAMERA + block(tag, "camera"))
+    base = BASE.replace("</link>", shape("collision", '<sphere radius="0.1"/>') + "</link>")
+    (message,) = messages("GAZ067", base + CAMERA + block(tag, "camera"))
     assert message.endswith("also applies to 'base', the link it is merged into")
 
 

@@ -5,7 +5,8 @@ Gazebo merges the child of a fixed joint into its parent ("fixed joint lumping")
 - A force-torque sensor or `<provideFeedback>` of such a joint is not created, and its topic never
   appears: an error, or a warning where nothing in the robot reads the forces.
 - `<turnGravityOff>`, `<gravity>`, `<selfCollide>` and `<self_collide>` of the child also apply to
-  the parent. A camera without gravity makes a robot without gravity.
+  the parent. A camera without gravity makes a robot without gravity. A parent without mass or
+  collision, such as `base_footprint`, is not affected.
 - `<preserveFixedJoint>` saves a link from being merged, but a link without mass is dropped all the
   same, together with the joint and the links below it.
 - `<disableFixedJointLumping>` is older than `<preserveFixedJoint>`: Gazebo makes a revolute joint
@@ -94,13 +95,23 @@ def _flags(subject: Subject) -> Findings:
     names = {(name, tag.tag) for name, tag in flags}
     for name, tag in flags:
         into = subject.gazebo.merged.get(name)
-        if into and (into, tag.tag) not in names:
+        flagged = {one for one, other in names if other == tag.tag}
+        if into and _reaches(subject, into, tag.tag, flagged):
             yield Finding(
                 tag,
                 f"<{tag.tag}> of '{name}' also applies to '{into}', the link it is merged into",
                 "keep the joint with <preserveFixedJoint>, or move the tag to the parent",
                 alike=f"{tag.tag} of {into}",
             )
+
+
+def _reaches(subject: Subject, top: str, tag: str, flagged: set[str]) -> bool:
+    """True if a flag matters to a link of the merged body that does not have it itself."""
+    (simulated,) = (one for one in subject.gazebo.links if one.name == top)
+    others = [link for link, _ in simulated.body.links if link.name not in flagged]
+    if tag in ("selfCollide", "self_collide"):
+        return any(link.collisions for link in others)
+    return any(link.mass for link in others)
 
 
 def _kept_joints(subject: Subject) -> Findings:

@@ -6,9 +6,6 @@ from urdfkit.lint.context import Subject
 
 #: Codes and names of rules that others have absorbed.
 REDIRECTS = {
-    "GAZ049": "GAZ055",
-    "camera-on-optical-frame": "GAZ055",
-    "camera-frame-not-optical": "GAZ055",
     "GAZ054": "",
     "heavy-sensor": "",
     "angle-in-degrees": "GAZ047",

@@ -124,10 +124,16 @@ def _in_place(
     if others:
         message += f" (and {len(others)} more like this)"
     related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
-    # The colour of a collision is not shown.
-    is_idle = element.tag == "material" and parent.tag == "collision"
+    # The colour of a collision is not shown; onshape-to-robot writes an <origin> of zeros in links.
+    is_idle = (element.tag == "material" and parent.tag == "collision") or _is_zero(element)
     severity = Severity.INFO if is_idle else None
     return Finding(element, message, f"move it into {places}", fix, related, severity=severity)
+
+
+def _is_zero(element: Element) -> bool:
+    """True for an origin that moves nothing, wherever it is."""
+    words = " ".join(attribute.value for attribute in element.attributes.values()).split()
+    return element.tag == "origin" and all(word.strip("+-0.") == "" for word in words)
 
 
 def _moved(element: Element, parent: Element) -> Fix | None:

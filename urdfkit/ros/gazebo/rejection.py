@@ -14,7 +14,7 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model"
 
 #: Rules whose findings reject the robot.
-ALWAYS = frozenset("JNT001 JNT002 NAM001 REF001 TRE001 TRE002 TRE003 TRE006 URD015".split())
+ALWAYS = frozenset("JNT001 JNT002 NAM001 REF001 TRE001 TRE002 TRE003 URD015".split())
 #: Rules with findings that reject the robot, as their messages say.
 SOMETIMES = frozenset("GAZ004 GAZ010 GAZ040 GAZ047".split())
 #: Rules whose findings reject the robot where they are about a joint.
