@@ -71,7 +71,7 @@ def of_other_generation(tags: str, target: str = "classic-ros2") -> list[tuple[s
     ],
 )
 def test_names_of_ros1(old: str, help: str) -> None:
-    message = f"{NAME}: <{old}> is read in ROS 1, but ignored in ROS 2"
+    message = f"{NAME} reads <{old}> in ROS 1, but not in ROS 2"
     assert of_other_generation(f"<{old}>x</{old}>") == [(message, help)]
     assert of_other_generation(f"<{old}>x</{old}>", "classic-ros1") == []
 
