@@ -19,6 +19,7 @@ from urdfkit import Source, check
 from urdfkit.cli import main
 from urdfkit.lint import rule_examples, rules, runner
 from urdfkit.lint.context import Subject
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
 from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
@@ -119,7 +120,7 @@ def test_a_robot_that_fails_costs_no_other_robot(
     part = cached_property(reading)
     part.__set_name__(Subject, "reading")
     monkeypatch.setattr(Subject, "reading", part)
-    report = check(*robots, jobs=jobs)
+    report = check(*robots, options=Options(jobs=jobs))
     assert reported(report) == before
     assert [(c.code, c.path) for c in report.crashed] == [("", broken)]
 
@@ -142,7 +143,7 @@ def test_a_process_that_dies_costs_its_robot_alone(
     part.__set_name__(Subject, "reading")
     monkeypatch.setattr(Subject, "reading", part)
     calls: list[tuple[int, int]] = []
-    report = check(*robots, jobs=jobs, progress=lambda *n: calls.append(n))
+    report = check(*robots, options=Options(jobs=jobs, progress=lambda *n: calls.append(n)))
     assert reported(report) == before
     assert [(c.code, c.path) for c in report.crashed] == [("", path) for path in deadly]
     assert report.exit_code() == 3

@@ -25,6 +25,7 @@ __all__ = [
     "Fix",
     "Fixes",
     "Formatted",
+    "Options",
     "Related",
     "Report",
     "RobotModel",
@@ -67,6 +68,7 @@ if TYPE_CHECKING:
     from urdfkit.lint.fix import Fixes, fix
     from urdfkit.lint.formatting import Formatted, format_files
     from urdfkit.lint.loading import expand, load, read
+    from urdfkit.lint.options import Options
     from urdfkit.lint.report import Report
     from urdfkit.lint.rules import Rule, all_rules, find_rule
     from urdfkit.output.comparison import Comparison, compare
@@ -107,6 +109,7 @@ _HOMES = {
     "output.overview": "summarise",
     "output.report.writing": "report",
     "physics.poses": "pose",
+    "lint.options": "Options",
     "lint.report": "Report",
     "lint.rules": "Rule all_rules find_rule",
     "text.source": "Source Span",

@@ -129,7 +129,9 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
 def test_a_baseline_that_is_missing_is_told_before_the_check(
     project: Project, monkeypatch: pytest.MonkeyPatch, words: list[str], reported: str
 ) -> None:
-    monkeypatch.setattr("urdfkit.cli.checking.check", lambda *_, **__: pytest.fail("it checks"))
+    monkeypatch.setattr(
+        "urdfkit.cli.checking.check_with", lambda *_, **__: pytest.fail("it checks")
+    )
     code, _, err = project.check(".", *words)
     assert code == 2
     assert reported in err

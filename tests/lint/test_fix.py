@@ -16,6 +16,7 @@ from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import fix as fix_as_configured
 from urdfkit.lint.fix_guard import SLOW
+from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
 
 #: An axis on a fixed joint is an info otherwise, whose fix nobody applies unasked.
@@ -395,7 +396,12 @@ def test_a_defect_that_a_fix_reveals_does_not_forbid_it(tmp_path: Path) -> None:
     }
     fixes = fix(file, unsafe=True)
     assert [one.code for one in fixes.applied] == ["XAC002", "JNT003"]
-    assert fix(file, unsafe=True, texts={fixes.files[0].path: fixes.files[0].after}).files == ()
+    assert (
+        fix(
+            file, unsafe=True, options=Options(texts={fixes.files[0].path: fixes.files[0].after})
+        ).files
+        == ()
+    )
     alone = fix(file, unsafe=True, select=["XAC002"])
     assert [one.code for one in alone.applied] == ["XAC002"]
 

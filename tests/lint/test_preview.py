@@ -7,6 +7,7 @@ import pytest
 from urdfkit import check
 from urdfkit.lint import rules
 from urdfkit.lint.config import Config
+from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Confidence
 from urdfkit.text.source import Source
 
@@ -48,7 +49,7 @@ def in_preview(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_rule_in_preview_runs_where_it_is_asked_for(
     options: dict[str, object], is_run: bool
 ) -> None:
-    report = check(ROBOT, **options)  # type: ignore[arg-type]
+    report = check(ROBOT, options=Options(**options))  # type: ignore[arg-type]
     assert ("JNT020" in report.rules) is is_run
     assert any(found.code == "JNT020" for found in report.diagnostics) is is_run
 
@@ -65,6 +66,8 @@ def test_min_confidence(
         )
     )
     monkeypatch.setattr(rules, "get", lambda code: made)
-    report = check(ROBOT, select=["JNT020"], ignore=["CFG003"], min_confidence=least.value)
+    report = check(
+        ROBOT, select=["JNT020"], ignore=["CFG003"], options=Options(min_confidence=least.value)
+    )
     order = ["measured", "inferred", "guessed"]
     assert bool(report.diagnostics) is (order.index(confidence.value) <= order.index(least.value))

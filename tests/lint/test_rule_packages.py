@@ -239,7 +239,7 @@ import urdfkit
 from urdfkit.text.source import Source
 
 robot = Source("r.urdf", sys.argv[1].encode())
-own = urdfkit.check(robot, rules=["acme_rules"])
+own = urdfkit.check(robot, options=urdfkit.Options(rules=["acme_rules"]))
 assert "ACM001" in own.rules
 assert "ACM001" not in urdfkit.check(robot).rules  # although it is known by now
 assert "ACM001" in urdfkit.check(robot, select=["ACM"]).rules

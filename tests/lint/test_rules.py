@@ -12,7 +12,7 @@ from tests.conftest import ROOT
 from urdfkit.errors import UnknownRule
 from urdfkit.lint import rules
 from urdfkit.lint.config import Config
-from urdfkit.lint.engine import choose
+from urdfkit.lint.options import choose
 
 
 def test_codes_are_sorted_and_each_has_one_name() -> None:

@@ -4,7 +4,7 @@ import pytest
 
 from urdfkit import Report, check
 from urdfkit.lint import rules
-from urdfkit.lint.config import load
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.suppress import ignores
 from urdfkit.text.source import Source
 

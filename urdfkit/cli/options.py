@@ -163,7 +163,7 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
     path = values["config"] or nearest(os.curdir if near == "-" else near)
     if path is None:
         return None
-    from urdfkit.lint.config import load
+    from urdfkit.lint.config_reader import load
 
     found = load(path, trusted=bool(values["config"]) or values["trust"])
     for warning in found.warnings:

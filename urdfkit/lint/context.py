@@ -78,7 +78,7 @@ class Subject:
         cache: True if measures of meshes may be kept for the next run.
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
-        options: values of options of rules, by code and name, as configured; set by the runner.
+        rule_options: configured options of rules, by code and name; set by the runner.
     """
 
     def __init__(
@@ -100,7 +100,7 @@ class Subject:
         self.progress = progress
         self._given_targets = targets
         self.outcome = Outcome()
-        self.options: Mapping[str, Mapping[str, float]] = {}
+        self.rule_options: Mapping[str, Mapping[str, float]] = {}
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})

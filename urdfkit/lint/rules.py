@@ -169,7 +169,7 @@ class Rule(Record):
 
     def option(self, subject: Subject, name: str) -> float:
         """The value of an option: as configured, else its default."""
-        return subject.options.get(self.code, self.options).get(name, self.options[name])
+        return subject.rule_options.get(self.code, self.options).get(name, self.options[name])
 
     def severity_for(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
         """The severity for some targets, and those of them that suffer most.

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
 from urdfkit.lint import rules
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
@@ -16,7 +17,6 @@ from urdfkit.text.source import Span, shown_text
 from urdfkit.text.xml_reader import is_launch
 
 if TYPE_CHECKING:
-    from urdfkit.lint.config import Config
     from urdfkit.lint.suppress import Ignore
     from urdfkit.ros.targets import Targets
 
@@ -68,20 +68,18 @@ class FileResult(Record):
 def judge(
     subject: Subject,
     chosen: Sequence[str],
-    config: Config | None = None,
-    previews: Container[str] | None = None,
+    options: Options = Options(preview=True),
 ) -> FileResult:
     """Run rules over a description.
 
     Args:
         subject: the description.
         chosen: codes of the rules.
-        config: changes severities and options of rules, and leaves findings out.
-        previews: codes of the preview rules that run; all if None.
+        options: whose configuration changes severities and options of rules, and leaves findings
+            out; resolved.
     """
-    if config is not None:
-        subject.options = config.options
-    run = _Run(subject, config, previews)
+    subject.rule_options = options.config.options
+    run = _Run(subject, options)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if rules.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
@@ -102,12 +100,10 @@ def judge(
 class _Run:
     """Gathers what the rules say about one subject."""
 
-    def __init__(
-        self, subject: Subject, config: Config | None, previews: Container[str] | None
-    ) -> None:
+    def __init__(self, subject: Subject, options: Options) -> None:
         self.subject = subject
-        self.config = config
-        self.previews = previews
+        self.options = options
+        self.config = options.config
         self.diagnostics: list[Diagnostic] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
@@ -130,7 +126,7 @@ class _Run:
         for family, codes in families.items():
             if self._applies(family, codes):
                 for rule in map(rules.get, codes):
-                    if not rule.preview or self.previews is None or rule.code in self.previews:
+                    if not rule.preview or self.options.previews(rule.code):
                         self._rule(rule)
 
     def _rule(self, rule: Rule) -> None:
@@ -196,7 +192,7 @@ class _Run:
         return without_disputed_fixes(findings, self.subject.uses)
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
-        severity = self.config.severities.get(diagnostic.code) if self.config else None
+        severity = self.config.severities.get(diagnostic.code)
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
     def has_errors(self) -> bool:
@@ -238,10 +234,9 @@ class _Run:
 
     def _left_out(self, diagnostic: Diagnostic) -> bool:
         config = self.config
-        return config is not None and (
-            diagnostic.confidence.rank > config.min_confidence.rank
-            or config.ignores(diagnostic.code, diagnostic.span.source.path, diagnostic.severity)
-        )
+        is_unsure = diagnostic.confidence.rank > config.min_confidence.rank
+        path = diagnostic.span.source.path
+        return is_unsure or config.ignores(diagnostic.code, path, diagnostic.severity)
 
 
 def _bounded(finding: Finding) -> Finding:

@@ -15,7 +15,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.config import Config, load
+from urdfkit.lint.config import Config
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.report import Report
