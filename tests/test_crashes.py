@@ -61,7 +61,7 @@ def robots(tmp_path: Path) -> list[Path]:
 
 #: What is broken, and the beginnings of the codes of the rules that cannot do without it.
 PARTS = [
-    (Masses, "weighed", ("INE", "XAC014", "GEO", "DYN", "TRE")),
+    (Masses, "inertias", ("INE", "XAC014", "GEO", "DYN", "TRE")),
     (Subject, "masses", ("INE", "XAC014", "DYN", "TRE", "GEO")),
     (Subject, "files", ("MSH", "GEO", "PKG", "INE", "COL", "DYN")),
     (Subject, "visual_collision_pairs", ("GEO",)),
@@ -70,7 +70,7 @@ PARTS = [
     (Subject, "unread", ("GAZ",)),
     (Subject, "ignores", ()),
     (Subject, "targets", ("",)),
-    (VisualCollisionPairs, "diagnoses", ("GEO",)),
+    (VisualCollisionPairs, "mismatches", ("GEO",)),
 ]
 
 

@@ -276,3 +276,39 @@ def test_packages_may_be_named_in_either_way(mesh: str) -> None:
     none = Subject(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>'), Resolver())
     assert rules.applies("package", one)
     assert not rules.applies("package", none)
+
+
+#: Findings that are worse for a target than otherwise.
+WORSE = [
+    ("INE004", "gz-harmonic", '<link name="a"/>'),
+    (
+        "INE005",
+        "mujoco",
+        """<link name="b"/><joint name="j" type="continuous"><parent link="b"/><child link="a"/>
+        </joint><link name="a"><inertial><mass value="1"/>
+        <inertia ixx="0" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>""",
+    ),
+    (
+        "GEO001",
+        "mujoco",
+        '<link name="a"><visual><geometry><box size="0 1 1"/></geometry></visual></link>',
+    ),
+    ("NAM004", "isaac", '<link name="1a"/>'),
+    ("NAM004", "gz-jetty", '<link name="__a__"/>'),
+    (
+        "JNT015",
+        "drake",
+        """<link name="a"/><link name="b"/><link name="c"/><joint name="j" type="fixed">
+        <parent link="a"/><child link="b"/></joint><joint name="k" type="continuous">
+        <parent link="a"/><child link="c"/><mimic joint="j"/></joint>""",
+    ),
+]
+
+
+@pytest.mark.parametrize(("code", "target", "parts"), WORSE)
+def test_a_finding_names_the_target_that_makes_it_worse(code: str, target: str, parts: str) -> None:
+    source = Source("r.urdf", f'<robot name="r">{parts}</robot>'.encode())
+    (worse,) = check(source, select=[code], targets=[target, "ros2"]).diagnostics
+    (milder,) = check(source, select=[code], targets=["ros2"]).diagnostics
+    assert worse.severity.rank < milder.severity.rank
+    assert (worse.targets, milder.targets) == ((target,), ())

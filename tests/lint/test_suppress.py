@@ -57,7 +57,7 @@ def test_a_former_code_suppresses_and_is_noted(monkeypatch):
 PER_FILE = '[[per-file-ignores]]\nfiles = ["*"]\ncodes = ["no-limit-on-continuous"]'
 
 #: JNT021 was an info about limits of continuous joints; JNT002 reports missing limits as well.
-FORMER = """<robot name="r"><!-- urdfkit: ignore[JNT021] -->
+FORMER = """<!-- urdfkit: ignore[JNT021] --><robot name="r">
 <link name="a"/><link name="b"/><link name="c"/><link name="d"/>
 <joint name="j" type="revolute"><parent link="a"/><child link="b"/></joint>
 <joint name="k" type="continuous"><parent link="b"/><child link="c"/>

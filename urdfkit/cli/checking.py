@@ -46,7 +46,7 @@ def run_check(values: Mapping[str, Any]) -> int:
         fixes = apply_fixes(values, chosen)
         if values["diff"]:
             return int(bool(fixes.files))
-        _tell(fixes)
+        _print_fixes(fixes)
         report = fixes.report._replace(fixable=counted(fixes.left))
     elif values["unsafe_fixes"] or values["force"]:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
@@ -166,7 +166,7 @@ def apply_fixes(
     )
 
 
-def _tell(fixes: Fixes) -> None:
+def _print_fixes(fixes: Fixes) -> None:
     """Say on standard error what was fixed; the report says what is left."""
     if sys.stderr is None:
         return

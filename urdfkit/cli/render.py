@@ -93,7 +93,7 @@ def command(asked: dict[str, Any], **values: Any) -> int:
             _animation(robot, pose, scene, values)
         else:
             _picture(scene, values)
-    _tell(scene)
+    _print_notes(scene)
     return 0
 
 
@@ -230,7 +230,7 @@ def _nothing(file: str, robot: Subject) -> str:
     return f"{file}: nothing to draw: no geometry in these layers; try --layers frames,names"
 
 
-def _tell(scene: Scene) -> None:
+def _print_notes(scene: Scene) -> None:
     """Say on standard error which meshes are boxes in the picture, and which letters escapes."""
     from urdfkit import render
 

@@ -78,7 +78,7 @@ def read_by_options(command: Command) -> Command:
     return command
 
 
-def judged(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[Command], Command]:
+def with_robot_and_targets(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[Command], Command]:
     """Give a command words, and the options of reading and of judging what they name.
 
     Their values are those that the functions of `options` take.

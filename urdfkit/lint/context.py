@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.model import Body, Joint, RobotModel, Shape
     from urdfkit.robot.shapes import MeshSolid
     from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import Conversion
     from urdfkit.ros.gazebo.parameters import UnreadParameter
     from urdfkit.ros.gazebo.plugins import PluginUse
@@ -65,6 +66,22 @@ class Outcome(Record):
     chosen: frozenset[str] | None = None
 
 
+class UncheckedValues(Record):
+    """Values of an argument with which a robot is not checked, though files give them.
+
+    Attributes:
+        name: of the argument.
+        values: of it.
+        total: how many values it has.
+        why: they are left out.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    total: int
+    why: str
+
+
 class Subject:
     """One description, its model and what belongs to it.
 
@@ -79,6 +96,7 @@ class Subject:
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
         rule_options: configured options of rules, by code and name; set by the runner.
+        unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
     def __init__(
@@ -101,6 +119,7 @@ class Subject:
         self._given_targets = targets
         self.outcome = Outcome()
         self.rule_options: Mapping[str, Mapping[str, float]] = {}
+        self.unchecked: tuple[UncheckedValues, ...] = ()
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
@@ -320,6 +339,15 @@ class Subject:
         return tuple((use, found) for use in self.plugins for found in unread(use))
 
     @cached_property
+    def controllers(self) -> tuple[tuple[ParameterFile, list[Controller]], ...]:
+        """The controllers in the parameter files of the robot."""
+        if not (self.parameters or self.model.gazebo):
+            return ()
+        from urdfkit.ros.controllers import controllers
+
+        return tuple(controllers(self))
+
+    @cached_property
     def srdf(self) -> Srdf | None:
         """The SRDF beside the robot, if there is one; a part has none, an SRDF is of the whole."""
         if self.is_part:
@@ -368,21 +396,21 @@ class Subject:
         """The masses and inertias of the model, and what is doubtful about them."""
         from urdfkit.robot.inertials.masses import Masses
 
-        return Masses(self.model, self.tree, self.lump)
+        return Masses(self.model, self.tree, self.mesh_solid)
 
     @cached_property
     def visual_collision_pairs(self) -> VisualCollisionPairs:
         """The collisions of each link beside its visuals."""
         from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 
-        return VisualCollisionPairs(self.model, self.lump, self.files.has_ambiguous_axes)
+        return VisualCollisionPairs(self.model, self.mesh_solid, self.files.has_ambiguous_axes)
 
-    def lump(self, body: Body) -> MeshSolid | None:
+    def mesh_solid(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""
         if body.shape is None or body.shape.filename is None:
             return None
         try:
-            return self.measured.lump(body)
+            return self.measured.solid(body)
         except Unavailable:
             return None
 

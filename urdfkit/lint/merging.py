@@ -40,7 +40,11 @@ def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnos
         ),
         sum(result.suppressed for result in results),
         errors=tuple(
-            tuple(d for d in result.diagnostics if d.severity is Severity.ERROR)
+            tuple(
+                one
+                for one in (*result.diagnostics, *result.consequences)
+                if one.severity is Severity.ERROR
+            )
             for result in results
         ),
         proposals=tuple(

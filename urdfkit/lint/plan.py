@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 #: Sets of arguments of the launch files of a folder with which one robot is checked.
 MAX_LAUNCHED = 4
+#: Sets of values with which a robot is checked that lacks arguments; the UR arms have nine.
+MAX_GIVEN = 16
 
 
 class Job(Record):
@@ -206,14 +208,22 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
-    found = []
-    for one in given(job.source.path, names, subject.resolver):
+    found, failed = [], {}
+    sets = given(job.source.path, names, subject.resolver)
+    for one in sets[:MAX_GIVEN]:
         values = {name: (one.arguments[name], one.launch) for name in names}
         arguments = {**one.arguments, **job.arguments}
         now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
-        found.append((now, read(now)))
-    found = [pair for pair in found if not missing_arguments(pair[1])]
-    return found or _as_found(job, read, subject, names) or [(job, subject)]
+        pair = (now, read(now))
+        if missing_arguments(pair[1]):
+            failed[tuple(one.arguments[name] for name in names)] = pair[1]
+        else:
+            found.append(pair)
+    if found:
+        offered = [{name: one.arguments[name] for name in names} for one in sets]
+        _note_unchecked(found, offered, failed)
+        return found
+    return _as_found(job, read, subject, names) or [(job, subject)]
 
 
 def _as_found(
@@ -225,17 +235,55 @@ def _as_found(
     xacro = subject.reading.xacro
     assert xacro is not None, "only a xacro lacks arguments"
     found: list[tuple[Job, Subject]] = []
+    failed: dict[tuple[str, ...], Subject] = {}
     more: tuple[str, ...] = ()
-    for values in combinations(names, xacro, subject.resolver):
-        given = {name: value for name, (value, _) in values.items()}
+    sets = list(combinations(names, xacro, subject.resolver))
+    offered = [{name: value for name, (value, _) in values.items()} for values in sets]
+    for values, given in list(zip(sets, offered, strict=True))[:MAX_GIVEN]:
         now = job._replace(arguments={**given, **job.arguments}, launched=_launched(job, values))
         pair = (now, read(now))
         if pair[1].reading.document is not None:
             found.append(pair)
+        else:
+            failed[tuple(given.values())] = pair[1]
         more += missing_arguments(pair[1])
+    if found:
+        _note_unchecked(found, offered, failed)
     if found or set(more) <= set(names):
         return found
     return _as_found(job, read, subject, tuple(dict.fromkeys((*names, *more))))
+
+
+def _note_unchecked(
+    found: list[tuple[Job, Subject]],
+    offered: list[dict[str, str]],
+    failed: Mapping[tuple[str, ...], Subject],
+) -> None:
+    """Leave with the first description which values of its arguments none is checked with.
+
+    Args:
+        found: the descriptions that are checked.
+        offered: sets of values that files give.
+        failed: descriptions that do not expand, by their values in the order of the names.
+    """
+    from urdfkit.lint.context import UncheckedValues
+    from urdfkit.lint.unchecked import why_unchecked
+
+    left: dict[tuple[str, str], list[str]] = {}
+    for values in offered:
+        subject = failed.get(tuple(values.values()))
+        why = f"only {MAX_GIVEN} sets of arguments are tried"
+        if subject is not None:
+            why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
+        for name, value in values.items():
+            known = left.setdefault((name, why), [])
+            if all(job.arguments.get(name) != value for job, _ in found) and value not in known:
+                known.append(value)
+    found[0][1].unchecked = tuple(
+        UncheckedValues(name, tuple(values), len({one[name] for one in offered}), why)
+        for (name, why), values in left.items()
+        if values
+    )
 
 
 def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:

@@ -91,6 +91,7 @@ class Finding(Record):
         alike: the same for findings that many robots have in numbers, and that one slip made:
             more than a few of them are told as one.
         severity: where it is not that of the rule, whatever the targets.
+        targets: those for which it has this severity; empty if it does not depend on them.
         data: where the numbers stand that expressions took out of data files; the judge finds it.
     """
 
@@ -103,6 +104,7 @@ class Finding(Record):
     weight: float = 0.0
     alike: str = ""
     severity: Severity | None = None
+    targets: tuple[str, ...] = ()
     data: tuple[Related, ...] = ()
 
 

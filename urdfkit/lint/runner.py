@@ -22,9 +22,10 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-#: A macro that is not called makes no link: what then says that something is missing is the same
-#: defect again.
-_HIDES_PARTS = "XAC002"
+#: A macro that is not called makes no link, and a name that is not expanded is none: what then says
+#: that something is missing is the same defect again.
+_UNEXPANDED = frozenset(("XAC002", "XAC003", "XAC021"))
+_NAMES = frozenset(("name", "link", "joint", "reference"))
 _OF_HIDDEN_PARTS = frozenset(
     "GAZ001 GAZ021 GAZ058 GEO002 INE004 RCT001 RCT013 RCT029 REF001 REF003 SRD001 SRD003 SRD025 "
     "TRE001 TRE002".split()
@@ -54,6 +55,7 @@ class FileResult(Record):
         targets: the consumers that severities were weighed for; None if it did not matter.
         suppressed: how many findings the model's comments or the configuration suppress.
         unknown_arguments: those given that the description never mentions, with the one meant.
+        consequences: findings that follow from others, which are reported in their place.
     """
 
     diagnostics: tuple[Diagnostic, ...]
@@ -63,6 +65,7 @@ class FileResult(Record):
     targets: Targets | None
     suppressed: int
     unknown_arguments: Mapping[str, str] = {}
+    consequences: tuple[Diagnostic, ...] = ()
 
 
 def judge(
@@ -89,7 +92,8 @@ def judge(
         own.remove(rules.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
         is_unexplained = wants_arguments or not run.has_errors()
-        if run.skipped and not subject.is_readable and is_unexplained:
+        is_unchecked = run.skipped and not subject.is_readable and is_unexplained
+        if is_unchecked or subject.unchecked:
             run.rules([rules.NOT_CHECKED])
             subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
@@ -211,8 +215,7 @@ class _Run:
     def verdict(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
-        if any(diagnostic.code == _HIDES_PARTS for diagnostic in diagnostics):
-            diagnostics = tuple(d for d in diagnostics if d.code not in _OF_HIDDEN_PARTS)
+        diagnostics, consequences = _without_consequences(diagnostics)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return FileResult(
             diagnostics,
@@ -221,6 +224,7 @@ class _Run:
             frozenset(self.ran),
             targets,
             left_out,
+            consequences=consequences,
         )
 
     def _distinct_crashes(self) -> Iterator[Crashed]:
@@ -237,6 +241,29 @@ class _Run:
         is_unsure = diagnostic.confidence.rank > config.min_confidence.rank
         path = diagnostic.span.source.path
         return is_unsure or config.ignores(diagnostic.code, path, diagnostic.severity)
+
+
+def _without_consequences(
+    diagnostics: tuple[Diagnostic, ...],
+) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
+    """Findings without what follows from others, which are then as severe as that; and that."""
+    if not any(map(_hides_parts, diagnostics)):
+        return diagnostics, ()
+    hidden = tuple(d for d in diagnostics if d.code in _OF_HIDDEN_PARTS)
+    kept = [d for d in diagnostics if d.code not in _OF_HIDDEN_PARTS]
+    for place, found in enumerate(kept):
+        if _hides_parts(found):
+            worst = min((found, *hidden), key=lambda one: one.severity.rank)
+            kept[place] = found._replace(severity=worst.severity)
+    return tuple(kept), hidden
+
+
+def _hides_parts(diagnostic: Diagnostic) -> bool:
+    """True if the robot lacks parts for a tag or a name that xacro did not expand."""
+    if diagnostic.code not in _UNEXPANDED or diagnostic.code == "XAC002":
+        return diagnostic.code == "XAC002"
+    places = [call.element for call in diagnostic.calls]
+    return any(not place or place.rpartition("@")[2] in _NAMES for place in places)
 
 
 def _bounded(finding: Finding) -> Finding:
@@ -273,7 +300,7 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
     group.sort(key=lambda finding: ((finding.severity or severity).rank, -finding.weight))
     worst = group[0]
     if worst.severity is not None:
-        severity, suffering = worst.severity, ()
+        severity, suffering = worst.severity, worst.targets
     calls = tuple(Call(f.message, place(f)[1], _path(f)) for f in group)
     return Diagnostic(
         rule.code,

@@ -118,11 +118,11 @@ class Server(LanguageServer):
 
     async def _check(self, uri: str, *, thorough: bool) -> None:
         await asyncio.sleep(QUIET)
-        await self._tell(uri, thorough=False)
+        await self._publish_findings(uri, thorough=False)
         if thorough:  # what takes longer comes behind what does not
-            await self._tell(uri, thorough=True)
+            await self._publish_findings(uri, thorough=True)
 
-    async def _tell(self, uri: str, *, thorough: bool) -> None:
+    async def _publish_findings(self, uri: str, *, thorough: bool) -> None:
         path = self.path(uri)
         checked = await self.ask(lambda: self.robots.check(path, thorough=thorough), None)
         if checked is None:

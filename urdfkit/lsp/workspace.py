@@ -186,10 +186,10 @@ class Workspace:
         self.texts.pop(path, None)
         closed = parts - {entry.file for other in self.texts for entry in self.entries(other)}
         files = {file for root in closed for file in self._found.pop(root, ())}
-        self.look_again()
+        self.reload()
         return {file: list(self._of_file(file)) for file in files}
 
-    def look_again(self) -> None:
+    def reload(self) -> None:
         """Files on disk have changed."""
         self._entries.clear()
         self._launched.clear()
@@ -313,7 +313,7 @@ class Workspace:
         fixes = fix(*roots, options=Options(config=config, texts=self.texts))
         return {os.path.realpath(f.path): Source(f.path, f.after).data for f in fixes.files}
 
-    def laid_out(self, path: str) -> bytes:
+    def formatted_text(self, path: str) -> bytes:
         """The text of a file in the layout of ``urdfkit format``.
 
         Raises:

@@ -75,11 +75,11 @@ def mass_properties(subject: Subject, pose: Mapping[str, float] | None = None) -
     found = whole(subject.tree, frames(subject.tree, pose or {}))
     body = found.properties
     moments, axes = principal_axes(body.tensor) if body else (None, None)
-    rows = [_row(subject, link) for link in links if _matters(link)]
+    rows = [_row(subject, link) for link in links if _has_geometry_or_mass(link)]
     return MassTable(tuple(rows), found, moments, axes)
 
 
-def _matters(link: Link) -> bool:
+def _has_geometry_or_mass(link: Link) -> bool:
     return bool(link.inertial or link.collisions or link.visuals)
 
 

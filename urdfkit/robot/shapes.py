@@ -249,7 +249,7 @@ class LinkSolid:
 
 
 def solid(
-    bodies: Iterable[Body], lump: Callable[[Body], MeshSolid | None] | None = None
+    bodies: Iterable[Body], mesh_solid: Callable[[Body], MeshSolid | None] | None = None
 ) -> LinkSolid | None:
     """The solid that some visuals or collisions make.
 
@@ -258,11 +258,11 @@ def solid(
 
     Args:
         bodies: the visuals or collisions.
-        lump: measures those that are meshes.
+        mesh_solid: measures those that are meshes.
     """
     parts: list[Primitive | MeshSolid] = []
     for body in bodies:
-        part = primitive(body) or (lump(body) if lump else None)
+        part = primitive(body) or (mesh_solid(body) if mesh_solid else None)
         if part is None:
             return None
         parts.append(part)

@@ -33,7 +33,7 @@ from urdfkit.workspace.snapshots import as_it_was
 
 if TYPE_CHECKING:
     from urdfkit.physics.dynamics.robot import Dynamics
-    from urdfkit.robot.assets.measured_meshes import MeshUse
+    from urdfkit.robot.assets.mesh_uses import MeshUse
 
 __all__ = [
     "Description",

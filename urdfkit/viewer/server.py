@@ -90,7 +90,7 @@ class Viewer:
             if self.error == what:
                 return
             self.error = what
-        self._tell()
+        self._notify()
 
     async def _complete(self, state: ViewerState) -> None:
         """Add what takes a while, unless there is another state by then."""
@@ -99,9 +99,9 @@ class Viewer:
                 whole = await _aside(completed, state)
                 if state is self.state:
                     self.state = whole
-                    self._tell()
+                    self._notify()
 
-    def _tell(self) -> None:
+    def _notify(self) -> None:
         """Wake the pages up."""
         self.revision += 1
         self._changed.set()

@@ -13,7 +13,7 @@ from urdfkit import check
 from urdfkit.cli import main
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.fix import fix
-from urdfkit.ros.launch.robot_arguments import MAX_GIVEN, given
+from urdfkit.ros.launch.robot_arguments import given
 from urdfkit.workspace.resolve import Resolver
 
 #: Its link has no name without an argument, and a mass that only one of the sizes is right for.
@@ -147,14 +147,6 @@ def test_what_is_given_otherwise_wins(package: Path) -> None:
     report = check(package, config=load(str(package / "urdfkit.toml")))
     assert report.launched == ()
     assert "INE001" in {found.code for found in report.diagnostics}
-
-
-def test_the_number_of_ways_is_bounded(package: Path) -> None:
-    sizes = ", ".join(f'"{number}"' for number in range(100))
-    text = PYTHON.replace('"big", "small"', sizes)
-    (package / "launch" / "arm.launch.py").write_text(text)
-    found = given(str(package / "arm.xacro"), ["size"], Resolver())
-    assert [one.arguments["size"] for one in found] == [str(n) for n in range(MAX_GIVEN)]
 
 
 def test_reports_say_so(package: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -118,12 +118,13 @@ def _missing(subject: Subject) -> Findings:
     tags = _given(first)
     lack = f"has only <{tags[0]}> as its frame" if tags else "has no <gz_frame_id>"
     is_for_ros = any(one.any_of(("ros1", "ros2")) for one in (targets, subject.inferred_targets))
-    is_warning = is_for_ros and targets.any_of(_READ)
+    readers_for_ros = targets.among(_READ) if is_for_ros else ()
     yield Finding(
         first.at,
         f"{first.who} {lack}{more}",
         "add <gz_frame_id>LINK</gz_frame_id> to the sensor",
-        severity=Severity.WARNING if is_warning else Severity.INFO,
+        severity=Severity.WARNING if readers_for_ros else Severity.INFO,
+        targets=readers_for_ros,
     )
 
 

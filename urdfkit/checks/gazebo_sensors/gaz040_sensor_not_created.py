@@ -96,7 +96,8 @@ def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findin
         sensor.at.attributes["type"],
         f"{sensor.who}: {reader} has no sensor type '{sensor.type}'",
         f"write type '{other}'" if other else f"use a type that {reader} has",
-        severity=None if wants_gz or wants_classic else Severity.INFO,
+        severity=Severity.ERROR if wants_gz or wants_classic else Severity.INFO,
+        targets=targets.among(GZ if reader == "gz-sim" else CLASSIC),
     )
 
 

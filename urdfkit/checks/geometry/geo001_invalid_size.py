@@ -43,10 +43,10 @@ def check(subject: Subject) -> Findings:
             if min(values) < 0:
                 yield Finding(attribute, message, fix=_fix(attribute))
             elif min(values) == 0:
-                is_fatal = subject.targets.any_of(("mujoco",))
+                fatal = subject.targets.among(("mujoco",))
                 help = "remove the whole <visual> or <collision>"
-                severity = None if is_fatal else Severity.INFO
-                yield Finding(attribute, message, help, severity=severity)
+                severity = Severity.ERROR if fatal else Severity.INFO
+                yield Finding(attribute, message, help, severity=severity, targets=fatal)
         if shape.kind == "mesh" and 0 in shape.scale:
             message = f"{who} scale {_numbers(shape.scale)}"
             yield Finding(shape.at.attributes["scale"], message, "write three factors other than 0")

@@ -65,11 +65,11 @@ _NEAR = 1.08
 @rule(Severity.WARNING, help="compare both in RViz, and correct the one that is wrong")
 def check(subject: Subject) -> Findings:
     pairs = subject.visual_collision_pairs
-    for one in pairs.diagnoses.get(Mismatch.APART, ()):
+    for one in pairs.mismatches.get(Mismatch.APART, ()):
         yield _apart(one)
-    for one in pairs.diagnoses.get(Mismatch.SIZE, ()):
+    for one in pairs.mismatches.get(Mismatch.SIZE, ()):
         yield _of_size(one, pairs.span)
-    for one in pairs.diagnoses.get(Mismatch.ROTATION, ()):
+    for one in pairs.mismatches.get(Mismatch.ROTATION, ()):
         yield _rotated(one)
     yield from _diameters(subject)
 

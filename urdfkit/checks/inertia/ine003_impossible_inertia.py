@@ -22,7 +22,7 @@ from __future__ import annotations
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
@@ -46,7 +46,7 @@ FIXED = GOOD
 def check(subject: Subject) -> Findings:
     masses = subject.masses
     for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
-        links = masses.diagnoses.get(defect, ())
+        links = masses.defects.get(defect, ())
         yield from together((one, _finding(one, masses)) for one in links)
 
 

@@ -81,11 +81,13 @@ def _without_any_mass(subject: Subject) -> Findings:
     links = subject.model.links
     if links and not subject.is_part:
         count = f"none of the {len(links)} links has a mass"
+        gazebo = subject.targets.among(GAZEBO)
         yield Finding(
             subject.model.root,
             "the link has no mass" if len(links) == 1 else count,
             "for a simulation, give every moving link an <inertial>",
-            severity=Severity.ERROR if subject.targets.any_of(GAZEBO) else Severity.INFO,
+            severity=Severity.ERROR if gazebo else Severity.INFO,
+            targets=gazebo,
         )
 
 
@@ -126,6 +128,7 @@ def _listed(names: list[str]) -> str:
 
 
 def _of_tiny_mass(subject: Subject) -> Findings:
+    old = subject.targets.among(_OLD_GAZEBO)
     for body in subject.masses.bodies:
         if body.joint is None or not 0 < body.mass <= NO_MASS:
             continue
@@ -136,11 +139,13 @@ def _of_tiny_mass(subject: Subject) -> Findings:
             f"link '{link.name}' of {body.mass:.3g} kg is moved by the {body.joint.kind} joint "
             f"'{body.joint.name}': older Gazebo drops links of up to {NO_MASS:g} kg",
             "give it a gram, or make its joint fixed",
-            severity=_in_old_gazebo(subject),
+            severity=Severity.WARNING if old else Severity.INFO,
+            targets=old,
         )
 
 
 def _on_massless_frames(subject: Subject) -> Findings:
+    old = subject.targets.among(_OLD_GAZEBO)
     for body in Conversion(subject.tree, OLD).stranded:
         joint = body.joint
         assert joint is not None
@@ -150,9 +155,6 @@ def _on_massless_frames(subject: Subject) -> Findings:
             f"joint '{joint.name}' is a child of link '{joint.parent.value}', which has no mass "
             f"and is fixed to another link: older Gazebo drops '{body.top.name}' and its children",
             "make the joint a child of the parent, or give the link a mass of a gram",
-            severity=_in_old_gazebo(subject),
+            severity=Severity.WARNING if old else Severity.INFO,
+            targets=old,
         )
-
-
-def _in_old_gazebo(subject: Subject) -> Severity:
-    return Severity.WARNING if subject.targets.any_of(_OLD_GAZEBO) else Severity.INFO

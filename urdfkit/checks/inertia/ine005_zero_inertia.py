@@ -56,11 +56,13 @@ def check(subject: Subject) -> Findings:
     thin = sorted(_thin(subject.masses), key=lambda finding: -finding.weight)
     if thin:
         worst, *others = thin
+        fatal = subject.targets.among(("mujoco",))
         more = f" (and {len(others)} more like this)" if others else ""
         yield worst._replace(
             message=worst.message + more,
             related=tuple(Related(one.at.span, one.message) for one in others[:MAX_RELATED]),
-            severity=None if subject.targets.any_of(("mujoco",)) else Severity.WARNING,
+            severity=Severity.ERROR if fatal else Severity.WARNING,
+            targets=fatal,
         )
 
 

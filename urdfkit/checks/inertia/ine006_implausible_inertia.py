@@ -28,7 +28,7 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import (
     advice,
     as_solid,
@@ -70,13 +70,13 @@ _SHARE = 0.1
 )
 def check(subject: Subject) -> Findings:
     masses = subject.masses
-    too_large = masses.diagnoses.get(InertiaDefect.TOO_LARGE, ())
+    too_large = masses.defects.get(InertiaDefect.TOO_LARGE, ())
     # One value for all small links, below which no moment goes, is one decision.
     found = ((one, _too_large(one, masses)) for one in too_large)
     yield from together(found, by=lambda one: max(one.diagonal))
-    too_small = masses.diagnoses.get(InertiaDefect.TOO_SMALL, ())
+    too_small = masses.defects.get(InertiaDefect.TOO_SMALL, ())
     yield from together((one, _too_small(one, masses)) for one in too_small)
-    yield from map(_wrong_axes, masses.diagnoses.get(InertiaDefect.WRONG_AXES, ()))
+    yield from map(_wrong_axes, masses.defects.get(InertiaDefect.WRONG_AXES, ()))
 
 
 def _too_large(one: LinkInertia, masses: Masses) -> Finding:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
 from urdfkit.text.diagnostic import Confidence, Severity
 
@@ -38,7 +38,7 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
 )
 def check(subject: Subject) -> Findings:
     masses = subject.masses
-    for one in masses.diagnoses.get(InertiaDefect.UNLIKE_SHAPE, ()):
+    for one in masses.defects.get(InertiaDefect.UNLIKE_SHAPE, ()):
         assert one.expected is not None
         diagnosis = of_unlike_shape(one, masses)
         ratios = one.ratios(one.expected)

@@ -16,7 +16,7 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.text.diagnostic import Confidence, Severity
@@ -42,7 +42,7 @@ FILES = {"arm.stl": PLATE}
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
 def check(subject: Subject) -> Findings:
-    links = subject.masses.diagnoses.get(InertiaDefect.PLACEHOLDER, ())
+    links = subject.masses.defects.get(InertiaDefect.PLACEHOLDER, ())
     yield from together((one, _finding(one)) for one in links)
 
 

@@ -16,7 +16,7 @@ from urdfkit.checks.inertia.copies import and_more, together
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertia import scaled
-from urdfkit.robot.inertials.diagnoses import (
+from urdfkit.robot.inertials.defects import (
     HEAVIEST,
     LIGHTEST,
     InertiaDefect,
@@ -44,9 +44,7 @@ FIXED = GOOD
 
 @rule(Severity.WARNING, help="correct the mass in kg, or the size in m")
 def check(subject: Subject) -> Findings:
-    found = [
-        (one, _finding(one)) for one in subject.masses.diagnoses.get(InertiaDefect.DENSITY, ())
-    ]
+    found = [(one, _finding(one)) for one in subject.masses.defects.get(InertiaDefect.DENSITY, ())]
     if subject.masses.consistently_wrong:
         yield _of_the_robot(found)
     else:

@@ -45,7 +45,7 @@ GOOD = BAD.replace(
 @rule(Severity.INFO, help="compute each tensor from the mass and size of its own link")
 def check(subject: Subject) -> Findings:
     for group in subject.masses.copies:
-        yield _finding(sorted(group, key=lambda weighed: -weighed.mass))
+        yield _finding(sorted(group, key=lambda link: -link.mass))
 
 
 def _finding(group: list[LinkInertia]) -> Finding:
@@ -56,8 +56,8 @@ def _finding(group: list[LinkInertia]) -> Finding:
         f"'{heaviest.link.name}' of {heaviest.mass:g} kg, have the same inertia tensor "
         f"({values(heaviest.diagonal)})",
         related=tuple(
-            Related(weighed.at.span, f"link '{weighed.link.name}' of {weighed.mass:g} kg")
-            for weighed in group[:-1][:MAX_RELATED]
+            Related(link.at.span, f"link '{link.name}' of {link.mass:g} kg")
+            for link in group[:-1][:MAX_RELATED]
         ),
         confidence=Confidence.INFERRED,
     )

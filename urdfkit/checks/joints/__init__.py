@@ -21,8 +21,6 @@ REDIRECTS = {
     "origin-looks-like-millimetres": "JNT012",
     "JNT038": "JNT012", "travel-looks-like-millimetres": "JNT012",
     "wheel-axis-across": "JNT033", "JNT034": "JNT033", "wheel-with-ends": "JNT033",
-    "wheel-against-the-others": "JNT043",
-    "JNT044": "JNT043", "wheels-against-each-other": "JNT043",
     "limits-look-like-degrees": "JNT010", "JNT011": "JNT010", "rpy-looks-like-degrees": "JNT010",
     "JNT040": "JNT010", "velocity-looks-like-degrees": "JNT010",
     "twins-differ": "JNT025", "JNT031": "JNT025", "twin-misplaced": "JNT025",

@@ -57,15 +57,15 @@ def check(subject: Subject) -> Findings:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
         if link := links.get(joint.child.value) if joint.child else None:
-            yield from _across(joint, link, subject.lump)
+            yield from _across(joint, link, subject.mesh_solid)
             yield from _limited(joint, link)
 
 
-def _across(joint: Joint, link: Link, lump: Callable[[Body], MeshSolid | None]) -> Findings:
+def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | None]) -> Findings:
     """A wheel whose joint turns about another axis than its shape."""
     if joint.kind != "continuous" or not _is_wheel(joint, link):
         return
-    tyre = _tyre(link, lump)
+    tyre = _tyre(link, mesh_solid)
     if tyre is None:
         return
     (body, axle), axis = tyre, direction(joint)
@@ -115,7 +115,7 @@ def _is_wheel(joint: Joint, link: Link) -> bool:
     return "wheel" in names and not any(word in names for word in _OTHERS)
 
 
-def _tyre(link: Link, lump: Callable[[Body], MeshSolid | None]) -> tuple[Body, Vector] | None:
+def _tyre(link: Link, mesh_solid: Callable[[Body], MeshSolid | None]) -> tuple[Body, Vector] | None:
     """The flat shape of a wheel about its joint, and the axis of it; None if it has none."""
     for bodies in (link.collisions, link.visuals):
         shape = bodies[0].shape if len(bodies) == 1 else None
@@ -125,8 +125,8 @@ def _tyre(link: Link, lump: Callable[[Body], MeshSolid | None]) -> tuple[Body, V
             is_centred = max(map(abs, body.origin.position)) < shape.radius
             axle = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
             return (body, axle) if is_flat and is_centred else None
-        found = lump(bodies[0]) if len(bodies) == 1 else None
-        axle_of_mesh = _axle(solid(bodies, lump)) if found else None
+        found = mesh_solid(bodies[0]) if len(bodies) == 1 else None
+        axle_of_mesh = _axle(solid(bodies, mesh_solid)) if found else None
         if axle_of_mesh:
             return bodies[0], axle_of_mesh
     return None

@@ -109,7 +109,7 @@ def _is_bridged(subject: Subject, parent: Link, child: Link) -> bool:
 
 
 def _solid(subject: Subject, link: Link) -> LinkSolid | None:
-    return solid(link.visuals, subject.lump) or solid(link.collisions, subject.lump)
+    return solid(link.visuals, subject.mesh_solid) or solid(link.collisions, subject.mesh_solid)
 
 
 def _moved(box: BoundingBox, frame: Transform) -> BoundingBox:

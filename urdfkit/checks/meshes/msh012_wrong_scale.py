@@ -20,8 +20,8 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.measured_meshes import MeshUse
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect, rest_of_robot
+from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
+from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import edits
@@ -51,18 +51,18 @@ FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
     help='add scale="0.001 0.001 0.001" to the mesh, or export it in metres',
 )
 def check(subject: Subject) -> Findings:
-    diagnoses = subject.measured.diagnoses
-    for use in diagnoses.get(MeshDefect.MILLIMETRES, ()):
+    defects = subject.measured.defects
+    for use in defects.get(MeshDefect.MILLIMETRES, ()):
         length = use.longest
         yield Finding(
             use.at,
             f"{use.who} is {length:.4g} m long, the rest of the robot "
-            f"{rest_of_robot(subject.measured):.3g} m; in mm it would be {length / 1000:.3g} m",
+            f"{rest_of_robot(subject.model):.3g} m; in mm it would be {length / 1000:.3g} m",
             fix=_fix(use),
             confidence=Confidence.INFERRED,
             weight=length,
         )
-    for use in diagnoses.get(MeshDefect.MICROSCOPIC, ()):
+    for use in defects.get(MeshDefect.MICROSCOPIC, ()):
         unscaled = use.longest / max(map(abs, use.shape.scale))
         yield Finding(
             use.scale_at or use.at,

@@ -15,7 +15,7 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect
+from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.text.diagnostic import Severity
 
 BAD = """\
@@ -33,7 +33,7 @@ FILES = {
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.MESHES), help="urdfkit mesh repair FILE")
 def check(subject: Subject) -> Findings:
-    for use in subject.measured.diagnoses.get(MeshDefect.DEGENERATE, ()):
+    for use in subject.measured.defects.get(MeshDefect.DEGENERATE, ()):
         found = use.measures
         yield Finding(
             use.at,

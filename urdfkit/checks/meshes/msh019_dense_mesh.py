@@ -24,7 +24,7 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.mesh_diagnoses import (
+from urdfkit.robot.assets.mesh_defects import (
     DENSE_COLLISION,
     DENSE_SHARED,
     DENSE_VISUAL,
@@ -53,7 +53,7 @@ FILES = {
     options={"triangles": DENSE_COLLISION},
 )
 def check(subject: Subject) -> Findings:
-    diagnoses = subject.measured.diagnoses
+    defects = subject.measured.defects
     bound = check.option(subject, "triangles")
     dense = {
         use.path: use
@@ -70,7 +70,7 @@ def check(subject: Subject) -> Findings:
             weight=number,
             alike="collision",
         )
-    for use in diagnoses.get(MeshDefect.DENSE_SHARED, ()):
+    for use in defects.get(MeshDefect.DENSE_SHARED, ()):
         number = use.measures.triangles
         yield Finding(
             use.at,
@@ -81,7 +81,7 @@ def check(subject: Subject) -> Findings:
             alike="shared",
             severity=Severity.INFO,
         )
-    for use in diagnoses.get(MeshDefect.DENSE_VISUAL, ()):
+    for use in defects.get(MeshDefect.DENSE_VISUAL, ()):
         number = use.measures.triangles
         yield Finding(
             use.at,

@@ -25,7 +25,7 @@ def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> Renam
     links = {name: name for name in old.links if name in new.links}
     if len(links) < min(len(old.links), len(new.links)):
         # From what is known to its neighbours, until there is nothing more to learn.
-        while found := _known_again(old, new, links, allowed):
+        while found := _unique_matches(old, new, links, allowed):
             links |= found
     joints = {
         joint.name: other.name
@@ -61,7 +61,7 @@ def _parent(joint: Joint) -> str:
     return joint.parent.value if joint.parent else ""
 
 
-def _known_again(
+def _unique_matches(
     old: _Tree, new: _Tree, links: dict[str, str], allowed: Tolerances
 ) -> dict[str, str]:
     """Links next to matched ones that can correspond to one link only, in both directions."""

@@ -205,22 +205,22 @@ class VisualCollisionPairs:
 
     Args:
         model: of the robot.
-        lump: measures visuals and collisions that are meshes; None for one that is not measured.
+        mesh_solid: a visual or collision that is a mesh, as a solid; None where not measured.
         is_ambiguous: True for a visual or collision that programs rotate differently.
     """
 
     def __init__(
         self,
         model: RobotModel,
-        lump: Callable[[Body], MeshSolid | None],
+        mesh_solid: Callable[[Body], MeshSolid | None],
         is_ambiguous: Callable[[Body], bool],
     ) -> None:
         self._model = model
-        self._lump = lump
+        self._mesh_solid = mesh_solid
         self._is_ambiguous = is_ambiguous
 
     @cached_property
-    def diagnoses(self) -> dict[Mismatch, list[VisualCollisionPair]]:
+    def mismatches(self) -> dict[Mismatch, list[VisualCollisionPair]]:
         """The links with each mismatch; each link has at most one."""
         found: dict[Mismatch, list[VisualCollisionPair]] = {}
         for one in self._each():
@@ -237,8 +237,8 @@ class VisualCollisionPairs:
     def _each(self) -> Iterator[VisualCollisionPair]:
         for link in self._model.links:
             if link.visuals and link.collisions:
-                collision = solid(link.collisions, self._lump)
-                visual = solid(link.visuals, self._lump)
+                collision = solid(link.collisions, self._mesh_solid)
+                visual = solid(link.visuals, self._mesh_solid)
                 if collision and visual and collision.parts != visual.parts:
                     yield VisualCollisionPair(link, collision, visual)
 

@@ -12,9 +12,13 @@ from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by
 from urdfkit.robot.shapes import MeshSolid
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Iterable
+
     from urdfkit.core.spatial import Vector
-    from urdfkit.robot.inertials.masses import Masses
+    from urdfkit.robot.rigid_bodies import RigidBody
     from urdfkit.robot.shapes import BoundingBox, Primitive
+
+    Matters = Callable[[RigidBody, float], bool]
 
 #: Times the largest possible moment from which on it is reported: a link may be somewhat larger
 #: than its collision shape.
@@ -61,12 +65,20 @@ class InertiaDefect(Enum):
     CENTER_OF_MASS = "center of mass"
 
 
-def diagnoses(masses: Masses) -> dict[InertiaDefect, list[LinkInertia]]:
-    """The links with each defect."""
+def find_defects(
+    inertias: Iterable[LinkInertia], matters: Matters, by_macro: Collection[str]
+) -> dict[InertiaDefect, list[LinkInertia]]:
+    """The links with each defect.
+
+    Args:
+        inertias: of the links of a robot.
+        matters: True for a moment in kg m^2 that is a noticeable part of a rigid body's.
+        by_macro: names of links whose tensor a macro gives to links of different mass.
+    """
     found: dict[InertiaDefect, list[LinkInertia]] = {}
     placeholders: list[LinkInertia] = []
-    for one in masses.weighed:
-        if defect := _defect(one, masses):
+    for one in inertias:
+        if defect := _defect(one, matters):
             found.setdefault(defect, []).append(one)
         elif one.is_placeholder and not one.is_measured:
             placeholders.append(one)
@@ -74,11 +86,11 @@ def diagnoses(masses: Masses) -> dict[InertiaDefect, list[LinkInertia]]:
             found.setdefault(InertiaDefect.UNLIKE_SHAPE, []).append(one)
         if center_is_outside(one) and one.mass >= SIGNIFICANT * one.body.mass:
             found.setdefault(InertiaDefect.CENTER_OF_MASS, []).append(one)
-    _sort_placeholders(placeholders, masses, found)
+    _sort_placeholders(placeholders, matters, by_macro, found)
     return found
 
 
-def _defect(one: LinkInertia, masses: Masses) -> InertiaDefect | None:
+def _defect(one: LinkInertia, matters: Matters) -> InertiaDefect | None:
     """What makes a tensor or a mass impossible or implausible; None if nothing does."""
     if one.is_indefinite:
         return InertiaDefect.INDEFINITE
@@ -91,64 +103,64 @@ def _defect(one: LinkInertia, masses: Masses) -> InertiaDefect | None:
         return InertiaDefect.DENSITY
     assert one.expected is not None
     high, expected = one.moments[2], principal_moments(one.expected)[2]
-    if high > TOO_LARGE * one.largest_possible and masses.matters(one.body, high):
+    if high > TOO_LARGE * one.largest_possible and matters(one.body, high):
         return InertiaDefect.TOO_LARGE
-    if high < TOO_SMALL * expected and masses.matters(one.body, expected):
+    if high < TOO_SMALL * expected and matters(one.body, expected):
         return InertiaDefect.TOO_SMALL
     if implausible:
         return InertiaDefect.DENSITY
-    if one.is_at_wrong_axes and masses.matters(one.body, high):
+    if one.is_at_wrong_axes and matters(one.body, high):
         return InertiaDefect.WRONG_AXES
     return None
 
 
-def implausible_density(weighed: LinkInertia) -> float | None:
+def implausible_density(link: LinkInertia) -> float | None:
     """The density in kg/m^3 if no material of robots has it; the one nearer to a material's."""
-    if weighed.densities is None or weighed.mass < SIGNIFICANT * weighed.body.mass:
+    if link.densities is None or link.mass < SIGNIFICANT * link.body.mass:
         return None
-    low, high = weighed.densities
+    low, high = link.densities
     if low > HEAVIEST * NEAR:
         return low
     return high if high < LIGHTEST / NEAR else None
 
 
-def unit_mistake(weighed: LinkInertia) -> str:
+def unit_mistake(link: LinkInertia) -> str:
     """The unit that explains an implausible density: ``g``, ``mm``, or nothing."""
-    if weighed.densities is None or weighed.solid is None or weighed.expected is None:
+    if link.densities is None or link.solid is None or link.expected is None:
         return ""
-    low, high = weighed.densities
+    low, high = link.densities
     if low > HEAVIEST and USUAL[0] <= low / 1000 <= USUAL[1]:
-        consistent = weighed.fits(weighed.expected, 3)
-        return "g" if consistent or weighed.fits(scaled(weighed.expected, 1e-3), 3) else ""
+        consistent = link.fits(link.expected, 3)
+        return "g" if consistent or link.fits(scaled(link.expected, 1e-3), 3) else ""
     plausible = USUAL[0] <= high * 1e9 <= USUAL[1]
-    return "mm" if plausible and max(weighed.solid.bounds.edges) > LARGEST_PART else ""
+    return "mm" if plausible and max(link.solid.bounds.edges) > LARGEST_PART else ""
 
 
-def center_is_outside(weighed: LinkInertia) -> float | None:
+def center_is_outside(link: LinkInertia) -> float | None:
     """How far the centre of mass is outside the shapes, in m, if that is probably a mistake.
 
     More than their size; or less, where a mistake explains it.
     """
-    if not weighed.is_measured or weighed.solid is None or weighed.body.is_ground:
+    if not link.is_measured or link.solid is None or link.body.is_ground:
         return None
-    center = weighed.inertial.origin.position
+    center = link.inertial.origin.position
     # A box around a part is at least its length by the root of 3 long, and holds its middle.
-    if any(2 * dist(center, part.origin.position) <= part.longest for part in weighed.solid.parts):
+    if any(2 * dist(center, part.origin.position) <= part.longest for part in link.solid.parts):
         return None
-    distance, longest = _outside(center, weighed.outline), max(weighed.outline.edges)
-    if distance > longest or (distance > MISTAKEN * longest and not weighed.is_marker):
-        return distance if distance > longest or center_mistake(weighed) else None
+    distance, longest = _outside(center, link.outline), max(link.outline.edges)
+    if distance > longest or (distance > MISTAKEN * longest and not link.is_marker):
+        return distance if distance > longest or center_mistake(link) else None
     return None
 
 
-def center_mistake(weighed: LinkInertia) -> str:
+def center_mistake(link: LinkInertia) -> str:
     """What explains that the centre of mass is outside: a predicate whose subject is the centre."""
-    center, outline = weighed.inertial.origin.position, weighed.outline
+    center, outline = link.inertial.origin.position, link.outline
     if center == ORIGIN:
         far = _outside(center, outline) > LEFT_AT_ORIGIN * max(outline.edges)
-        matters = weighed.mass > NOTICEABLE * weighed.body.mass
+        matters = link.mass > NOTICEABLE * link.body.mass
         return "was left at the origin of the link" if far and matters else ""
-    if any(_is_gltf(part) for one in weighed.solids for part in one.parts):
+    if any(_is_gltf(part) for one in link.solids for part in one.parts):
         return ""  # whose axes programs do not agree on
     x, y, z = center
     turned = {"x": (-x, y, z), "y": (x, -y, z), "z": (x, y, -z)}
@@ -171,29 +183,31 @@ def _outside(point: Vector, box: BoundingBox) -> float:
     return max(max(low - x, 0.0, x - high) for x, low, high in zip(point, *box, strict=True))
 
 
-def _is_unlike_shape(weighed: LinkInertia) -> bool:
+def _is_unlike_shape(link: LinkInertia) -> bool:
     """True if people wrote the tensor and it is not that of the shapes.
 
     With a mesh, the collision is only similar; then only a round tensor is reported.
     """
-    if weighed.is_noise or weighed.body.is_ground or not weighed.differs or weighed.is_marker:
+    if link.is_noise or link.body.is_ground or not link.differs or link.is_marker:
         return False
-    return weighed.is_measured or weighed.is_round
+    return link.is_measured or link.is_round
 
 
 def _sort_placeholders(
-    placeholders: list[LinkInertia], masses: Masses, found: dict[InertiaDefect, list[LinkInertia]]
+    placeholders: list[LinkInertia],
+    matters: Matters,
+    by_macro: Collection[str],
+    found: dict[InertiaDefect, list[LinkInertia]],
 ) -> None:
     """Placeholders next to a mesh, or without a shape, that cannot be nearly right."""
-    reported = {weighed.tensor for weighed in found.get(InertiaDefect.TOO_LARGE, ())}
-    by_macro = {link.name for links in masses.shared_by_macro.values() for link in links}
+    reported = {link.tensor for link in found.get(InertiaDefect.TOO_LARGE, ())}
     for group in by_tensor(placeholders):
-        free = [weighed for weighed in group if weighed.link.name not in by_macro]
+        free = [link for link in group if link.name not in by_macro]
         unknown = len(free) >= MANY or any(w.radius_of_gyration > WIDE for w in free)
-        shape_mass = any(masses.matters(w.body, w.moments[2]) for w in free)
+        shape_mass = any(matters(w.body, w.moments[2]) for w in free)
         if unknown and shape_mass and group[0].tensor not in reported:
             found.setdefault(InertiaDefect.PLACEHOLDER, []).extend(free)
         else:
-            unlike = [weighed for weighed in group if _is_unlike_shape(weighed)]
+            unlike = [link for link in group if _is_unlike_shape(link)]
             if unlike:
                 found.setdefault(InertiaDefect.UNLIKE_SHAPE, []).extend(unlike)

@@ -13,7 +13,8 @@ from urdfkit.mesh.measures import OVERLAP
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.robot.assets.measured_meshes import MeasuredMeshes, MeshUse
+    from urdfkit.robot.assets.mesh_uses import MeshUse
+    from urdfkit.robot.model import RobotModel
 
 #: Triangles of a collision mesh over which simulation and planning become slow.
 DENSE_COLLISION = 20_000
@@ -59,27 +60,34 @@ class MeshDefect(Enum):
     STL_COLOURS = "colours in an STL file"
 
 
-def diagnoses(measured: MeasuredMeshes) -> dict[MeshDefect, list[MeshUse]]:
-    """The meshes with each defect."""
+def find_defects(
+    model: RobotModel, uses: list[MeshUse], files: list[MeshUse]
+) -> dict[MeshDefect, list[MeshUse]]:
+    """The meshes with each defect.
+
+    Args:
+        model: of the robot.
+        uses: every use of a mesh, in the order of the document.
+        files: one use of each file.
+    """
     found: dict[MeshDefect, list[MeshUse]] = {}
     reported: set[tuple[MeshDefect, str]] = set()
-    visuals = [use for use in measured.uses if use.role == "visual"]
-    for uses, tests in ((visuals, OF_APPEARANCE), (measured.files, OF_FILES)):
-        for use in uses:
+    visuals = [use for use in uses if use.role == "visual"]
+    for chosen, tests in ((visuals, OF_APPEARANCE), (files, OF_FILES)):
+        for use in chosen:
             for defect, has_it in tests.items():
                 if (defect, use.path) not in reported and has_it(use):
                     reported.add((defect, use.path))
                     found.setdefault(defect, []).append(use)
     # What has no joints may be scenery, where a landscape lies next to a tree.
-    span = rest_of_robot(measured) if measured.model.joints else 0.0
-    shared = _shared(measured)
-    for use in measured.uses:
+    span = rest_of_robot(model) if model.joints else 0.0
+    for use in uses:
         if looks_like_millimetres(use, span):
             found.setdefault(MeshDefect.MILLIMETRES, []).append(use)
         elif is_microscopic(use):
             found.setdefault(MeshDefect.MICROSCOPIC, []).append(use)
-        if id(use) in shared:
-            found.setdefault(MeshDefect.DENSE_SHARED, []).append(use)
+    if shared := _dense_shared(uses):
+        found[MeshDefect.DENSE_SHARED] = shared
     return found
 
 
@@ -117,22 +125,22 @@ def is_microscopic(use: MeshUse) -> bool:
     return max(map(abs, use.shape.scale)) <= SHRINKING and 0 < use.longest < MICROSCOPIC
 
 
-def rest_of_robot(measured: MeasuredMeshes) -> float:
+def rest_of_robot(model: RobotModel) -> float:
     """The size of the robot in m, by its joints and primitives; 0 if they say nothing."""
-    offsets = [hypot(*joint.origin.position) for joint in measured.model.joints]
-    sizes = [2 * max(shape.half_extents) for shape in measured.model.shapes if shape.half_extents]
+    offsets = [hypot(*joint.origin.position) for joint in model.joints]
+    sizes = [2 * max(shape.half_extents) for shape in model.shapes if shape.half_extents]
     return max((*offsets, *sizes), default=0.0)
 
 
-def _shared(measured: MeasuredMeshes) -> set[int]:
-    """The collisions with the dense file that a visual of the same link has, too."""
-    visuals = {(use.link.name, use.path) for use in measured.uses if use.role == "visual"}
+def _dense_shared(uses: list[MeshUse]) -> list[MeshUse]:
+    """The first collision with each dense file that a visual of the same link has, too."""
+    visuals = {(use.link.name, use.path) for use in uses if use.role == "visual"}
     found: dict[str, MeshUse] = {}
-    for use in measured.uses:
-        dense = DENSE_SHARED < use.measures.triangles <= DENSE_COLLISION
-        if use.role == "collision" and dense and (use.link.name, use.path) in visuals:
+    for use in uses:
+        is_dense = DENSE_SHARED < use.measures.triangles <= DENSE_COLLISION
+        if use.role == "collision" and is_dense and (use.link.name, use.path) in visuals:
             found.setdefault(use.path, use)
-    return set(map(id, found.values()))
+    return list(found.values())
 
 
 def _lacks_materials(use: MeshUse) -> bool:

@@ -7,7 +7,7 @@ from tests.massive import (
     BOX,
     MESH,
     WHEEL,
-    diagnoses,
+    defects,
     inertial,
     joint,
     link,
@@ -15,7 +15,7 @@ from tests.massive import (
     part,
     shape,
 )
-from urdfkit.robot.inertials.diagnoses import center_is_outside, implausible_density, unit_mistake
+from urdfkit.robot.inertials.defects import center_is_outside, implausible_density, unit_mistake
 
 
 def ball(mass: float, moment: float, xyz: str = "0 0 0") -> str:
@@ -42,18 +42,18 @@ def ball(mass: float, moment: float, xyz: str = "0 0 0") -> str:
     ],
 )
 def test_each_inertia_has_one_rule(robot: str, expected: dict[str, list[str]]) -> None:
-    assert diagnoses(robot) == expected
+    assert defects(robot) == expected
 
 
 def test_a_mesh_is_not_measured() -> None:
     seen = link("a", shape("visual", MESH), shape("collision", BALL), inertial(1, (5, 5, 5.1)))
-    assert diagnoses(seen) == {"unlike shape": ["a"]}
+    assert defects(seen) == {"unlike shape": ["a"]}
     computed = link(
         "a", shape("visual", MESH), shape("collision", BALL), inertial(1, (5, 5, 5.123))
     )
-    assert diagnoses(computed) == {}
+    assert defects(computed) == {}
     touched = link("a", shape("visual", BALL), shape("collision", MESH), inertial(1, (5, 5, 5)))
-    assert diagnoses(touched) == {}
+    assert defects(touched) == {}
 
 
 @pytest.mark.parametrize(
@@ -62,34 +62,34 @@ def test_a_mesh_is_not_measured() -> None:
 )
 def test_a_stand_in_beside_a_mesh(mass: float, moment: float, claimed: bool) -> None:
     robot = link("a", shape("visual", MESH), inertial(mass, (moment, moment, moment)))
-    assert diagnoses(robot) == ({"placeholder": ["a"]} if claimed else {})
+    assert defects(robot) == ({"placeholder": ["a"]} if claimed else {})
 
 
 def test_many_equal_stand_ins_are_unlikely() -> None:
     links = [link(f"l{i}", shape("visual", MESH), inertial(2, (0.01,) * 3)) for i in range(3)]
-    assert diagnoses("".join(links[:2])) == {}
-    assert diagnoses("".join(links)) == {"placeholder": ["l0", "l1", "l2"]}
+    assert defects("".join(links[:2])) == {}
+    assert defects("".join(links)) == {"placeholder": ["l0", "l1", "l2"]}
 
 
 def test_a_stand_in_that_another_rule_tells_is_not_told_twice() -> None:
     by_shape = part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)
     by_number = link("grip", shape("visual", MESH), inertial(0.01, (0.1,) * 3))
-    assert diagnoses(by_shape + by_number) == {"too large": ["wheel"]}
+    assert defects(by_shape + by_number) == {"too large": ["wheel"]}
 
 
 def test_what_is_fixed_to_the_world_does_not_matter() -> None:
-    assert diagnoses(ball(1, 5)) == {"too large": ["ball"]}
-    assert diagnoses(link("world") + ball(1, 5) + joint("world", "ball")) == {}
+    assert defects(ball(1, 5)) == {"too large": ["ball"]}
+    assert defects(link("world") + ball(1, 5) + joint("world", "ball")) == {}
     moved = link("world") + ball(1, 5) + joint("world", "ball", "continuous")
-    assert diagnoses(moved) == {"too large": ["ball"]}
+    assert defects(moved) == {"too large": ["ball"]}
 
 
 def test_what_is_lost_in_a_larger_body_is_a_hint_at_most() -> None:
     base = part("base", 60, (0.5, 0.25, 0.65), BOX)
     robot = base + ball(0.001, 0.001) + joint("base", "ball")
-    assert diagnoses(robot) == {"unlike shape": ["ball"]}
+    assert defects(robot) == {"unlike shape": ["ball"]}
     apart = base + ball(0.001, 0.001) + joint("base", "ball", "continuous")
-    assert diagnoses(apart) == {"too large": ["ball"]}
+    assert defects(apart) == {"too large": ["ball"]}
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ def test_what_is_lost_in_a_larger_body_is_a_hint_at_most() -> None:
     ],
 )
 def test_implausible_densities(mass: float, geometry: str, density: float | None) -> None:
-    (found,) = masses(part("a", mass, (1, 1, 1), geometry)).weighed
+    (found,) = masses(part("a", mass, (1, 1, 1), geometry)).inertias
     assert implausible_density(found) == (None if density is None else pytest.approx(density))
 
 
@@ -127,14 +127,14 @@ def test_implausible_densities(mass: float, geometry: str, density: float | None
 def test_slips_of_the_unit(
     mass: float, moments: tuple[float, ...], geometry: str, unit: str
 ) -> None:
-    (found,) = masses(part("a", mass, moments, geometry)).weighed
+    (found,) = masses(part("a", mass, moments, geometry)).inertias
     assert unit_mistake(found) == unit
 
 
 def test_a_slip_of_the_unit_comes_before_what_follows_from_it() -> None:
-    assert diagnoses(part("a", 6000, (0.05, 0.025, 0.065), BOX)) == {"density": ["a"]}
+    assert defects(part("a", 6000, (0.05, 0.025, 0.065), BOX)) == {"density": ["a"]}
     small = part("a", 6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>')
-    assert diagnoses(small) == {"density": ["a"]}
+    assert defects(small) == {"density": ["a"]}
 
 
 @pytest.mark.parametrize(
@@ -142,6 +142,6 @@ def test_a_slip_of_the_unit_comes_before_what_follows_from_it() -> None:
     [("0 0 0", None), ("0.29 0 0", None), ("0.31 0 0", 0.21), ("0.25 0.35 0", 0.25)],
 )
 def test_centres_of_mass_outside(xyz: str, distance: float | None) -> None:
-    (found,) = masses(ball(1, 0.004, xyz)).weighed
+    (found,) = masses(ball(1, 0.004, xyz)).inertias
     assert center_is_outside(found) == (None if distance is None else pytest.approx(distance))
-    assert ("center of mass" in diagnoses(ball(1, 0.004, xyz))) == (distance is not None)
+    assert ("center of mass" in defects(ball(1, 0.004, xyz))) == (distance is not None)
