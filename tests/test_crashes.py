@@ -17,7 +17,7 @@ from tests.conftest import MODELS
 from tests.xacros import xacro
 from urdfkit import Source, check
 from urdfkit.cli import main
-from urdfkit.lint import rule_examples, rules, runner
+from urdfkit.lint import rule_examples, rule_index, runner
 from urdfkit.lint.context import Subject
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
@@ -101,7 +101,7 @@ def test_a_family_that_cannot_say_whether_it_applies_costs_its_rules(
     before = reported(check(*robots))
     monkeypatch.setattr(import_module(f"urdfkit.checks.{family}"), "applies", fail)
     report = check(*robots)
-    lost = rules.of_family(family)
+    lost = rule_index.of_family(family)
     assert reported(report) == [one for one in before if one[1] not in lost]
     assert {(c.code, c.path) for c in report.crashed} == {(c, str(p)) for c in lost for p in robots}
 
@@ -212,11 +212,11 @@ def test_no_rule_fails_on_a_robot_that_lacks_something(path: Path) -> None:
         assert check(Source(str(path), text.encode())).crashed == (), text
 
 
-@pytest.mark.parametrize("family", sorted(rules.FAMILIES))
+@pytest.mark.parametrize("family", sorted(rule_index.FAMILIES))
 def test_no_rule_fails_on_an_example_that_lacks_something(family: str) -> None:
     random = Random(family)
-    codes = [code for code in rules.codes() if code.startswith(family)]
-    for rule in map(rules.get, codes):
+    codes = [code for code in rule_index.codes() if code.startswith(family)]
+    for rule in map(rule_index.get, codes):
         texts = list(lacking(rule.example("BAD") or ""))
         for text in random.sample(texts, min(len(texts), 2)):
             with rule_examples.laid_out(rule, text) as source:

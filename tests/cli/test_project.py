@@ -159,13 +159,13 @@ def test_what_is_wrong_with_a_baseline(project: Project) -> None:
 
 
 def test_a_baseline_hides_no_crash(project: Project, monkeypatch) -> None:
-    from urdfkit.lint import rules
+    from urdfkit.lint import rule_index
 
     def crash(_: object) -> NoReturn:
         raise ValueError("boom")
 
-    rule = rules.get("TRE006")._replace(check=crash)
-    monkeypatch.setattr(rules, "get", lambda code: rule)
+    rule = rule_index.get("TRE006")._replace(check=crash)
+    monkeypatch.setattr(rule_index, "get", lambda code: rule)
     project.write("urdfkit.toml", 'select = ["TRE006"]\n')
     assert project.check(".", "--baseline", "known.json", "--write-baseline")[0] == 3
 

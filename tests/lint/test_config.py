@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config, ConfigError, RobotEntry, matches
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.options import Options
@@ -36,7 +36,7 @@ def write(folder: Path, text: str, name: str = "urdfkit.toml") -> str:
 
 @pytest.fixture
 def renamed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020", "TRE998": ""})
+    monkeypatch.setattr(rule_index, "_redirects", {"TRE999": "JNT020", "TRE998": ""})
 
 
 @pytest.mark.usefixtures("renamed")

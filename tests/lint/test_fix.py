@@ -11,7 +11,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit.errors import UnwritableFile
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import fix as fix_as_configured
@@ -417,7 +417,7 @@ def test_a_defect_that_a_fix_makes_where_all_could_be_seen_forbids_it(tmp_path: 
 
 
 def test_rules_that_are_left_out_of_the_guard_know_no_error_and_no_fix() -> None:
-    for rule in map(rules.get, SLOW):
+    for rule in map(rule_index.get, SLOW):
         severities = {rule.severity, *rule.by_target.values()}
         assert Severity.ERROR not in severities
         assert not rule.fixable

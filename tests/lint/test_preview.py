@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from urdfkit import check
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Confidence
@@ -25,9 +25,9 @@ WHOLE = frozenset({"JNT020"})
 
 @pytest.fixture
 def in_preview(monkeypatch: pytest.MonkeyPatch) -> None:
-    get = rules.get
+    get = rule_index.get
     made = get("JNT020")._replace(preview=True)
-    monkeypatch.setattr(rules, "get", lambda code: made if code == "JNT020" else get(code))
+    monkeypatch.setattr(rule_index, "get", lambda code: made if code == "JNT020" else get(code))
 
 
 @pytest.mark.usefixtures("in_preview")
@@ -59,13 +59,13 @@ def test_a_rule_in_preview_runs_where_it_is_asked_for(
 def test_min_confidence(
     confidence: Confidence, least: Confidence, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rule = rules.get("JNT020")
+    rule = rule_index.get("JNT020")
     made = rule._replace(
         check=lambda subject: (
             found._replace(confidence=confidence) for found in rule.check(subject)
         )
     )
-    monkeypatch.setattr(rules, "get", lambda code: made)
+    monkeypatch.setattr(rule_index, "get", lambda code: made)
     report = check(
         ROBOT, select=["JNT020"], ignore=["CFG003"], options=Options(min_confidence=least.value)
     )

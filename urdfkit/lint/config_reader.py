@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config, ConfigError, FileIgnore, RobotEntry
 from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.source import why_unreadable
@@ -190,18 +190,18 @@ class _Reader:
         """The codes that a list of words means, and those that it names whole."""
         words = self.texts(key)
         found = frozenset(code for word in words for code in self.matching(key, word))
-        return found, rules.named(words)
+        return found, rule_index.named(words)
 
     def matching(self, key: str, word: str) -> list[str]:
         """The codes that a word of a setting means; warns of a former code."""
         self._note(key, word)
         try:
-            return rules.matching(word)
+            return rule_index.matching(word)
         except UnknownRule as error:
             raise self.error(f"'{key}': {error}") from error
 
     def _note(self, key: str, word: str) -> None:
-        if note := rules.note(word):
+        if note := rule_index.note(word):
             self.warnings.append(str(self.error(f"'{key}': {note}")))
 
     def options(self) -> dict[str, dict[str, float]]:
@@ -210,7 +210,7 @@ class _Reader:
         for word, values in self._rules_table().items():
             self._note("rules", word)
             try:
-                rule = rules.find_rule(word)
+                rule = rule_index.find_rule(word)
             except UnknownRule as error:
                 raise self.error(f"'rules': {error}") from error
             if not isinstance(values, dict):
@@ -241,11 +241,11 @@ class _Reader:
             raise self.error(f"'{key}' must be {kind} from 0, not {value!r}")
         return float(value) if not is_whole else int(value)
 
-    def ignored(self, key: str) -> rules.Ignored:
+    def ignored(self, key: str) -> rule_index.Ignored:
         """The rules that are left out; a word that means none leaves out nothing."""
         words = self.texts(key)
-        found = rules.ignored(words)
-        notes = [*filter(None, map(rules.ignore_note, words)), *map(str, found.unknown)]
+        found = rule_index.ignored(words)
+        notes = [*filter(None, map(rule_index.ignore_note, words)), *map(str, found.unknown)]
         self.warnings += (str(self.error(f"'{key}': {note}")) for note in notes)
         return found
 
@@ -264,7 +264,7 @@ class _Reader:
         for word, value in table.items():
             severity = self._as(Severity, f"severity.{word}", value)
             codes = self.matching("severity", word)
-            if rules.redirect(word) and severity is not Severity.ERROR:
+            if rule_index.redirect(word) and severity is not Severity.ERROR:
                 # It was merged with others, whose errors nobody wanted to lower.
                 self.warnings[-1] += ": its severity is not changed"
                 continue

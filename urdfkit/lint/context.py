@@ -16,7 +16,7 @@ from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.suppress import Ignore
+    from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
@@ -291,7 +291,7 @@ class Subject:
             sources = self.reading.xacro.sources
         if not any(b"urdfkit" in source.data for source in sources):
             return ()
-        from urdfkit.lint.suppress import ignores
+        from urdfkit.lint.ignore_comments import ignores
 
         return tuple(ignore for source in sources for ignore in ignores(source))
 

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index, rules
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.merging import Checked, merged_report
@@ -166,7 +166,7 @@ def _in_processes(jobs: list[Job], options: Options) -> Iterable[list[Checked]]:
 
     count = min(options.jobs, len(jobs))
     done = 0
-    with ProcessPoolExecutor(count, initializer=_begin, initargs=(rules.foreign(),)) as pool:
+    with ProcessPoolExecutor(count, initializer=_begin, initargs=(rule_index.foreign(),)) as pool:
         # Not `map`, which cancels what is left and trips over it when the processes are gone.
         futures = [pool.submit(_check_alone, job, options) for job in jobs]
         try:
@@ -189,7 +189,7 @@ def _begin(foreign: Mapping[str, str]) -> None:
 
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    rules.register(foreign)
+    rule_index.register(foreign)
 
 
 def _check_alone(job: Job, options: Options) -> list[Checked]:
@@ -238,7 +238,7 @@ def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
     """A description that cannot be read, of which no error says so, is skipped as a whole."""
     errors = {d.code for d in result.diagnostics if d.severity is Severity.ERROR}
     is_part = bool(subject.problems("XAC019"))
-    if subject.is_readable or is_part or not errors <= {rules.NOT_CHECKED}:
+    if subject.is_readable or is_part or not errors <= {rule_index.NOT_CHECKED}:
         return result
     from urdfkit.lint.unchecked import why_unchecked
 
@@ -248,12 +248,12 @@ def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
 
 def _unopened(plan: Plan, options: Options) -> Iterator[Diagnostic]:
     """A finding for each file of a folder that is called like a robot and cannot be opened."""
-    code, config = rules.NOT_CHECKED, options.config
+    code, config = rule_index.NOT_CHECKED, options.config
     for path in plan.closed if code in options.select else ():
         at = rules.Location(Span(Source(path, b""), 0, 0))
         message = "robot not checked: the file cannot be opened"
         help = "check the symbolic link and the file permissions"
-        for found in diagnose(rules.get(code), [rules.Finding(at, message, help)]):
+        for found in diagnose(rule_index.get(code), [rules.Finding(at, message, help)]):
             severity = config.severities.get(code, found.severity)
             if not config.ignores(code, path, severity):
                 yield found._replace(severity=severity)

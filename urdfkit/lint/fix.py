@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint import rules as catalogue
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import subjects
 from urdfkit.lint.fix_guard import (
@@ -168,7 +168,7 @@ def _session(
     resolved = options.resolved()
     codes = {*resolved.select, *choose((), (), options.config, foreign_codes(options))}
     look = Look(files, options._replace(preview=resolved.preview), codes)
-    named = catalogue.named(options.select)
+    named = rule_index.named(options.select)
     return _Session(look, resolved.select, named, unsafe=unsafe, force=force)
 
 

@@ -11,7 +11,7 @@ from itertools import chain, zip_longest
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index, rules
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check_with, subjects
@@ -34,7 +34,7 @@ Place = tuple[str, int, int, str]
 Robots = Callable[[], Iterable[Subject | None]]
 
 #: Rules that simulate the robot and so take long; they know no error, and have no fix.
-SLOW = rules.of_family("collision") | frozenset("SRD009 SRD010 DYN003 DYN004 DYN005".split())
+SLOW = rule_index.of_family("collision") | frozenset("SRD009 SRD010 DYN003 DYN004 DYN005".split())
 
 
 def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
@@ -165,7 +165,7 @@ class Look:
         codes: Iterable[str],
     ) -> Report:
         # The others are not among the codes; of these the errors are.
-        former = tuple(filter(rules.redirect, self._options.ignore))
+        former = tuple(filter(rule_index.redirect, self._options.ignore))
         now = self._with_texts(texts)._replace(select=tuple(codes), ignore=former)
         return check_with(now, files, self.resolver)
 
@@ -180,7 +180,7 @@ class Look:
             configured = self.config.severities.get(rule.code)
             return (configured,) if configured else (rule.severity, *rule.by_target.values())
 
-        found = map(rules.get, self._codes)
+        found = map(rule_index.get, self._codes)
         return [rule.code for rule in found if Severity.ERROR in severities(rule)]
 
 

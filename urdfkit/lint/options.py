@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
 from urdfkit.core.record import Record
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.text.diagnostic import Confidence
 
@@ -115,9 +115,9 @@ def _overridden(
 ) -> Config:
     """A configuration with what the options of a check say of its findings."""
     # What is selected by hand is reported, whatever the configuration leaves out.
-    selected = {code for word in select for code in rules.matching(word)}
+    selected = {code for word in select for code in rule_index.matching(word)}
     kept = config.but_errors - selected
-    config = config._replace(but_errors=kept | rules.ignored(ignore).but_errors)
+    config = config._replace(but_errors=kept | rule_index.ignored(ignore).but_errors)
     if min_confidence:
         config = config._replace(min_confidence=Confidence(min_confidence))
     return config
@@ -144,14 +144,14 @@ def choose(
         UnknownRule: one of the words means no rule. To ignore a typo would check with other
             rules than were asked for, and say nothing.
     """
-    selected = {code for word in select for code in rules.matching(word)}
-    left_out = rules.ignored(ignore)
+    selected = {code for word in select for code in rule_index.matching(word)}
+    left_out = rule_index.ignored(ignore)
     if left_out.unknown:
         raise left_out.unknown[0]
     # What is selected by hand runs, whatever the configuration leaves out.
     ignored = left_out.codes | (config.ignore - selected)
-    chosen = selected or config.select or {*rules.codes(), *foreign}
-    return sorted((chosen | {rules.NOT_CHECKED}) - ignored)
+    chosen = selected or config.select or {*rule_index.codes(), *foreign}
+    return sorted((chosen | {rule_index.NOT_CHECKED}) - ignored)
 
 
 def previewed(
@@ -160,4 +160,4 @@ def previewed(
     """The codes of the preview rules that run; True for all."""
     if not isinstance(preview, bool):
         return frozenset(preview)
-    return preview or config.preview or rules.named(select) | config.named
+    return preview or config.preview or rule_index.named(select) | config.named

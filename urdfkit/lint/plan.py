@@ -158,7 +158,7 @@ class Plan:
             found: it was found in a folder, whose robots are checked anyway. What is left is a
                 robot with the arguments that the launch file gives it, and its controllers.
         """
-        from urdfkit.lint import rules
+        from urdfkit.lint import rule_index
         from urdfkit.ros.launch import read_launch
 
         self.jobs.append(Job(source, "", self.arguments, False))
@@ -177,7 +177,9 @@ class Plan:
             robot = self.resolver.read(_spelt(one.path, source.path))
             arguments = {**self.config.arguments, **one.arguments}
             job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
-            self.jobs.append(job if is_new else job._replace(codes=rules.of_family("controllers")))
+            self.jobs.append(
+                job if is_new else job._replace(codes=rule_index.of_family("controllers"))
+            )
 
     def _is_other(self, description: LaunchedDescription) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, crash
@@ -17,7 +17,7 @@ from urdfkit.text.source import Span, shown_text
 from urdfkit.text.xml_reader import is_launch
 
 if TYPE_CHECKING:
-    from urdfkit.lint.suppress import Ignore
+    from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.ros.targets import Targets
 
 T = TypeVar("T")
@@ -84,17 +84,17 @@ def judge(
     subject.rule_options = options.config.options
     run = _Run(subject, options)
     # The rules about the checking itself look at what the others found.
-    own = [code for code in chosen if rules.family_of(code) == OWN_FAMILY]
+    own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
     subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
     run.ignores = run.guarded(lambda: subject.ignores, ())
-    if rules.NOT_CHECKED in own:
-        own.remove(rules.NOT_CHECKED)
+    if rule_index.NOT_CHECKED in own:
+        own.remove(rule_index.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
         is_unexplained = wants_arguments or not run.has_errors()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
-            run.rules([rules.NOT_CHECKED])
+            run.rules([rule_index.NOT_CHECKED])
             subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules(own)
@@ -126,10 +126,10 @@ class _Run:
         """Run those of some rules whose family applies to the subject."""
         families: dict[str, list[str]] = {}
         for code in chosen:
-            families.setdefault(rules.family_of(code), []).append(code)
+            families.setdefault(rule_index.family_of(code), []).append(code)
         for family, codes in families.items():
             if self._applies(family, codes):
-                for rule in map(rules.get, codes):
+                for rule in map(rule_index.get, codes):
                     if not rule.preview or self.options.previews(rule.code):
                         self._rule(rule)
 
@@ -149,7 +149,7 @@ class _Run:
         if is_launch(path) and family not in LAUNCH_FAMILIES:
             return False
         try:
-            return rules.applies(family, self.subject)
+            return rule_index.applies(family, self.subject)
         except NotApplicable:
             return False
         except Unavailable as reason:

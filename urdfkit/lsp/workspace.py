@@ -11,7 +11,7 @@ from functools import cache, cached_property
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.config import RobotEntry as EntryPoint
 from urdfkit.lint.config_reader import load
@@ -346,7 +346,7 @@ class Workspace:
 @cache
 def slow_rules() -> list[str]:
     """The codes of the rules that are not run for every key; this imports all rules."""
-    return [rule.code for rule in rules.all_rules() if rule.needs & _SLOW]
+    return [rule.code for rule in rule_index.all_rules() if rule.needs & _SLOW]
 
 
 def _key(diagnostic: Diagnostic) -> tuple[str, int, int]:
