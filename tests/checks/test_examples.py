@@ -31,8 +31,9 @@ PARTS = {
     Need.COLLISIONS: {"is_crowded", "collisions", "meshes", "files"},
 }
 
-#: What rules of a family look at where it is to be had, and do without otherwise.
+#: What rules of a family, or a rule, look at where it is to be had, and do without otherwise.
 OPTIONAL = {family: {"files", "measured"} for family in ("INE", "GEO", "MSH")}
+OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "measured", "xacro"}}
 
 #: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
 OUR_OWN = {"CFG001", "CFG002", "CFG003", "MSH024"}
@@ -136,7 +137,7 @@ def test_the_rule_needs_no_more_than_it_declares(
     rule = rule_index.get(code)
     honest = places(rule_examples.diagnose_example(rule, example(rule, "BAD")))
     allowed = {part for need in rule.needs for part in PARTS[need]}
-    allowed |= OPTIONAL.get(code[:3], set())
+    allowed |= OPTIONAL.get(code, OPTIONAL.get(code[:3], set()))
     for part in {part for parts in PARTS.values() for part in parts} - allowed:
         monkeypatch.setattr(Subject, part, property(refuse(code, part)))
     assert places(rule_examples.diagnose_example(rule, example(rule, "BAD"))) == honest

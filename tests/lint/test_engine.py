@@ -44,14 +44,14 @@ def robots(tmp_path: Path) -> Path:
     return tmp_path
 
 
-SELECT = ["TRE006", "XAC004"]
+SELECT = ["TRE003", "XAC004"]
 
 
 def test_the_defect_of_a_shared_file_is_told_once(robots: Path) -> None:
     report = check(robots / "two.xacro", robots / "one.xacro", select=SELECT)
     assert found(report) == [
         ("one.xacro", "XAC004", 3),
-        ("shared.xacro", "TRE006", 2),
+        ("shared.xacro", "TRE003", 2),
         ("two.xacro", "XAC004", 4),
     ]
     assert report.files == (str(robots / "two.xacro"), str(robots / "one.xacro"))
@@ -61,8 +61,8 @@ def test_a_shared_file_is_known_by_whatever_name(robots: Path) -> None:
     (robots / "package.xml").write_text("<package><name>p</name></package>")
     include = '<xacro:include filename="../shared.xacro"/>'
     other = write(robots, "inner/other.xacro", include)
-    report = check(robots / "one.xacro", other, select=["TRE006"])
-    assert found(report) == [("shared.xacro", "TRE006", 2)]
+    report = check(robots / "one.xacro", other, select=["TRE003"])
+    assert found(report) == [("shared.xacro", "TRE003", 2)]
 
 
 def test_a_folder_is_its_entry_points(robots: Path) -> None:
@@ -127,10 +127,10 @@ def test_a_finding_says_which_variants_have_it(tmp_path: Path) -> None:
     )
     config = Config(robots=robots)
     for jobs in (1, 3):
-        report = check(file, select=["NAM001", "TRE006"], config=config, options=Options(jobs=jobs))
+        report = check(file, select=["NAM001", "TRE003"], config=config, options=Options(jobs=jobs))
         reported = [(d.code, d.span.line, d.variants) for d in report.diagnostics]
         assert reported == [
-            ("TRE006", 2, ()),
+            ("TRE003", 2, ()),
             ("NAM001", 3, ("l", "xl")),
             ("NAM001", 4, ("s",)),
         ]
@@ -150,13 +150,13 @@ def test_a_variant_that_is_none_is_an_exception(robots: Path) -> None:
 def test_a_shared_file_that_one_robot_has_in_all_variants(robots: Path) -> None:
     one, two = robots / "one.xacro", robots / "two.xacro"
     config = Config(robots=(RobotEntry(str(one), "a", {}), RobotEntry(str(one), "b", {})))
-    report = check(one, two, select=["TRE006"], config=config)
+    report = check(one, two, select=["TRE003"], config=config)
     assert [d.variants for d in report.diagnostics] == [()]
 
 
 def test_a_source_needs_no_file() -> None:
     report = check(Source("nowhere.urdf", f'<robot><link name="a"/>{LOOP}</robot>'.encode()))
-    assert ("nowhere.urdf", "TRE006", 1) in found(report)
+    assert ("nowhere.urdf", "TRE003", 1) in found(report)
 
 
 def test_what_cannot_be_done_is_an_exception(tmp_path: Path) -> None:
@@ -204,8 +204,8 @@ def test_a_finding_of_one_argument_set_only_stays(tmp_path: Path) -> None:
         RobotEntry(str(file), "good", {"bad": "0"}),
         RobotEntry(str(file), "bad", {"bad": "1"}),
     )
-    assert found(check(file, select=["TRE006"], config=Config(robots=robots))) == [
-        ("r.xacro", "TRE006", 2)
+    assert found(check(file, select=["TRE003"], config=Config(robots=robots))) == [
+        ("r.xacro", "TRE003", 2)
     ]
 
 

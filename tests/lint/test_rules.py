@@ -57,23 +57,23 @@ def test_a_family_is_no_rule_but_matches() -> None:
         code for code in rule_index.codes() if code.startswith("XML")
     ]
     assert rule_index.matching("XML00") == rule_index.matching("XML")
-    assert rule_index.matching("joint-to-itself") == ["TRE006"]
+    assert rule_index.matching("cycle") == ["TRE003"]
 
 
 def test_a_name_that_two_families_have(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         rule_index,
         "_modules",
-        {code: f"urdfkit.checks.{code.lower()}_package_not_found" for code in ("MSH005", "XAC011")},
+        {code: f"urdfkit.checks.{code.lower()}_same_name" for code in ("ABC001", "XYZ001")},
     )
-    assert rule_index.matching("package-not-found") == ["MSH005", "XAC011"]
-    with pytest.raises(UnknownRule, match="alone: MSH005 and XAC011 have that name"):
-        rule_index.find_rule("package-not-found")
+    assert rule_index.matching("same-name") == ["ABC001", "XYZ001"]
+    with pytest.raises(UnknownRule, match="alone: ABC001 and XYZ001 have that name"):
+        rule_index.find_rule("same-name")
 
 
 def test_choose() -> None:
     assert choose([], []) == rule_index.codes()
-    assert choose(["TRE006", "xml001"], ["CFG003"]) == ["TRE006", "XML001"]
+    assert choose(["TRE003", "xml001"], ["CFG003"]) == ["TRE003", "XML001"]
     some = choose(["XML"], ["XML001"])
     assert some == ["CFG003", *(code for code in rule_index.matching("XML") if code != "XML001")]
     assert choose([], ["XML"]) == [c for c in rule_index.codes() if not c.startswith("XML")]
@@ -85,10 +85,10 @@ def test_choose() -> None:
 
 
 def test_the_rule_about_unchecked_robots_is_chosen_unless_it_is_ignored() -> None:
-    assert choose(["TRE006"], []) == ["CFG003", "TRE006"]
-    config = Config(select=frozenset({"TRE006"}))
-    assert choose([], [], config) == ["CFG003", "TRE006"]
-    assert choose([], [], config._replace(ignore=frozenset({"CFG003"}))) == ["TRE006"]
+    assert choose(["TRE003"], []) == ["CFG003", "TRE003"]
+    config = Config(select=frozenset({"TRE003"}))
+    assert choose([], [], config) == ["CFG003", "TRE003"]
+    assert choose([], [], config._replace(ignore=frozenset({"CFG003"}))) == ["TRE003"]
 
 
 def test_former_codes_and_names_lead_to_rules_that_exist() -> None:
@@ -118,7 +118,7 @@ def test_a_rule_that_was_removed() -> None:
     for look_up in (rule_index.matching, rule_index.find_rule):
         with pytest.raises(UnknownRule, match="no rule 'TRE998': it was removed"):
             look_up("TRE998")
-    assert rule_index.note("TRE998") == rule_index.note("TRE006") == rule_index.note("TRE") == ""
+    assert rule_index.note("TRE998") == rule_index.note("TRE003") == rule_index.note("TRE") == ""
 
 
 def test_listing_the_rules_imports_none() -> None:

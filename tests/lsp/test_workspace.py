@@ -153,7 +153,7 @@ def test_folders_are_listed_once_until_files_on_disk_change(
     mesh = '<mesh filename="package://{}/x.stl"/>'
     text = '<robot name="r"><link name="a"><visual><geometry>{}</geometry></visual></link></robot>'
     file = Edited(tmp_path / "r.urdf", text.format(mesh.format(nowhere)))
-    assert "MSH005" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    assert "XAC011" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     listed: list[object] = []
     scandir = os.scandir
 
@@ -163,11 +163,11 @@ def test_folders_are_listed_once_until_files_on_disk_change(
 
     monkeypatch.setattr(os, "scandir", noted)
     file.type(text.format(mesh.format(nowhere)) + "\n")
-    assert "MSH005" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    assert "XAC011" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     assert listed == []
     (tmp_path / "package.xml").write_text(f"<package><name>{nowhere}</name></package>")
     file.workspace.reload()
-    assert "MSH005" not in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    assert "XAC011" not in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     assert listed
 
 

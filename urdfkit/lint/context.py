@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.reading import Reading
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
@@ -152,6 +153,11 @@ class Subject:
         """What reading met that a rule explains, in a description or a launch file."""
         read = self.launch if is_launch(self.source.path) else self.reading
         return [problem for problem in read.problems if problem.code == code]
+
+    @property
+    def is_fragment(self) -> bool:
+        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
+        return any(problem.severity is Severity.INFO for problem in self.problems("XAC001"))
 
     @property
     def xacro(self) -> Xacro:

@@ -137,9 +137,9 @@ def _foreign_rule(code: str, module: str) -> Rule:
 def find_rule(word: str) -> Rule:
     r"""The rule of a code or a name, now or formerly, in small or capital letters.
 
-    >>> rule = find_rule("joint-to-itself")
+    >>> rule = find_rule("no-link")
     >>> rule.code, rule.severity.value, rule.explanation.partition("\n")[0]
-    ('TRE006', 'error', 'A joint has the same link as parent and child.')
+    ('TRE001', 'error', 'The robot has no link.')
 
     Raises:
         UnknownRule: there is none, or two have that name; the message says which, or the nearest.

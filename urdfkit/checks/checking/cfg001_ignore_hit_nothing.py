@@ -14,12 +14,12 @@ from urdfkit.text.editing.edits import remove_spans
 
 BAD = """\
 <robot name="r">
-  <!-- urdfkit: ignore[TRE006] closed by the gripper -->
+  <!-- urdfkit: ignore[TRE003] closed by the gripper -->
   <link name="a"/>
 </robot>
 """
-GOOD = BAD.replace("urdfkit: ignore[TRE006] ", "")
-FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE006] closed by the gripper -->\n", "")
+GOOD = BAD.replace("urdfkit: ignore[TRE003] ", "")
+FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE003] closed by the gripper -->\n", "")
 
 
 @rule(Severity.WARNING, needs=(), help="delete the comment")

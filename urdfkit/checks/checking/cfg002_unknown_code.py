@@ -19,7 +19,7 @@ BAD = """\
   <link name="a"/>
 </robot>
 """
-GOOD = BAD.replace("TRE999", "TRE006")
+GOOD = BAD.replace("TRE999", "TRE003")
 
 
 @rule(Severity.WARNING, needs=(), help="name a rule that exists; 'urdfkit rules' lists them")

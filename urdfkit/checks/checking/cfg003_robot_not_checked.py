@@ -47,8 +47,8 @@ def check(subject: Subject) -> Findings:
             "list the robot's variants in urdfkit.toml, under [[robot]]",
             alike=one.name,
         )
-    # A part of a robot is checked through the file that includes it, which XAC019 names.
-    if subject.reading.document is not None or subject.problems("XAC019"):
+    # A part of a robot is checked through the file that includes it, which XAC001 names.
+    if subject.reading.document is not None or subject.is_fragment:
         return
     from urdfkit.lint.argument_values import missing_argument
     from urdfkit.lint.unchecked import why_unchecked

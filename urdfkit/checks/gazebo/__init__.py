@@ -6,6 +6,15 @@ from urdfkit.lint.context import Subject
 
 #: Codes and names of rules that others have absorbed.
 REDIRECTS = {
+    "bad-value": "GAZ004",
+    "GAZ019": "GAZ004",
+    "parameter-bad-type": "GAZ004",
+    "GAZ046": "GAZ004",
+    "lidar-range-inverted": "GAZ004",
+    "GAZ048": "GAZ004",
+    "camera-clip-inverted": "GAZ004",
+    "GAZ057": "GAZ004",
+    "sensor-value-refused": "GAZ004",
     "GAZ002": "GAZ005",
     "link-tag-without-reference": "GAZ005",
     "tag-on-wrong-kind": "GAZ005",

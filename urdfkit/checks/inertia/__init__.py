@@ -23,6 +23,9 @@ REDIRECTS = {
     "INE015": "INE006",
     "transposed-tensor": "INE006",
     "mirrored-twins-differ": "INE012",
+    "INE013": "XAC014",
+    "same-tensor-on-different-links": "XAC014",
+    "macro-gives-constant-inertia": "XAC014",
 }
 
 

@@ -18,10 +18,11 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.spatial import length
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, related, several
-from urdfkit.robot.model import RobotModel, length
+from urdfkit.robot.model import RobotModel
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.editing.edits import scale_limits
 

@@ -1,8 +1,9 @@
-"""Joints form a closed loop.
+"""Joints form a closed loop, or one joint has the same link as parent and child.
 
-URDF describes trees. urdfdom searches for the root of a loop forever, or drops a loop that
-has no parent silently; MuJoCo, Drake and PyBullet reject it. A closed mechanism is
-written as a tree: leave one joint of the loop out, and close it in the simulator.
+URDF describes trees. urdfdom searches for the root of a loop forever, or drops a loop that has no
+parent without a message; sdformat, MuJoCo, Drake and PyBullet reject it, Pinocchio crashes. A
+closed mechanism is written as a tree: leave one joint of the loop out, and close it in the
+simulator. The child of a joint is the link that moves.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
@@ -37,6 +38,13 @@ SHOWN = 8
 
 @rule(Severity.ERROR, help="leave one of these joints out")
 def check(subject: Subject) -> Findings:
+    for joint in subject.model.joints:
+        if joint.parent and joint.child and joint.parent.value == joint.child.value:
+            yield Finding(
+                joint.child,
+                f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child",
+                "name the link that this joint moves as its child",
+            )
     for loop in subject.tree.cycles:
         yield Finding(
             loop[-1].child or loop[-1].at,

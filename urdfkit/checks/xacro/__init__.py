@@ -10,6 +10,8 @@ REDIRECTS = {
     "unused-macro": "XAC004",
     "XAC006": "XAC004",
     "unused-argument": "XAC004",
+    "XAC019": "XAC001",
+    "part-of-a-robot": "XAC001",
     "XAC012": "XAC009",
     "include-escapes-roots": "XAC009",
     "XAC016": "XAC017",

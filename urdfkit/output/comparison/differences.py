@@ -12,7 +12,7 @@ from math import asin, dist
 from types import MappingProxyType
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector
+from urdfkit.core.spatial import Transform, Vector, length
 from urdfkit.robot.inertia import rotated
 from urdfkit.robot.model import (
     Body,
@@ -24,7 +24,6 @@ from urdfkit.robot.model import (
     RobotModel,
     Shape,
     Tensor,
-    length,
 )
 
 #: What a difference may be about. ``links`` and ``joints`` come and go, ``names`` are other ones of

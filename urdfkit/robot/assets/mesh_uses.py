@@ -68,9 +68,7 @@ class MeshUse(Record):
     @property
     def box(self) -> BoundingBox:
         """The bounding box along the axes of the link, in m."""
-        columns = tuple(zip(*self.points, strict=True))
-        (a, b, c), (d, e, f) = map(min, columns), map(max, columns)
-        return BoundingBox((a, b, c), (d, e, f))
+        return BoundingBox.of(self.points)
 
     @property
     def solid(self) -> MeshSolid | None:

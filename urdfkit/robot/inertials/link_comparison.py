@@ -166,10 +166,7 @@ class LinkInertia:
     @cached_property
     def outline(self) -> BoundingBox:
         """The bounding box of its shapes along the axes of the link."""
-        boxes = [one.bounds for one in self.solids]
-        low = [min(box.low[i] for box in boxes) for i in range(3)]
-        high = [max(box.high[i] for box in boxes) for i in range(3)]
-        return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+        return BoundingBox.around(one.bounds for one in self.solids)
 
     @cached_property
     def reach(self) -> float:

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.reported import fixed, messages, reported
+from tests.sensing import findings
 
 ROBOT = """\
 <link name="{camera}"/><link name="{optical}"/>
@@ -24,8 +25,8 @@ def test_a_camera_of_gazebo_is_not_turned_away() -> None:
     ("rpy", "way"),
     [
         ("0 0 0", "up"),
-        ("1.5708 0 -1.5708", "backwards"),
-        ("0 1.5708 0", "forwards, but turned,"),
+        ("1.5708 0 -1.5708", "backward"),
+        ("0 1.5708 0", "forward, but rotated,"),
         ("-1.5708 0 0", "to the left"),
     ],
 )
@@ -72,8 +73,8 @@ def test_vehicles_under_water(name: str, rpy: str, count: int) -> None:
 def test_the_commonest_mistake_of_signs_turns_the_image_over() -> None:
     (message,) = messages("JNT030", robot("1.5707963 0 1.5707963"))
     assert message == (
-        "joint 'j': 'camera_optical_frame' looks forwards, but upside down, from 'camera_link'; an "
-        "optical frame looks forwards, its x to the right"
+        "joint 'j': 'camera_optical_frame' looks forward, but upside down, from 'camera_link'; an "
+        "optical frame looks forward, its x to the right"
     )
     assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot("1.5707963 0 1.5707963"))
 
@@ -85,3 +86,50 @@ def test_a_camera_mounted_head_down_has_its_image_upright(roll: str, count: int)
         f'<child link="camera_link"/><origin rpy="{roll} 0 0"/></joint>'
     )
     assert len(messages("JNT030", mount + robot("1.5707963 0 1.5707963"))) == count
+
+
+CAMERA = """<link name="eye"/><link name="{link}"/>
+<joint name="j" type="fixed"><origin rpy="{rpy}"/><parent link="eye"/><child link="{link}"/></joint>
+<gazebo reference="{reference}">
+<sensor name="s" type="camera"><pose>{pose}</pose></sensor></gazebo>"""
+
+
+@pytest.mark.parametrize(
+    ("link", "rpy", "reference", "pose", "count"),
+    [
+        ("eye_optical", "-1.5708 0 -1.5708", "eye_optical", "0 0 0 0 0 0", 1),
+        ("eye_optical", "-1.5708 0 -1.5708", "eye_optical", "0 0 0 0 -1.57 1.57", 0),
+        ("eye_optical", "-1.5708 0 -1.5708", "eye", "0 0 0 0 0 0", 0),
+        ("eye_optical", "0.3 0 0", "eye_optical", "0 0 0 0 0 0", 0),
+        ("eye_frame", "-1.5708 0 -1.5708", "eye_frame", "0 0 0 0 0 0", 0),
+    ],
+)
+def test_a_camera_on_an_optical_frame(
+    link: str, rpy: str, reference: str, pose: str, count: int
+) -> None:
+    text = CAMERA.format(link=link, rpy=rpy, reference=reference, pose=pose)
+    assert len(reported("JNT030", text)) == count
+
+
+PLUGIN = '<plugin name="p" filename="libgazebo_ros_camera.so"><{0}>{1}</{0}></plugin>'
+
+
+@pytest.mark.parametrize(
+    ("inner", "count"),
+    [
+        (PLUGIN.format("frameName", "base"), 1),
+        (PLUGIN.format("frame_name", "base"), 1),
+        (PLUGIN.format("frame_name", "camera_optical_frame"), 0),
+        ("<gz_frame_id>base</gz_frame_id>", 1),
+        ("<gz_frame_id>tip</gz_frame_id>", 0),
+        ("", 0),
+    ],
+)
+def test_a_frame_that_is_the_cameras_own_link_looks_along_x(inner: str, count: int) -> None:
+    assert len(findings("JNT030", "camera", inner)) == count
+    assert findings("JNT030", "imu", inner) == []
+
+
+def test_a_link_that_is_called_optical_is_meant() -> None:
+    inner = PLUGIN.format("frameName", "base_optical")
+    assert findings("JNT030", "camera", inner, reference="base_optical") == []
