@@ -28,7 +28,7 @@ PARTS = {
     Need.LAUNCH: {"launch", "beside"},
     Need.SRDF: {"srdf"},
     Need.DYNAMICS: {"dynamics", "opinion"},
-    Need.COLLISIONS: {"is_crowded", "collisions", "meshes", "files"},
+    Need.COLLISIONS: {"collisions", "measured", "meshes", "files"},
 }
 
 #: What rules of a family, or a rule, look at where it is to be had, and do without otherwise.

@@ -44,7 +44,10 @@ if TYPE_CHECKING:
 
 
 _WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
-WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+_WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+
+#: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
+MAX_BODIES = 2000
 
 
 class Unavailable(Exception):
@@ -53,6 +56,18 @@ class Unavailable(Exception):
 
 class NotApplicable(Unavailable):
     """A description is of another kind than a rule is about; nothing is missing."""
+
+
+def need_coal() -> None:
+    """Import coal.
+
+    Raises:
+        Unavailable: it is not installed.
+    """
+    try:
+        libraries.load("coal")
+    except ImportError as error:
+        raise Unavailable(_WITHOUT_COAL) from error
 
 
 class Outcome(Record):
@@ -437,31 +452,18 @@ class Subject:
             raise Unavailable(str(reason)) from reason
 
     @cached_property
-    def is_crowded(self) -> bool:
-        """True if bodies of two links may overlap where the robot begins; no library is needed."""
-        from urdfkit.robot.clearance import may_overlap
-
-        return may_overlap(self.tree)
-
-    @cached_property
     def collisions(self) -> Collisions:
-        """Which links collide with one another, by coal.
+        """Which links collide with one another; coal is loaded where it is needed.
 
         Raises:
-            Unavailable: coal is not installed, or the robot has too many bodies.
+            Unavailable: the robot has too many bodies, or later, coal is not installed.
         """
-        from urdfkit.robot.clearance import MAX_BODIES
+        from urdfkit.physics.collision.robot import Collisions
 
         bodies = sum(len(link.collisions) for link in self.model.links)
         if bodies > MAX_BODIES:
             raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
-        if libraries.find("coal") is None:
-            raise Unavailable(WITHOUT_COAL)
-        try:
-            from urdfkit.physics.collision.robot import Collisions
-        except ImportError as error:
-            raise Unavailable(WITHOUT_COAL) from error
-        return Collisions(self)
+        return Collisions(self, need_coal)
 
     @cached_property
     def opinion(self) -> PinocchioReading:

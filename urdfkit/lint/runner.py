@@ -91,7 +91,8 @@ def judge(
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
-        is_unexplained = wants_arguments or not run.has_errors()
+        is_explained = run.has_errors() or any(one.code == "XAC011" for one in run.diagnostics)
+        is_unexplained = wants_arguments or not is_explained
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
             run.rules([rule_index.NOT_CHECKED])
