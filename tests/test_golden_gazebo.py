@@ -7,12 +7,12 @@ from collections import Counter
 import pytest
 
 from tests.conftest import MODELS, SHARED, manifest
-from urdfkit.lint import engine, rules
+from urdfkit.lint import engine, rule_index
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Source
 
 ROBOT = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-FAMILY = [*(code for code in rules.codes() if "GAZ001" <= code <= "GAZ034"), "RCT029"]
+FAMILY = [*(code for code in rule_index.codes() if "GAZ001" <= code <= "GAZ034"), "RCT029"]
 
 #: Codes and places whatever the target is.
 ALWAYS = [
