@@ -62,15 +62,15 @@ def masses(text: str) -> Masses:
     return subject(text).masses
 
 
-def weighed(text: str) -> LinkInertia:
+def link_inertia(text: str) -> LinkInertia:
     """The only link with a mass in the pieces of a robot."""
-    (found,) = masses(text).weighed
+    (found,) = masses(text).inertias
     return found
 
 
-def diagnoses(text: str) -> dict[str, list[str]]:
+def defects(text: str) -> dict[str, list[str]]:
     """The links with each defect."""
     return {
         defect.value: [one.link.name for one in found]
-        for defect, found in masses(text).diagnoses.items()
+        for defect, found in masses(text).defects.items()
     }

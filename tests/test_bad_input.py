@@ -92,7 +92,8 @@ def is_refused_aloud(path: Path, data: bytes) -> bool:
     if report is None or errors(report):
         return True
     codes = {one.code for one in report.diagnostics}
-    forgiven = bool(codes & {"XML007", "XAC003", "XAC019"})  # urdfdom reads it, or a part
+    is_part = any(one.code == "XAC001" for one in report.diagnostics)  # an info
+    forgiven = is_part or bool(codes & {"XML007", "XAC003"})
     return is_strict(data) or forgiven
 
 

@@ -14,6 +14,7 @@ from tests.hand_made_rules import run_only
 from urdfkit.cli import main
 from urdfkit.lint import engine
 from urdfkit.lint.context import Subject
+from urdfkit.lint.options import Options
 from urdfkit.lint.rules import Finding, Need, Rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
@@ -29,7 +30,7 @@ LINK_TO_ITSELF = """\
 
 @pytest.fixture
 def bad(tmp_path: Path) -> str:
-    """A robot of which TRE006 says something."""
+    """A robot of which TRE003 says something."""
     file = tmp_path / "bad.urdf"
     file.write_text(LINK_TO_ITSELF, encoding="utf-8")
     return str(file)
@@ -58,12 +59,12 @@ def codes(out: str) -> list[str]:
 
 def test_select_and_ignore(check: Screen, bad: str) -> None:
     for words, found in [
-        (["--select", "TRE006"], ["TRE006"]),
-        (["--select", "tre"], ["TRE006"]),
-        (["--select", "joint-to-itself"], ["TRE006"]),
+        (["--select", "TRE003"], ["TRE003"]),
+        (["--select", "tre"], ["TRE003"]),
+        (["--select", "cycle"], ["TRE003"]),
         (["--select", "XML"], []),
-        (["--select", "XML,TRE", "--ignore", "TRE006"], []),
-        (["--select", "TRE006", "--select", "XML001"], ["TRE006"]),
+        (["--select", "XML,TRE", "--ignore", "TRE003"], []),
+        (["--select", "TRE003", "--select", "XML001"], ["TRE003"]),
     ]:
         assert codes(check(bad, "--format", "json", *words)[1]) == found, words
 
@@ -124,7 +125,7 @@ def test_several_formats(check: Screen, bad: str, tmp_path: Path) -> None:
     file = tmp_path / "report.json"
     code, out, _ = check(bad, "--format", f"json:{file}", "--format", "text")
     assert code == 1
-    assert "error TRE006" in out
+    assert "error TRE003" in out
     assert codes(file.read_text(encoding="utf-8")) == codes(check(bad, "--format", "json")[1])
     assert check(bad, "--format", f"text:{file}") == (1, "", "")
     assert file.read_text(encoding="utf-8") == out
@@ -137,8 +138,8 @@ def test_nothing_is_printed_if_a_file_cannot_be_written(check: Screen, bad: str)
 
 
 def test_statistics(check: Screen, bad: str) -> None:
-    code, out, _ = check(bad, "--select", "TRE006", "--statistics")
-    assert (code, out) == (1, "     1  TRE006  error    joint-to-itself\n1 error in 1 file\n")
+    code, out, _ = check(bad, "--select", "TRE003", "--statistics")
+    assert (code, out) == (1, "     1  TRE003  error    cycle\n1 error in 1 file\n")
 
 
 def stdin(monkeypatch: pytest.MonkeyPatch, data: bytes) -> None:
@@ -148,7 +149,7 @@ def stdin(monkeypatch: pytest.MonkeyPatch, data: bytes) -> None:
 def test_standard_input(check: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
     for words, name in [([], "<stdin>"), (["--stdin-filename", "arm.urdf"], "arm.urdf")]:
         stdin(monkeypatch, LINK_TO_ITSELF.encode())
-        out = check("-", "--select", "TRE006", "--format", "json", *words)[1]
+        out = check("-", "--select", "TRE003", "--format", "json", *words)[1]
         assert [found["path"] for found in json.loads(out)["diagnostics"]] == [name]
 
 
@@ -161,13 +162,13 @@ def test_standard_input_has_a_bound(check: Screen, monkeypatch: pytest.MonkeyPat
 def test_what_is_asked_for_reaches_the_library(
     monkeypatch: pytest.MonkeyPatch, check: Screen, tmp_path: Path
 ) -> None:
-    asked: list[tuple[tuple[object, ...], dict[str, object]]] = []
+    asked: list[tuple[list[object], dict[str, object]]] = []
 
-    def record(*files: object, **options: object) -> object:
-        asked.append((files, options))
+    def record(options: Options, files: list[object]) -> object:
+        asked.append((files, options._asdict()))
         return engine.check()
 
-    monkeypatch.setattr("urdfkit.cli.checking.check", record)
+    monkeypatch.setattr("urdfkit.cli.checking.check_with", record)
     check(
         *("a.urdf", "b", "p:=1", "--trust", "--package", f"x={tmp_path}"),
         *("--select=A", "--ignore=COL,INE", "--target", "moveit", "--target=kdl"),
@@ -182,7 +183,7 @@ def test_what_is_asked_for_reaches_the_library(
         "trust": True,
     }
     (files, options), (other_files, others) = asked
-    assert (files, other_files) == (("a.urdf", "b"), ("a.urdf",))
+    assert (files, other_files) == (["a.urdf", "b"], ["a.urdf"])
     assert {name: options[name] for name in given} == given
     assert {name: others[name] for name in given} == {
         name: type(value)() for name, value in given.items()
@@ -239,7 +240,7 @@ def test_a_terminal_has_colours_and_its_own_width(bad: str) -> None:
         k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "FORCE_COLOR", "COLUMNS")
     }
     subprocess.run(
-        [sys.executable, "-m", "urdfkit", "check", bad, "--select", "TRE006"],
+        [sys.executable, "-m", "urdfkit", "check", bad, "--select", "TRE003"],
         check=False,
         cwd=ROOT,
         stdout=child,

@@ -140,7 +140,7 @@ def test_where_packages_come_from(
 def test_rules_that_do_not_run_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
     (tmp_path / "r.urdf").write_text("<robot")
     out = doctor("r.urdf")
-    assert "  TRE006 skipped: the description cannot be read\n" in out
+    assert "  TRE003 skipped: the description cannot be read\n" in out
     assert "targets:" not in out
     (tmp_path / "s.urdf").write_text('<robot name="r"><link name="a"/></robot>')
     out = doctor("s.urdf")

@@ -11,7 +11,7 @@ import pytest
 from urdfkit.cli import main
 
 LOOP = '<joint name="{}" type="fixed"><parent link="a"/><child link="a"/></joint>\n'
-SETTINGS = 'select = ["XML", "TRE006", "CFG"]\n'
+SETTINGS = 'select = ["XML", "TRE003", "CFG"]\n'
 
 
 class Project:
@@ -72,13 +72,13 @@ def test_a_folder_without_robots_cannot_be_checked(project: Project) -> None:
 def test_the_nearest_configuration_counts_unless_told_otherwise(project: Project) -> None:
     project.write("inner/urdfkit.toml", 'select = ["XML"]\n')
     project.robot("inner/bad.urdf", "one")
-    project.write("other.toml", 'select = ["TRE006"]\nfail-on = "error"\n')
+    project.write("other.toml", 'select = ["TRE003"]\nfail-on = "error"\n')
     assert project.summary("inner/bad.urdf") == (0, "no findings in 1 file")
     assert project.summary("inner/bad.urdf", "--config", "urdfkit.toml")[0] == 1
-    assert project.summary("inner/bad.urdf", "--isolated", "--select", "TRE006")[0] == 1
-    project.write("urdfkit.toml", SETTINGS + '[severity]\nTRE006 = "warning"\n')
+    assert project.summary("inner/bad.urdf", "--isolated", "--select", "TRE003")[0] == 1
+    project.write("urdfkit.toml", SETTINGS + '[severity]\nTRE003 = "warning"\n')
     assert project.summary("bad.urdf") == (1, "1 warning in 1 file")
-    project.write("urdfkit.toml", SETTINGS + 'fail-on = "error"\n[severity]\nTRE006 = "warning"\n')
+    project.write("urdfkit.toml", SETTINGS + 'fail-on = "error"\n[severity]\nTRE003 = "warning"\n')
     assert project.summary("bad.urdf") == (0, "1 warning in 1 file")
     assert project.summary("bad.urdf", "--fail-on", "warning")[0] == 1
 
@@ -88,7 +88,7 @@ def test_a_slip_in_the_configuration_stops_the_check(project: Project) -> None:
     code, out, err = project.check(".")
     assert (code, out) == (2, "")
     assert "urdfkit.toml: unknown setting 'selct'; did you mean 'select'?" in err
-    assert project.check(".", "--isolated", "--select", "TRE006")[0] == 1
+    assert project.check(".", "--isolated", "--select", "TRE003")[0] == 1
     assert project.check(".", "--config", "none.toml")[2] == ("error: none.toml: file not found\n")
 
 
@@ -105,7 +105,7 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
     assert code == 0
     assert out == "no findings in 2 files (1 finding in the baseline)\n"
     assert [entry["code"] for entry in json.loads(Path("known.json").read_text())["findings"]] == [
-        "TRE006"
+        "TRE003"
     ]
     assert project.summary(".", "--baseline", "known.json")[0] == 0
 
@@ -129,7 +129,9 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
 def test_a_baseline_that_is_missing_is_told_before_the_check(
     project: Project, monkeypatch: pytest.MonkeyPatch, words: list[str], reported: str
 ) -> None:
-    monkeypatch.setattr("urdfkit.cli.checking.check", lambda *_, **__: pytest.fail("it checks"))
+    monkeypatch.setattr(
+        "urdfkit.cli.checking.check_with", lambda *_, **__: pytest.fail("it checks")
+    )
     code, _, err = project.check(".", *words)
     assert code == 2
     assert reported in err
@@ -157,14 +159,14 @@ def test_what_is_wrong_with_a_baseline(project: Project) -> None:
 
 
 def test_a_baseline_hides_no_crash(project: Project, monkeypatch) -> None:
-    from urdfkit.lint import rules
+    from urdfkit.lint import rule_index
 
     def crash(_: object) -> NoReturn:
         raise ValueError("boom")
 
-    rule = rules.get("TRE006")._replace(check=crash)
-    monkeypatch.setattr(rules, "get", lambda code: rule)
-    project.write("urdfkit.toml", 'select = ["TRE006"]\n')
+    rule = rule_index.get("TRE003")._replace(check=crash)
+    monkeypatch.setattr(rule_index, "get", lambda code: rule)
+    project.write("urdfkit.toml", 'select = ["TRE003"]\n')
     assert project.check(".", "--baseline", "known.json", "--write-baseline")[0] == 3
 
 

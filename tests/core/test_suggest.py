@@ -5,7 +5,7 @@ import pytest
 from tests.growth import assert_linear
 from urdfkit.core.suggest import Suggester, did_you_mean, is_typo, nearest
 
-CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
+CODES = ["XML001", "XML002", "TRE003", "not-well-formed", "base_link"]
 
 
 @pytest.mark.parametrize(
@@ -13,7 +13,7 @@ CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
     [
         ("XML01", "XML001"),
         ("xml002", "XML002"),
-        ("TER006", "TRE006"),
+        ("TER003", "TRE003"),
         ("not-wellformed", "not-well-formed"),
         ("Base_Link", "base_link"),
         ("completely else", None),

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from urdfkit import check
+import pytest
+
+from urdfkit import check, fix
 
 ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 <xacro:macro name="arm" params="side">
@@ -40,3 +42,45 @@ def test_what_follows_from_it_is_silent(tmp_path: Path) -> None:
 def test_who_does_not_want_to_know_of_it_hears_of_the_rest(tmp_path: Path) -> None:
     found = codes(tmp_path, "arm", ignore=("XAC002",))
     assert found >= {"INE004", "REF001", "GAZ001"}
+
+
+MISSPELT = """<link name="tool"/>
+<joint name="t" type="fixed"><parent link="hamd"/><child link="tool"/></joint>"""
+
+NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+#: Each is the cause of a child link that is not there.
+UNEXPANDED = [
+    ("XAC003", '<xacro:wheel name="left"/>', "plain.urdf"),
+    ("XAC003", '<link name="${side}_wheel"/>', "plain.urdf"),
+    ("XAC021", '<xacro:property name="side" value="left"/><link name="{side}_wheel"/>', "r.xacro"),
+]
+
+
+@pytest.mark.parametrize(("code", "cause", "name"), UNEXPANDED)
+def test_what_is_not_expanded_is_the_error(
+    code: str, cause: str, name: str, tmp_path: Path
+) -> None:
+    robot = tmp_path / name
+    robot.write_text(f"""<robot name="r" {NAMESPACE if "xacro" in cause else ""}>
+    <link name="base"/>{cause}
+    <joint name="j" type="fixed"><parent link="base"/><child link="left_wheel"/></joint></robot>""")
+    report = check(robot, ignore=["XAC004"])
+    assert [(one.code, one.severity.value) for one in report.diagnostics] == [(code, "error")]
+    ignored = {one.code for one in check(robot, ignore=[code]).diagnostics}
+    assert "REF001" in ignored
+
+
+def test_a_number_that_is_not_expanded_hides_no_link(tmp_path: Path) -> None:
+    robot = tmp_path / "r.urdf"
+    robot.write_text("""<robot name="r"><link name="base"><inertial><mass value="${m}"/></inertial>
+    </link><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint></robot>""")
+    assert {"XAC003", "REF001"} <= {one.code for one in check(robot).diagnostics}
+
+
+def test_the_fix_of_the_cause_may_reveal_another_error(tmp_path: Path) -> None:
+    text = ROBOT.format(call="arm").replace("</robot>", MISSPELT + "</robot>")
+    (tmp_path / "r.xacro").write_text(text)
+    fixes = fix(tmp_path / "r.xacro", unsafe=True)
+    assert [one.code for one in fixes.applied] == ["XAC002"]
+    assert "REF001" in {one.code for one in fixes.report.diagnostics}

@@ -24,7 +24,7 @@ def robot(tmp_path_factory: pytest.TempPathFactory) -> Path:
     file = package / "urdf" / "waking_robot_new.xacro"
     fixes = fix(file, unsafe=True)
     assert {one.code for one in fixes.applied} == {
-        "GAZ031",
+        "RCT029",
         "GEO004",
         "TRE008",
         "URD001",

@@ -8,8 +8,8 @@ import pytest
 
 from urdfkit import check
 from urdfkit.lint.fix import fix
+from urdfkit.lint.plan import MAX_GIVEN
 from urdfkit.lint.report import Report
-from urdfkit.ros.launch.robot_arguments import MAX_GIVEN
 
 HEAD = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 #: A link whose mass is read from a file of the model.
@@ -78,7 +78,10 @@ def test_a_folder_with_which_the_robot_does_not_expand_is_no_value(package: Path
     write(package / "config" / "odd" / "data.yaml", "weight: 1\n")
     report = check(package)
     assert taken(report) == [({"kind": "big"}, "config")]
-    assert "XAC001" not in codes(report)
+    (found,) = (one for one in report.diagnostics if one.code.startswith(("XAC", "CFG")))
+    assert (found.code, found.severity.value) == ("CFG003", "warning")
+    assert found.message.startswith("robot not checked with 1 of 2 values of 'kind': odd; ")
+    assert "'mass'" in found.message
     write(package / "config" / "big" / "data.yaml", "weight: 1\n")
     report = check(package)
     assert codes(report) == ["CFG003"]
@@ -103,8 +106,20 @@ def test_a_parameter_of_a_macro_that_is_called_like_the_argument(package: Path) 
 
 
 def test_no_more_folders_than_a_bound(package: Path) -> None:
-    kinds(package, **{f"kind{number:02}": 1 for number in range(2 * MAX_GIVEN)})
-    assert len(check(package, select=["XAC"]).launched) == MAX_GIVEN
+    kinds(package, **{f"kind{number:02}": 1 for number in range(MAX_GIVEN + 2)})
+    report = check(package, select=["XAC"])
+    assert len(report.launched) == MAX_GIVEN
+    assert codes(report) == ["CFG003"]
+    assert "with 2 of 18 values of 'kind': kind16, kind17; " in report.diagnostics[0].message
+
+
+def test_no_more_launch_files_than_a_bound(package: Path) -> None:
+    write(package / "arm.xacro", WANTING)
+    for number in range(MAX_GIVEN + 1):
+        write(package / "launch" / f"{number:02}.launch", LAUNCH.format(f"side{number:02}"))
+    report = check(package / "arm.xacro", select=["XAC"])
+    assert len(report.launched) == MAX_GIVEN
+    assert "with 1 of 17 values of 'side': side16; " in report.diagnostics[0].message
 
 
 def test_launch_files_of_other_packages(package: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from tests.hand_made_rules import run_only
 from urdfkit import Report, Source, check
-from urdfkit.lint import rules, runner
+from urdfkit.lint import rule_index, runner
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.ros.targets import Targets
@@ -42,8 +42,8 @@ def test_nothing_is_skipped_of_a_robot_that_can_be_read() -> None:
 def test_a_plain_file_that_cannot_be_read(data: bytes) -> None:
     by_code = skipped(check(Source("r.urdf", data)))
     assert set(by_code.values()) == {"the description cannot be read"}
-    assert {"URD001", "TRE006", "MSH001"} <= set(by_code)
-    assert not [code for code in by_code if code.startswith(("XML", "XAC", "CFG"))]
+    assert {"URD001", "TRE003", "MSH001"} <= set(by_code)
+    assert not [code for code in by_code if code.startswith(("XML", "XAC00", "CFG"))]
 
 
 def test_a_xacro_that_does_not_expand() -> None:
@@ -51,13 +51,13 @@ def test_a_xacro_that_does_not_expand() -> None:
     assert [found.code for found in report.diagnostics] == ["XAC001"]
     by_code = skipped(report)
     assert set(by_code.values()) == {"the xacro does not expand"}
-    assert {"URD001", "TRE006", "XAC004"} <= set(by_code)
+    assert {"URD001", "TRE003", "XAC004"} <= set(by_code)
     assert "XAC001" not in by_code
 
 
 def test_only_chosen_rules_are_skipped() -> None:
-    report = check(Source("r.urdf", b"<robot"), select=["XML001", "TRE006"])
-    assert list(skipped(report)) == ["TRE006"]
+    report = check(Source("r.urdf", b"<robot"), select=["XML001", "TRE003"])
+    assert list(skipped(report)) == ["TRE003"]
 
 
 # --- folding and weighing, with rules made by hand
@@ -316,5 +316,41 @@ def test_packages_may_be_named_in_either_way(mesh: str) -> None:
     )
     one = Subject(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()), Resolver())
     none = Subject(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>'), Resolver())
-    assert rules.applies("package", one)
-    assert not rules.applies("package", none)
+    assert rule_index.applies("package", one)
+    assert not rule_index.applies("package", none)
+
+
+#: Findings that are worse for a target than otherwise.
+WORSE = [
+    ("INE004", "gz-harmonic", '<link name="a"/>'),
+    (
+        "INE005",
+        "mujoco",
+        """<link name="b"/><joint name="j" type="continuous"><parent link="b"/><child link="a"/>
+        </joint><link name="a"><inertial><mass value="1"/>
+        <inertia ixx="0" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>""",
+    ),
+    (
+        "GEO001",
+        "mujoco",
+        '<link name="a"><visual><geometry><box size="0 1 1"/></geometry></visual></link>',
+    ),
+    ("NAM004", "isaac", '<link name="1a"/>'),
+    ("NAM004", "gz-jetty", '<link name="__a__"/>'),
+    (
+        "JNT015",
+        "drake",
+        """<link name="a"/><link name="b"/><link name="c"/><joint name="j" type="fixed">
+        <parent link="a"/><child link="b"/></joint><joint name="k" type="continuous">
+        <parent link="a"/><child link="c"/><mimic joint="j"/></joint>""",
+    ),
+]
+
+
+@pytest.mark.parametrize(("code", "target", "parts"), WORSE)
+def test_a_finding_names_the_target_that_makes_it_worse(code: str, target: str, parts: str) -> None:
+    source = Source("r.urdf", f'<robot name="r">{parts}</robot>'.encode())
+    (worse,) = check(source, select=[code], targets=[target, "ros2"]).diagnostics
+    (milder,) = check(source, select=[code], targets=["ros2"]).diagnostics
+    assert worse.severity.rank < milder.severity.rank
+    assert (worse.targets, milder.targets) == ((target,), ())

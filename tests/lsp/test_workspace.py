@@ -74,7 +74,7 @@ def test_what_one_robot_finds_stays_when_the_other_is_checked(tmp_path: Path) ->
     one = Edited(tmp_path / "one.xacro", (tmp_path / "one.xacro").read_text(), workspace)
     assert codes(workspace.check(one.path), legs) == ["URD001"]
     two.write_text(two.read_text().replace('p="two"', 'p="three"'))
-    workspace.look_again()
+    workspace.reload()
     assert codes(workspace.check(file.path), legs) == []
 
 
@@ -92,7 +92,7 @@ def test_the_configuration_counts_and_its_slips_are_told(tmp_path: Path) -> None
     file = Edited(tmp_path / "r.urdf", '<robot name="r"></robot>')
     assert codes(file.workspace.check(file.path), tmp_path / "r.urdf") == []
     (tmp_path / "urdfkit.toml").write_text('ignroe = ["TRE001"]\n')
-    file.workspace.look_again()
+    file.workspace.reload()
     checked = file.workspace.check(file.path)
     assert "did you mean 'ignore'" in checked.trouble
     assert codes(checked, tmp_path / "r.urdf") == ["TRE001"]
@@ -114,7 +114,7 @@ def test_the_arguments_of_the_configuration_are_given(tmp_path: Path) -> None:
     file = Edited(tmp_path / "r.xacro", text)
     assert "XAC010" in codes(file.workspace.check(file.path), tmp_path / "r.xacro")
     (tmp_path / "urdfkit.toml").write_text('[[robot]]\nfile = "r.xacro"\narguments = { p = "a" }\n')
-    file.workspace.look_again()
+    file.workspace.reload()
     assert "XAC010" not in codes(file.workspace.check(file.path), tmp_path / "r.xacro")
     assert file.robot.model is not None
     assert [link.name for link in file.robot.model.links] == ["a"]
@@ -126,7 +126,7 @@ def test_a_folder_that_goes_away_is_no_end(tmp_path: Path) -> None:
     file = Edited(path, path.read_text())
     assert codes(file.workspace.check(file.path), path) == []
     shutil.rmtree(tmp_path / "mobile_base")
-    file.workspace.look_again()
+    file.workspace.reload()
     file.type(path.name)
     assert "XML001" in codes(file.workspace.check(file.path), path)
 
@@ -153,7 +153,7 @@ def test_folders_are_listed_once_until_files_on_disk_change(
     mesh = '<mesh filename="package://{}/x.stl"/>'
     text = '<robot name="r"><link name="a"><visual><geometry>{}</geometry></visual></link></robot>'
     file = Edited(tmp_path / "r.urdf", text.format(mesh.format(nowhere)))
-    assert "MSH005" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    assert "XAC011" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     listed: list[object] = []
     scandir = os.scandir
 
@@ -163,11 +163,11 @@ def test_folders_are_listed_once_until_files_on_disk_change(
 
     monkeypatch.setattr(os, "scandir", noted)
     file.type(text.format(mesh.format(nowhere)) + "\n")
-    assert "MSH005" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    assert "XAC011" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     assert listed == []
     (tmp_path / "package.xml").write_text(f"<package><name>{nowhere}</name></package>")
-    file.workspace.look_again()
-    assert "MSH005" not in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    file.workspace.reload()
+    assert "XAC011" not in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     assert listed
 
 

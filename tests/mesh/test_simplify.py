@@ -86,7 +86,7 @@ def test_a_plate_with_holes_as_cad_programs_cut_it_into_slivers() -> None:
 
 
 def test_materials_stay() -> None:
-    part = next(part for part in PARTS if part.module == "hokuyo_urg04lx")
+    part = next(part for part in PARTS if part.key == "hokuyo_urg04lx")
     mesh = part.build()
     found = to_budget(mesh, 500)
     assert {one.material for one in found.mesh.parts} == {one.material for one in mesh.parts}

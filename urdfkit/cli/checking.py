@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit.cli import options, output, stdin
 from urdfkit.core import atomic
-from urdfkit.lint.engine import check
+from urdfkit.lint.config import Config
+from urdfkit.lint.engine import check_with
+from urdfkit.lint.options import Options
 from urdfkit.lint.plan import planned
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
@@ -23,7 +25,6 @@ if TYPE_CHECKING:
 
     from urdfkit.cli.progress import Progress
     from urdfkit.lint.baseline import Fingerprint
-    from urdfkit.lint.engine import Options
     from urdfkit.lint.fix import Fixes
 
 
@@ -42,10 +43,10 @@ def run_check(values: Mapping[str, Any]) -> int:
     if values["fix"] or values["diff"]:
         from urdfkit.lint.fix import counted
 
-        fixes = mend(values, chosen)
+        fixes = apply_fixes(values, chosen)
         if values["diff"]:
             return int(bool(fixes.files))
-        _tell(fixes)
+        _print_fixes(fixes)
         report = fixes.report._replace(fixable=counted(fixes.left))
     elif values["unsafe_fixes"] or values["force"]:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
@@ -72,30 +73,27 @@ def choices(values: Mapping[str, Any]) -> Options:
     files = options.files(values)
     added = options.add_rules(values)  # before other options name their codes
     config = options.config(values, files[0])  # which may add rules, too
-    return {
-        "arguments": options.arguments(values),
-        "packages": options.packages(values),
-        "select": options.selected(values),
-        "ignore": options.ignored(values),
-        "targets": options.words(values, "target"),
-        "trust": values["trust"],
-        "rules": added,
-        "preview": values["preview"],
-        "min_confidence": values["min_confidence"] or "",
-        "config": config,
-        "variant": values["variant"] or "",
-        "changed": values["changed"],
-        "jobs": options.jobs(values),
-        "cache": not values["no_cache"],
-    }
+    return Options(
+        arguments=options.arguments(values),
+        packages=options.packages(values),
+        select=options.selected(values),
+        ignore=options.ignored(values),
+        targets=options.words(values, "target"),
+        trust=values["trust"],
+        config=config or Config(),
+        rules=added,
+        preview=values["preview"],
+        min_confidence=values["min_confidence"] or "",
+        variant=values["variant"] or "",
+        changed=values["changed"],
+        jobs=options.jobs(values),
+        cache=not values["no_cache"],
+    )
 
 
 def _files(values: Mapping[str, Any], chosen: Options) -> str:
     """The descriptions that would be checked, with their arguments, and those that would not."""
-    config = chosen["config"]
-    resolver = Resolver({**(config.packages if config else {}), **(chosen["packages"] or {})})
-    files = options.files(values)
-    plan = planned(files, resolver, config, chosen["arguments"], changed=chosen["changed"])
+    plan = planned(options.files(values), Resolver(chosen.with_config().packages), chosen)
     lines = [
         " ".join((job.source.path, *(f"{name}:={value}" for name, value in job.arguments.items())))
         for job in plan.jobs
@@ -106,8 +104,7 @@ def _files(values: Mapping[str, Any], chosen: Options) -> str:
 
 def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:
     """The mildest severity that counts."""
-    config = chosen["config"]
-    return Severity(values["fail_on"] or (config.fail_on if config else Severity.WARNING))
+    return Severity(values["fail_on"] or chosen.config.fail_on)
 
 
 def _check(values: Mapping[str, Any], chosen: Options) -> Report:
@@ -116,8 +113,7 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
     progress = _progress(files)
     try:
         sources = [stdin.read(name) if file == "-" else file for file in files]
-        now: Options = {**chosen, "progress": progress}
-        return check(*sources, **now)
+        return check_with(chosen._replace(progress=progress), sources)
     finally:
         if progress is not None:
             progress.wipe()
@@ -128,10 +124,12 @@ def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) ->
     from urdfkit.lint.fix import fixable
 
     files = options.files(values)
-    return report if "-" in files else report._replace(fixable=fixable(report, *files, **chosen))
+    return report if "-" in files else report._replace(fixable=fixable(report, chosen, files))
 
 
-def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False) -> Fixes:
+def apply_fixes(
+    values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False
+) -> Fixes:
     """Fix the files in place, show the changes as a diff, or only find them."""
     from urdfkit.lint.fix import fix
 
@@ -140,9 +138,11 @@ def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = 
         raise options.UsageError("standard input cannot be fixed in place; pass a file")
     progress = _progress(files)
     unsafe, force = values["unsafe_fixes"], values["force"]
-    now: Options = {**chosen, "progress": progress}
+    now = chosen._replace(progress=progress)
     try:
-        fixes = fix(*files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, **now)
+        fixes = fix(
+            *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=now
+        )
         if values["diff"]:
             output.write(fixes.diff())
             return fixes
@@ -151,8 +151,8 @@ def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = 
         fixes.write()
         if not fixes.meshes:
             return fixes
-        # With meshes there is more to see, and perhaps to mend.
-        again = fix(*files, unsafe=unsafe, force=force, **now)
+        # With the generated meshes more can be checked, and perhaps fixed.
+        again = fix(*files, unsafe=unsafe, force=force, options=now)
         again.write()
     finally:
         if progress is not None:
@@ -166,7 +166,7 @@ def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = 
     )
 
 
-def _tell(fixes: Fixes) -> None:
+def _print_fixes(fixes: Fixes) -> None:
     """Say on standard error what was fixed; the report says what is left."""
     if sys.stderr is None:
         return

@@ -1,4 +1,4 @@
-"""``urdfkit diff``: what became of a robot."""
+"""``urdfkit diff``: compare two states of a robot."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.progress import shown
-from urdfkit.cli.robot import judged, last_file
+from urdfkit.cli.robot import last_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.output.comparison import KINDS, compare
 from urdfkit.output.comparison.differences import Tolerances
@@ -29,7 +29,7 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
         "urdfkit diff old.urdf new.urdf --fail-on joints,limits --tolerance mass=0.01",
     ),
 )
-@judged("BEFORE AFTER [NAME:=VALUE]...")
+@with_robot_and_targets("BEFORE AFTER [NAME:=VALUE]...")
 @click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
 @click.option(
     "-o", "--output", "output_file", metavar="FILE", help="Write to FILE; its suffix is the format."

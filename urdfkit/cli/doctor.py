@@ -1,4 +1,4 @@
-"""``urdfkit doctor``: what urdfkit has to work with."""
+"""``urdfkit doctor``: the environment and the optional dependencies."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from urdfkit.ros.targets import Targets, parse
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.resolve import Resolver
 
-#: What is looked for, what it is for, and what pip is told to install it.
+#: Python packages, what uses them, and the name under which pip installs them.
 _PACKAGES = (
     ("xacro", "expansion", "urdfkit"),
     ("click", "command line", "urdfkit"),
@@ -85,8 +85,8 @@ def command(words: tuple[str, ...], **values: Any) -> int:
         config = None
         lines.append(f"configuration: {error}")
     if words:
-        tell = _folder if os.path.isdir(near) else _file
-        lines += ["", *tell(near, values, config or Config())]
+        describe = _folder if os.path.isdir(near) else _file
+        lines += ["", *describe(near, values, config or Config())]
     output.page(lines)
     return 0
 
@@ -154,8 +154,8 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
     known = packages.known(path)
     why = f"because of {root.mark}" if root.mark else "no repository or workspace found around it"
     yield f"  packages are searched in {shown(root.folder)} ({why})"
-    beside = [level.root for level in packages.levels(path) if not level.inside]
-    yield from (f"    and next to it, in {shown(folder)}" for folder in beside)
+    siblings = [level.root for level in packages.levels(path) if not level.inside]
+    yield from (f"    and next to it, in {shown(folder)}" for folder in siblings)
     for name, folder in sorted(known.items()):
         if name not in packages.explicit:
             yield f"    package {name}: {shown(folder)}"

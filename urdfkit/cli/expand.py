@@ -13,7 +13,7 @@ from urdfkit.cli import output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
-from urdfkit.lint.rules import get
+from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Source
 
@@ -82,7 +82,7 @@ def command(
     xacro = expand(
         source, Resolver(how.packages), how.arguments, trust=how.trust, root_dir=root_dir
     )
-    _tell(xacro, quiet=quiet or verbosity == 0)
+    _print_notes(xacro, quiet=quiet or verbosity == 0)
     if xacro.document is None:
         return 2
     if map_file is not None:
@@ -103,7 +103,7 @@ def _read(file: str, root_dir: str) -> Source:
     return source
 
 
-def _tell(xacro: Xacro, *, quiet: bool) -> None:
+def _print_notes(xacro: Xacro, *, quiet: bool) -> None:
     """Warnings, and errors with their places, on standard error."""
     for message in () if quiet else xacro.messages:
         where = f" ({message.span})" if message.span else ""

@@ -1,4 +1,4 @@
-"""``urdfkit fix``: mends what has a remedy, and tells what was mended, what is left, and why."""
+"""``urdfkit fix``: apply fixes, and report what was fixed, what is left, and why."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
-from urdfkit.cli.checking import choices, fail_on, mend
+from urdfkit.cli.checking import apply_fixes, choices, fail_on
 from urdfkit.cli.epilog import examples
 from urdfkit.lint.fix import Fixes
 from urdfkit.text.diagnostic import Diagnostic
@@ -26,7 +26,7 @@ _MAX_LINES = 8
 
 def _fix(**values: Any) -> int:
     chosen = choices(values)
-    fixes = mend(values, chosen, generate_meshes=values["generate_meshes"])
+    fixes = apply_fixes(values, chosen, generate_meshes=values["generate_meshes"])
     if values["diff"]:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
         return int(bool(fixes.files or fixes.meshes))

@@ -66,7 +66,7 @@ def command(
         output.write(result.diff())
     elif not check:
         result.write()
-    _tell(result, "would be reformatted" if check or diff else "reformatted")
+    _print_result(result, "would be reformatted" if check or diff else "reformatted")
     if result.failed:
         return 2
     return int(bool(result.files) and (check or diff))
@@ -82,7 +82,7 @@ def _standard_input(width: int, *, check: bool, diff: bool) -> int:
     return int((check or diff) and rewrite.after != rewrite.before)
 
 
-def _tell(result: Formatted, done: str) -> None:
+def _print_result(result: Formatted, done: str) -> None:
     """Say on standard error what became of the files."""
     lines = [f"{done}: {shown(file.path)}" for file in result.files]
     lines += [f"skipped: {shown(path)}: {reason}" for path, reason in result.skipped]

@@ -76,7 +76,7 @@ def render(conversion: Conversion) -> Iterator[str]:
         (printable(link.get("name") or ""), f"{_mass(link) or '-':>10}  added as SDF by <gazebo>")
         for link in conversion.added_links
     )
-    yield from output.beside(rows)
+    yield from output.two_columns(rows)
     yield ""
     for link in conversion.links:
         yield from _link(link)

@@ -1,4 +1,4 @@
-"""``urdfkit inertia``: declared masses and moments beside those of the shapes."""
+"""``urdfkit inertia``: declared masses and moments, compared with those of the shapes."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ def table(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
         )
         verdict = one.verdict + (f" x{one.factor:.3g}" if one.verdict == "differs" else "")
         rows.append(("", f"{_row(name, one.computed)}  {verdict}"))
-    yield from output.beside(rows)
+    yield from output.two_columns(rows)
     for note, names in notes.items():
         yield from output.indented(f"{', '.join(names)}: {note}", first="", rest="  ")
 
@@ -140,7 +140,7 @@ def _row(what: str, values: MassProperties | None) -> str:
 
 
 def proposed(chosen: Sequence[InertiaProposal]) -> Iterator[str]:
-    """What to write; links that get the same are told together."""
+    """What to write; links that get the same share a line."""
     alike: dict[str, list[InertiaProposal]] = {}
     for one in chosen:
         if one.computed is not None:

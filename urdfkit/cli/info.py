@@ -187,7 +187,7 @@ def _sensor(sensor: Sensor) -> str:
 
 
 def _entry(label: str, text: str) -> list[str]:
-    """A label and its text, wrapped beside it."""
+    """A label and its text, wrapped in a column of its own."""
     return textwrap.wrap(
         text,
         max(output.width(), 40),
@@ -210,7 +210,7 @@ def _repeated(names: Iterable[str]) -> list[str]:
 
 
 def _vector(values: Iterable[float], size: float = 0.0) -> str:
-    """Three numbers; what is nothing beside the largest, or beside ``size``, is 0."""
+    """Three numbers; what is negligible against the largest, or against ``size``, is 0."""
     every = list(values)
     noise = 1e-6 * max(size, *map(abs, every))
     return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in every)

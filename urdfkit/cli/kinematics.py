@@ -110,7 +110,7 @@ def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str
         columns = zip(found["columns"], zip(*found["jacobian"], strict=True), strict=True)
         head = " ".join(f"{name:>9}" for name in _VELOCITY)
         rows = [(name, _numbers(column)) for name, column in columns]
-        yield from output.beside([("", head), *rows])
+        yield from output.two_columns([("", head), *rows])
     if "mass_matrix" in found:
         yield f"mass matrix, {where}, in kg, kg m and kg m^2"
         yield from _matrix(found["mass_matrix"], found["columns"])
@@ -129,7 +129,7 @@ def _frames(
     for root, names in trees.items():
         head = f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
         yield from wrap(head, output.width(), indent=2).split("\n")
-        yield from output.beside((name, _placed(found[name])) for name in names)
+        yield from output.two_columns((name, _placed(found[name])) for name in names)
 
 
 def _placed(frame: Transform) -> str:
@@ -153,7 +153,7 @@ def _matrix(rows: Sequence[Sequence[float]], names: Sequence[str]) -> Iterator[s
             columns = names[start : start + count]
             yield from wrap(f"columns {', '.join(columns)}", output.width(), indent=2).split("\n")
         cut = (_numbers(row[start : start + count]) for row in rows)
-        yield from output.beside(zip(names, cut, strict=True))
+        yield from output.two_columns(zip(names, cut, strict=True))
 
 
 def _turn(frame: Transform) -> list[float]:

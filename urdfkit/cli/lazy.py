@@ -12,7 +12,7 @@ import click
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 
-#: What other tools call a command; none of them is a slip of one of ours.
+#: What other tools call a command; none of them is a typo of one of ours.
 _ELSEWHERE = {
     "lint": "check",
     "validate": "check",

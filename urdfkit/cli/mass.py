@@ -82,7 +82,7 @@ def _masses(found: MassTable) -> Iterator[str]:
     body = found.whole.properties
     center = _three(body.center) if body else ""
     rows.append(("total", f"{found.whole.mass:>9.6g} {'':>6} {center}"))
-    yield from output.beside(rows)
+    yield from output.two_columns(rows)
 
 
 def _moments(found: MassTable) -> Iterator[str]:
@@ -93,7 +93,7 @@ def _moments(found: MassTable) -> Iterator[str]:
         rows.append((row.link, f"{_three(row.moments, 8)}  {_axes(row.axes):<6} {shapes}"))
     if found.moments and found.axes:
         rows.append(("total", f"{_three(found.moments, 8)}  {_axes(found.axes)}"))
-    yield from output.beside(rows)
+    yield from output.two_columns(rows)
 
 
 def _unknown(found: MassTable) -> Iterator[str]:

@@ -83,8 +83,8 @@ def _short(value: float, width: int) -> str:
     return exact if len(exact) == width else f"{value:{width}.{width - 6}g}"
 
 
-def beside(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """Lines of names and what is told of them: beside each, or below where that is too wide.
+def two_columns(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Lines of names and their descriptions: in two columns, or below each name if too wide.
 
     Args:
         rows: a row without a name belongs to the one before.

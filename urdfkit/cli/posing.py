@@ -36,7 +36,7 @@ def posed(command: Command) -> Command:
 
 
 def positions(subject: Subject, joint: tuple[str, ...], name: str | None) -> dict[str, float]:
-    """The positions that the options give; what is outside the limits is told.
+    """The positions that the options give; those outside the limits are reported.
 
     Raises:
         UsageError: ``--joint`` has no ``=``.

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from urdfkit.render import Background, Scene
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
-#: Of a picture, of an animation, of both states beside one another, and of a thumbnail.
+#: Pixels of an image, of an animation, of two states side by side, and of a thumbnail.
 SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x256"
 
 #: Meshes that are boxes in the picture and named one by one.
@@ -93,14 +93,15 @@ def command(asked: dict[str, Any], **values: Any) -> int:
             _animation(robot, pose, scene, values)
         else:
             _picture(scene, values)
-    _tell(scene)
+    _print_notes(scene)
     return 0
 
 
 def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Scene:
     """The robot in its pose, with everything over it that is asked for."""
     from urdfkit import render
-    from urdfkit.lint.engine import check
+    from urdfkit.lint.engine import check_with
+    from urdfkit.lint.options import Options
 
     shown = options.words(values, "layers") or ["visual"]
     roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
@@ -108,12 +109,8 @@ def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Sc
     scene = render.explained(scene, robot, [name for name in shown if name not in roles], pose)
     if not values["findings"]:
         return scene
-    report = check(
-        robot.source,
-        arguments=robot.arguments,
-        trust=robot.trust,
-        resolver=robot.resolver,
-    )
+    as_read = Options(arguments=robot.arguments, trust=robot.trust)
+    report = check_with(as_read, [robot.source], robot.resolver)
     return render.marked(scene, robot, report.diagnostics)
 
 
@@ -165,7 +162,7 @@ def _animation(
 
 
 def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, Any]) -> Scene:
-    """Both states beside one another; the second one."""
+    """Both states side by side; and the second one."""
     from urdfkit import render
     from urdfkit.output.comparison.states import read
 
@@ -233,7 +230,7 @@ def _nothing(file: str, robot: Subject) -> str:
     return f"{file}: nothing to draw: no geometry in these layers; try --layers frames,names"
 
 
-def _tell(scene: Scene) -> None:
+def _print_notes(scene: Scene) -> None:
     """Say on standard error which meshes are boxes in the picture, and which letters escapes."""
     from urdfkit import render
 

@@ -11,7 +11,7 @@ import click
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.progress import shown
-from urdfkit.cli.robot import judged, only_file
+from urdfkit.cli.robot import only_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.lint.config import Config
 from urdfkit.output.report.csv import COLUMNS
@@ -27,7 +27,7 @@ from urdfkit.text.diagnostic import Severity
         "urdfkit report robot.urdf.xacro -o masses.csv --table links",
     ),
 )
-@judged()
+@with_robot_and_targets()
 @click.option(
     "-o", "--output", "output_file", metavar="FILE", help="Write .html, .md, .json or .csv to FILE."
 )

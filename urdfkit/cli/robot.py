@@ -13,7 +13,7 @@ import click
 from urdfkit.cli import options, stdin
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UnreadableRobot
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
@@ -78,7 +78,7 @@ def read_by_options(command: Command) -> Command:
     return command
 
 
-def judged(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[Command], Command]:
+def with_robot_and_targets(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[Command], Command]:
     """Give a command words, and the options of reading and of judging what they name.
 
     Their values are those that the functions of `options` take.
@@ -156,7 +156,7 @@ def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None 
 
     Args:
         asked: the values of the words and options of `one_robot`.
-        progress: is told how many of how many mesh files have been read.
+        progress: called with the number of mesh files that were read, and of all.
 
     Raises:
         UsageError: it names no file, or more than one.
@@ -183,9 +183,9 @@ def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None 
 def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
     """The first of many reasons: a package that is missing is often missing in every file."""
     problems = cast("tuple[Problem, ...]", error.problems)
-    # What is told beside an error need not be why a file cannot be read.
+    # Other findings need not be the reason why a file cannot be read.
     problems = (
-        tuple(p for p in problems if rules.get(p.code).severity is Severity.ERROR) or problems
+        tuple(p for p in problems if rule_index.get(p.code).severity is Severity.ERROR) or problems
     )
     if not problems:
         return error

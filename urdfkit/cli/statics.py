@@ -30,7 +30,7 @@ VERSION = 1
 #: Torques in N m and places in m under this are rounding.
 NOISE = 1e-9
 
-#: More poses than this tell nothing new, and take minutes.
+#: More poses than this add nothing, and take minutes.
 MAX_SAMPLES = 1_000_000
 
 
@@ -144,7 +144,7 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
         used = "" if load.used is None else f"{load.used:.0%}"
         held = output.aligned((load.at_pose, load.worst), NOISE)
         rows.append((load.joint, f"{held}  {limit:>8}  {used:>6}  {unit}"))
-    yield from output.beside(rows)
+    yield from output.two_columns(rows)
     weakest = found.weakest
     if weakest is not None and weakest.worst > NOISE:
         pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]

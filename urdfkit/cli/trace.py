@@ -15,7 +15,7 @@ from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.trace import Origin
+    from urdfkit.xacro.origin import Origin
 
 #: Levels of definitions that are printed; real models need seven.
 MAX_LEVELS = 20
@@ -62,14 +62,14 @@ def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -
 
 
 def render(found: Element | Attribute, inputs: tuple[Origin, ...]) -> Iterator[str]:
-    """The lines that tell where something comes from."""
+    """The lines that say where something comes from."""
     if isinstance(found, Attribute):
         yield f"{found.path} = {found.value}"
         yield f'  {found.span}  {found.name}="{found.span.text}"'
     else:
         yield found.path
         yield f"  {found.span}  {_one_line(found.span)}"
-    for origin in _telling(inputs):
+    for origin in _without_tables(inputs):
         yield from _origin(origin, 2)
     yield from _calls(found.via)
 
@@ -80,11 +80,11 @@ def _origin(origin: Origin, level: int) -> Iterator[str]:
     if origin.text and origin.text != origin.value:
         yield f"{'  ' * level}    {' '.join(origin.text.split())}"
     if level < MAX_LEVELS:
-        for deeper in _telling(origin.inputs):
+        for deeper in _without_tables(origin.inputs):
             yield from _origin(deeper, level + 1)
 
 
-def _telling(inputs: tuple[Origin, ...]) -> Iterator[Origin]:
+def _without_tables(inputs: tuple[Origin, ...]) -> Iterator[Origin]:
     """The inputs without the tables that a YAML value among them was taken from."""
     from_yaml = any(origin.kind == "YAML" for origin in inputs)
     for origin in inputs:

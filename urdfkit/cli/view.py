@@ -10,7 +10,7 @@ import click
 
 from urdfkit.cli import options
 from urdfkit.cli.epilog import examples
-from urdfkit.cli.robot import judged, only_file
+from urdfkit.cli.robot import only_file, with_robot_and_targets
 from urdfkit.output.report.translations import LANGUAGES, Translator
 from urdfkit.viewer.server import serve
 from urdfkit.viewer.state import ViewRequest
@@ -22,7 +22,7 @@ from urdfkit.viewer.state import ViewRequest
         "urdfkit view robot.urdf.xacro prefix:=left_",
     ),
 )
-@judged()
+@with_robot_and_targets()
 @click.option("--port", type=click.IntRange(0, 65535), default=0, help="[default: a free one]")
 @click.option("--no-open", is_flag=True, help="Print the URL; do not open a browser.")
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")

@@ -6,6 +6,7 @@ becomes one in the parent frame by ``rotation @ vector``.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import atan2, cos, hypot, sin
 
 from urdfkit.core.record import Record
@@ -95,6 +96,34 @@ def transposed(rotation: Rotation) -> Rotation:
         return rotation
     a, b, c = rotation
     return ((a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2]))
+
+
+def vector(values: Iterable[float]) -> Vector:
+    """Three numbers, of numpy for example, as a vector."""
+    x, y, z = map(float, values)
+    return (x, y, z)
+
+
+def length(vector: Vector) -> float:
+    """The Euclidean norm."""
+    return hypot(*vector)  # which does not overflow
+
+
+def unit(vector: Vector) -> Vector:
+    """The direction of a vector.
+
+    Raises:
+        ZeroDivisionError: it has no length.
+    """
+    norm = hypot(*vector)
+    return (vector[0] / norm, vector[1] / norm, vector[2] / norm)
+
+
+def basis(z: Vector) -> Rotation:
+    """Three unit vectors at right angles, right-handed, of which the third is given."""
+    least = min(range(3), key=lambda i: abs(z[i]))  # so that the right angle is well-conditioned
+    y = unit(cross(z, (float(least == 0), float(least == 1), float(least == 2))))
+    return (cross(y, z), y, z)
 
 
 def dot(a: Vector, b: Vector) -> float:

@@ -11,12 +11,11 @@ import glob
 import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from itertools import islice
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
-from urdfkit.ros.launch.robot_arguments import MAX_GIVEN, declared, given
+from urdfkit.ros.launch.robot_arguments import declared, given
 from urdfkit.text.comments import without_comments
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import Problem
@@ -106,7 +105,9 @@ def combinations(
     varied = (
         {name: (value, one.origin)} for name, one in found.items() for value in one.values[1:]
     )
-    yield from islice((first, *(first | change for change in varied)), MAX_GIVEN)
+    yield first
+    for change in varied:
+        yield first | change
 
 
 def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:

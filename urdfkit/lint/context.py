@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.reading import Reading
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
@@ -16,7 +17,7 @@ from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.suppress import Ignore
+    from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.model import Body, Joint, RobotModel, Shape
     from urdfkit.robot.shapes import MeshSolid
     from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import Conversion
     from urdfkit.ros.gazebo.parameters import UnreadParameter
     from urdfkit.ros.gazebo.plugins import PluginUse
@@ -42,7 +44,10 @@ if TYPE_CHECKING:
 
 
 _WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
-WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+_WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+
+#: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
+MAX_BODIES = 2000
 
 
 class Unavailable(Exception):
@@ -51,6 +56,18 @@ class Unavailable(Exception):
 
 class NotApplicable(Unavailable):
     """A description is of another kind than a rule is about; nothing is missing."""
+
+
+def need_coal() -> None:
+    """Import coal.
+
+    Raises:
+        Unavailable: it is not installed.
+    """
+    try:
+        libraries.load("coal")
+    except ImportError as error:
+        raise Unavailable(_WITHOUT_COAL) from error
 
 
 class Outcome(Record):
@@ -63,6 +80,22 @@ class Outcome(Record):
 
     diagnostics: tuple[Diagnostic, ...] = ()
     chosen: frozenset[str] | None = None
+
+
+class UncheckedValues(Record):
+    """Values of an argument with which a robot is not checked, though files give them.
+
+    Attributes:
+        name: of the argument.
+        values: of it.
+        total: how many values it has.
+        why: they are left out.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    total: int
+    why: str
 
 
 class Subject:
@@ -78,7 +111,8 @@ class Subject:
         cache: True if measures of meshes may be kept for the next run.
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
-        options: values of options of rules, by code and name, as configured; set by the runner.
+        rule_options: configured options of rules, by code and name; set by the runner.
+        unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
     def __init__(
@@ -100,7 +134,8 @@ class Subject:
         self.progress = progress
         self._given_targets = targets
         self.outcome = Outcome()
-        self.options: Mapping[str, Mapping[str, float]] = {}
+        self.rule_options: Mapping[str, Mapping[str, float]] = {}
+        self.unchecked: tuple[UncheckedValues, ...] = ()
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
@@ -133,6 +168,11 @@ class Subject:
         """What reading met that a rule explains, in a description or a launch file."""
         read = self.launch if is_launch(self.source.path) else self.reading
         return [problem for problem in read.problems if problem.code == code]
+
+    @property
+    def is_fragment(self) -> bool:
+        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
+        return any(problem.severity is Severity.INFO for problem in self.problems("XAC001"))
 
     @property
     def xacro(self) -> Xacro:
@@ -272,7 +312,7 @@ class Subject:
             sources = self.reading.xacro.sources
         if not any(b"urdfkit" in source.data for source in sources):
             return ()
-        from urdfkit.lint.suppress import ignores
+        from urdfkit.lint.ignore_comments import ignores
 
         return tuple(ignore for source in sources for ignore in ignores(source))
 
@@ -318,6 +358,15 @@ class Subject:
         from urdfkit.ros.gazebo.parameters import unread
 
         return tuple((use, found) for use in self.plugins for found in unread(use))
+
+    @cached_property
+    def controllers(self) -> tuple[tuple[ParameterFile, list[Controller]], ...]:
+        """The controllers in the parameter files of the robot."""
+        if not (self.parameters or self.model.gazebo):
+            return ()
+        from urdfkit.ros.controllers import controllers
+
+        return tuple(controllers(self))
 
     @cached_property
     def srdf(self) -> Srdf | None:
@@ -368,21 +417,21 @@ class Subject:
         """The masses and inertias of the model, and what is doubtful about them."""
         from urdfkit.robot.inertials.masses import Masses
 
-        return Masses(self.model, self.tree, self.lump)
+        return Masses(self.model, self.tree, self.mesh_solid)
 
     @cached_property
     def visual_collision_pairs(self) -> VisualCollisionPairs:
         """The collisions of each link beside its visuals."""
         from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 
-        return VisualCollisionPairs(self.model, self.lump, self.files.has_ambiguous_axes)
+        return VisualCollisionPairs(self.model, self.mesh_solid, self.files.has_ambiguous_axes)
 
-    def lump(self, body: Body) -> MeshSolid | None:
+    def mesh_solid(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""
         if body.shape is None or body.shape.filename is None:
             return None
         try:
-            return self.measured.lump(body)
+            return self.measured.solid(body)
         except Unavailable:
             return None
 
@@ -403,31 +452,18 @@ class Subject:
             raise Unavailable(str(reason)) from reason
 
     @cached_property
-    def is_crowded(self) -> bool:
-        """True if bodies of two links may overlap where the robot begins; no library is needed."""
-        from urdfkit.robot.clearance import may_overlap
-
-        return may_overlap(self.tree)
-
-    @cached_property
     def collisions(self) -> Collisions:
-        """Which links collide with one another, by coal.
+        """Which links collide with one another; coal is loaded where it is needed.
 
         Raises:
-            Unavailable: coal is not installed, or the robot has too many bodies.
+            Unavailable: the robot has too many bodies, or later, coal is not installed.
         """
-        from urdfkit.robot.clearance import MAX_BODIES
+        from urdfkit.physics.collision.robot import Collisions
 
         bodies = sum(len(link.collisions) for link in self.model.links)
         if bodies > MAX_BODIES:
             raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
-        if libraries.find("coal") is None:
-            raise Unavailable(WITHOUT_COAL)
-        try:
-            from urdfkit.physics.collision.robot import Collisions
-        except ImportError as error:
-            raise Unavailable(WITHOUT_COAL) from error
-        return Collisions(self)
+        return Collisions(self, need_coal)
 
     @cached_property
     def opinion(self) -> PinocchioReading:

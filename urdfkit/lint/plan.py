@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile, UrdfkitError
+from urdfkit.lint.config import ConfigError
 from urdfkit.lint.report import Crashed, Launched, Skipped, crash
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import is_launch
@@ -17,15 +18,17 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.config import Config
     from urdfkit.lint.context import Subject
     from urdfkit.lint.discovery import FolderContents
+    from urdfkit.lint.options import Options
     from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
     from urdfkit.text.document import CallFrame
 
 
 #: Sets of arguments of the launch files of a folder with which one robot is checked.
 MAX_LAUNCHED = 4
+#: Sets of values with which a robot is checked that lacks arguments; the UR arms have nine.
+MAX_GIVEN = 16
 
 
 class Job(Record):
@@ -53,49 +56,35 @@ class Job(Record):
 
 
 def planned(
-    files: Iterable[str | os.PathLike[str] | Source],
-    resolver: Resolver,
-    config: Config | None,
-    arguments: Mapping[str, str] | None,
-    *,
-    variant: str = "",
-    changed: bool,
+    files: Iterable[str | os.PathLike[str] | Source], resolver: Resolver, options: Options
 ) -> Plan:
     """The descriptions to check for what a user names.
 
     Args:
         files: URDF, xacro or launch files, Sources, or folders.
         resolver: finds files, and reads them.
-        config: settings of the project.
-        arguments: for xacro; they win over those of the project.
-        variant: the name of the only one, of those in the configuration, that is meant.
-        changed: the files are changed ones of any kind; the robots that they are part of are meant.
+        options: of the check.
 
     Raises:
         ConfigError: a robot has no variant of this name.
     """
-    plan = Plan(resolver, config, arguments or {}, variant)
-    if changed:
+    plan = Plan(resolver, options)
+    if options.changed:
         plan.add_changed(files)
-    for file in () if changed else files:
-        plan.add(file)
+    else:
+        for file in files:
+            plan.add(file)
     return plan
 
 
 class Plan:
     """Which descriptions to check, with which arguments."""
 
-    def __init__(
-        self,
-        resolver: Resolver,
-        config: Config | None,
-        arguments: Mapping[str, str],
-        variant: str = "",
-    ) -> None:
+    def __init__(self, resolver: Resolver, options: Options) -> None:
         self.resolver = resolver
-        self.config = config
-        self.arguments = dict(arguments)
-        self.variant = variant
+        self.config = options.config
+        self.arguments = dict(options.arguments)
+        self.variant = options.variant
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
@@ -109,10 +98,9 @@ class Plan:
         if isinstance(file, Source):
             self._add_source(file)
         elif os.path.isdir(file):
-            from urdfkit.lint.config import Config
             from urdfkit.lint.discovery import discover, launch_files
 
-            folder, config = os.fspath(file), self.config or Config()
+            folder, config = os.fspath(file), self.config
             launches = list(launch_files(folder, config))
             try:
                 self._add_found(discover(folder, config, self.resolver), folder)
@@ -130,18 +118,15 @@ class Plan:
 
     def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
         """The entry points that some changed files are part of."""
-        from urdfkit.lint.config import Config
         from urdfkit.lint.discovery import affected
 
         paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
-        self._add_found(affected(paths, self.config or Config(), self.resolver), *paths[:1])
+        self._add_found(affected(paths, self.config, self.resolver), *paths[:1])
 
     def _add_found(self, found: FolderContents, given: str = "") -> None:
         """The entry points of a folder, or of what was given otherwise."""
         robots = [robot for robot in found.robots if self.variant in ("", robot.name)]
         if found.robots and not robots:
-            from urdfkit.lint.config import ConfigError
-
             raise ConfigError(f"no robot has a variant '{self.variant}'")
         for robot in robots:
             source = self.resolver.read(_spelt(robot.file, given))
@@ -162,12 +147,7 @@ class Plan:
         if is_launch(source.path):
             self._add_launch(source)
             return
-        if self.config is None and not self.variant:
-            self._add(source, "", {}, found=False)
-            return
-        from urdfkit.lint.config import Config
-
-        for robot in (self.config or Config()).entries(source.path, self.arguments, self.variant):
+        for robot in self.config.entries(source.path, self.arguments, self.variant):
             self.jobs.append(Job(source, robot.name, robot.arguments, False))
 
     def _add_launch(self, source: Source, *, found: bool = False) -> None:
@@ -178,7 +158,7 @@ class Plan:
             found: it was found in a folder, whose robots are checked anyway. What is left is a
                 robot with the arguments that the launch file gives it, and its controllers.
         """
-        from urdfkit.lint import rules
+        from urdfkit.lint import rule_index
         from urdfkit.ros.launch import read_launch
 
         self.jobs.append(Job(source, "", self.arguments, False))
@@ -195,10 +175,11 @@ class Plan:
             if not is_new and not parameters:
                 continue
             robot = self.resolver.read(_spelt(one.path, source.path))
-            common = self.config.arguments if self.config else {}
-            arguments = {**common, **one.arguments}
+            arguments = {**self.config.arguments, **one.arguments}
             job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
-            self.jobs.append(job if is_new else job._replace(codes=rules.of_family("controllers")))
+            self.jobs.append(
+                job if is_new else job._replace(codes=rule_index.of_family("controllers"))
+            )
 
     def _is_other(self, description: LaunchedDescription) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""
@@ -209,8 +190,7 @@ class Plan:
         return True
 
     def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
-        common = self.config.arguments if self.config else {}
-        every = {**common, **arguments, **self.arguments}
+        every = {**self.config.arguments, **arguments, **self.arguments}
         self.jobs.append(Job(source, name, every, found))
 
 
@@ -230,14 +210,22 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
-    found = []
-    for one in given(job.source.path, names, subject.resolver):
+    found, failed = [], {}
+    sets = given(job.source.path, names, subject.resolver)
+    for one in sets[:MAX_GIVEN]:
         values = {name: (one.arguments[name], one.launch) for name in names}
         arguments = {**one.arguments, **job.arguments}
         now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
-        found.append((now, read(now)))
-    found = [pair for pair in found if not missing_arguments(pair[1])]
-    return found or _as_found(job, read, subject, names) or [(job, subject)]
+        pair = (now, read(now))
+        if missing_arguments(pair[1]):
+            failed[tuple(one.arguments[name] for name in names)] = pair[1]
+        else:
+            found.append(pair)
+    if found:
+        offered = [{name: one.arguments[name] for name in names} for one in sets]
+        _note_unchecked(found, offered, failed)
+        return found
+    return _as_found(job, read, subject, names) or [(job, subject)]
 
 
 def _as_found(
@@ -249,17 +237,55 @@ def _as_found(
     xacro = subject.reading.xacro
     assert xacro is not None, "only a xacro lacks arguments"
     found: list[tuple[Job, Subject]] = []
+    failed: dict[tuple[str, ...], Subject] = {}
     more: tuple[str, ...] = ()
-    for values in combinations(names, xacro, subject.resolver):
-        given = {name: value for name, (value, _) in values.items()}
+    sets = list(combinations(names, xacro, subject.resolver))
+    offered = [{name: value for name, (value, _) in values.items()} for values in sets]
+    for values, given in list(zip(sets, offered, strict=True))[:MAX_GIVEN]:
         now = job._replace(arguments={**given, **job.arguments}, launched=_launched(job, values))
         pair = (now, read(now))
         if pair[1].reading.document is not None:
             found.append(pair)
+        else:
+            failed[tuple(given.values())] = pair[1]
         more += missing_arguments(pair[1])
+    if found:
+        _note_unchecked(found, offered, failed)
     if found or set(more) <= set(names):
         return found
     return _as_found(job, read, subject, tuple(dict.fromkeys((*names, *more))))
+
+
+def _note_unchecked(
+    found: list[tuple[Job, Subject]],
+    offered: list[dict[str, str]],
+    failed: Mapping[tuple[str, ...], Subject],
+) -> None:
+    """Leave with the first description which values of its arguments none is checked with.
+
+    Args:
+        found: the descriptions that are checked.
+        offered: sets of values that files give.
+        failed: descriptions that do not expand, by their values in the order of the names.
+    """
+    from urdfkit.lint.context import UncheckedValues
+    from urdfkit.lint.unchecked import why_unchecked
+
+    left: dict[tuple[str, str], list[str]] = {}
+    for values in offered:
+        subject = failed.get(tuple(values.values()))
+        why = f"only {MAX_GIVEN} sets of arguments are tried"
+        if subject is not None:
+            why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
+        for name, value in values.items():
+            known = left.setdefault((name, why), [])
+            if all(job.arguments.get(name) != value for job, _ in found) and value not in known:
+                known.append(value)
+    found[0][1].unchecked = tuple(
+        UncheckedValues(name, tuple(values), len({one[name] for one in offered}), why)
+        for (name, why), values in left.items()
+        if values
+    )
 
 
 def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:

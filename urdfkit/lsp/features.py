@@ -64,7 +64,7 @@ def _add_documents(server: Server) -> None:
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
     def _(params: lsp.DidSaveTextDocumentParams) -> None:
-        server.worker.submit(server.robots.look_again)
+        server.worker.submit(server.robots.reload)
         server.check_soon(params.text_document.uri, thorough=True)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
@@ -80,7 +80,7 @@ def _add_documents(server: Server) -> None:
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def _(params: lsp.DidChangeWatchedFilesParams) -> None:
-        server.worker.submit(server.robots.look_again)
+        server.worker.submit(server.robots.reload)
         for uri in list(server.uris.values()):
             server.check_soon(uri)
 
@@ -163,7 +163,7 @@ def _add_fixes(server: Server) -> None:
     async def _(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
         def answer() -> list[lsp.TextEdit]:
             path = server.path(params.text_document.uri)
-            return server.replaced(path, server.robots.laid_out(path))
+            return server.replaced(path, server.robots.formatted_text(path))
 
         return await server.ask(answer, None)
 
@@ -243,7 +243,7 @@ def _fix_all(server: Server, path: str) -> list[lsp.CodeAction]:
     """All safe fixes at once; computed only where they are asked for, as on saving."""
     changes = {
         server.uris.get(file) or to_uri(file): server.replaced(file, text)
-        for file, text in server.robots.mended(path).items()
+        for file, text in server.robots.fixed(path).items()
     }
     if not changes:
         return []

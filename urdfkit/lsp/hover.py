@@ -1,4 +1,4 @@
-"""What is shown beside the mouse: numbers of a robot, origins of a value, reasons of a rule."""
+"""Hover texts: numbers of a robot, origins of a value, explanations of a rule."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import os
 from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UnknownRule, UrdfkitError
-from urdfkit.lint import rules
-from urdfkit.lint.suppress import ignores
+from urdfkit.lint import rule_index
+from urdfkit.lint.ignore_comments import ignores
 from urdfkit.lsp.completion import grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import NameUse, path_in
@@ -19,7 +19,7 @@ from urdfkit.ros.catalog import extensions, plugins
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.document import Attribute
 from urdfkit.text.source import Span
-from urdfkit.xacro.trace import Origin
+from urdfkit.xacro.origin import Origin
 
 #: Values of one expression, levels of definitions and lines of a macro that are shown.
 MAX_SHOWN = 6
@@ -254,7 +254,7 @@ def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterat
         codes += [code for code, span in comment.codes if span.start <= offset <= span.end]
     for code in list(dict.fromkeys(codes))[:MAX_SHOWN]:
         try:
-            rule = rules.find_rule(code)
+            rule = rule_index.find_rule(code)
         except UnknownRule:
             continue
         text = f"**{rule.code}** {rule.name}\n\n{rule.explanation}"

@@ -43,7 +43,7 @@ def references(robot: OpenRobot, page: Page, offset: int, *, definitions: bool) 
         return []
     same = robot.names.same(name)
     own = [one.span for one in same if definitions or not one.is_definition]
-    return own + _beside(robot, name, same)
+    return own + _elsewhere(robot, name, same)
 
 
 def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
@@ -57,7 +57,7 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
     return NameUse(kind, span.text, span, False, nodes[0]) if nodes else None
 
 
-def _beside(robot: OpenRobot, name: NameUse, same: list[NameUse]) -> list[Span]:
+def _elsewhere(robot: OpenRobot, name: NameUse, same: list[NameUse]) -> list[Span]:
     """Where other files of the package name a link or a joint."""
     kinds = {one.kind for one in same if one.is_definition} & {"link", "joint"}
     if not kinds:
@@ -146,4 +146,6 @@ def rename(robot: OpenRobot, page: Page, offset: int, new: str) -> list[Edit]:
     kinds = {one.kind for one in same if one.is_definition}
     if new in robot.given(*kinds):
         raise CannotRename(f"there is already a {name.kind} '{new}'")
-    return [Edit(span, new) for span in (*(one.span for one in same), *_beside(robot, name, same))]
+    return [
+        Edit(span, new) for span in (*(one.span for one in same), *_elsewhere(robot, name, same))
+    ]

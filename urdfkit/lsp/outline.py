@@ -10,7 +10,7 @@ from urdfkit.robot.model import Joint, Link
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 
-#: Joints in one another; what hangs deeper is listed beside the rest.
+#: Depth of the outline; deeper joints are listed at this depth.
 MAX_DEPTH = 60
 
 _DEFINITIONS = {
@@ -31,7 +31,7 @@ class Entry:
 
     Attributes:
         name: shown.
-        detail: shown beside it.
+        detail: shown after the name.
         kind: ``robot``, ``link``, ``joint``, ``macro``, ``property`` and so on.
         span: the element, or the macro call in this file that makes it.
         children: below it.
@@ -71,7 +71,7 @@ def _definition(node: TagNode) -> Entry:
 
 
 def _tree(robot: OpenRobot, page: Page) -> list[Entry]:
-    """The links and joints that a file makes, each below what it hangs on."""
+    """The links and joints that a file makes, each below its parent."""
     model, tree = robot.subject.model, robot.subject.tree
     tops: list[Entry] = []
     seen: set[str] = set()
@@ -93,7 +93,7 @@ def _tree(robot: OpenRobot, page: Page) -> list[Entry]:
 
 
 def _add(holder: list[Entry], part: Link | Joint, page: Page) -> list[Entry]:
-    """Add an entry if the file makes the part; the list for what hangs on it."""
+    """Add an entry if the file makes the part; the list for its children."""
     span = _here(part.at, page)
     if span is None:
         return holder

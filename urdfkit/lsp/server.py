@@ -1,6 +1,6 @@
-"""The protocol: what clients ask is put to the workspace, and its answers are told them.
+"""The protocol: requests of clients go to the workspace, its answers to the clients.
 
-All work on robots is done by one thread beside that of the protocol, so that a slow robot never
+All work on robots is done by a second thread, so that a slow robot never
 keeps the server from reading. A text that is changed is checked when no other change has come for
 a moment; the rules that open meshes run when it is saved. An error in answering is logged and
 answered by nothing: the server lives on.
@@ -86,7 +86,7 @@ class Server(LanguageServer):
         return bool(items and items.snippet_support)
 
     def watch(self) -> None:
-        """Let the client tell when files change that no editor shows."""
+        """Ask the client to report changes of files that are not open."""
         workspace = self.client_capabilities.workspace
         watching = workspace.did_change_watched_files if workspace else None
         if not (watching and watching.dynamic_registration):
@@ -118,11 +118,11 @@ class Server(LanguageServer):
 
     async def _check(self, uri: str, *, thorough: bool) -> None:
         await asyncio.sleep(QUIET)
-        await self._tell(uri, thorough=False)
+        await self._publish_findings(uri, thorough=False)
         if thorough:  # what takes longer comes behind what does not
-            await self._tell(uri, thorough=True)
+            await self._publish_findings(uri, thorough=True)
 
-    async def _tell(self, uri: str, *, thorough: bool) -> None:
+    async def _publish_findings(self, uri: str, *, thorough: bool) -> None:
         path = self.path(uri)
         checked = await self.ask(lambda: self.robots.check(path, thorough=thorough), None)
         if checked is None:
@@ -136,7 +136,7 @@ class Server(LanguageServer):
             self.publish(file, found)
 
     def publish(self, file: str, found: list[Diagnostic]) -> None:
-        """Tell the client what is wrong with a file."""
+        """Publish the findings of a file."""
         uri = self.uris.get(file)
         if uri is None:
             if "://" in file or file.startswith("untitled:"):

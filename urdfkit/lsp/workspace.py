@@ -11,13 +11,15 @@ from functools import cache, cached_property
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint import rules
-from urdfkit.lint.config import Config, load
+from urdfkit.lint import rule_index
+from urdfkit.lint.config import Config
 from urdfkit.lint.config import RobotEntry as EntryPoint
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import affected
-from urdfkit.lint.engine import check
+from urdfkit.lint.engine import check_with
 from urdfkit.lint.fix import fix
+from urdfkit.lint.options import Options
 from urdfkit.lint.plan import missing_arguments
 from urdfkit.lint.rules import Need
 from urdfkit.lsp.markup import Page
@@ -178,16 +180,16 @@ class Workspace:
         """A file is closed: what is on disk counts again.
 
         Returns:
-            What is left to tell of the files of robots that no open file is part of any more.
+            The findings left in files of robots that no open file is part of any more.
         """
         parts = {entry.file for entry in self.entries(path)}
         self.texts.pop(path, None)
         closed = parts - {entry.file for other in self.texts for entry in self.entries(other)}
         files = {file for root in closed for file in self._found.pop(root, ())}
-        self.look_again()
+        self.reload()
         return {file: list(self._of_file(file)) for file in files}
 
-    def look_again(self) -> None:
+    def reload(self) -> None:
         """Files on disk have changed."""
         self._entries.clear()
         self._launched.clear()
@@ -292,18 +294,15 @@ class Workspace:
         return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, trouble)
 
     def _check_root(self, root: str, config: Config, *, thorough: bool) -> Iterable[Diagnostic]:
-        ignore = () if thorough else slow_rules()
-        resolver = self._resolver(config)
-        return check(
-            root,
-            arguments=self._launched.get(root),
+        options = Options(
+            arguments=self._launched.get(root) or {},
             config=config,
             texts=self.texts,
-            ignore=ignore,
-            resolver=resolver,
-        ).diagnostics
+            ignore=() if thorough else slow_rules(),
+        )
+        return check_with(options, [root], self._resolver(config)).diagnostics
 
-    def mended(self, path: str) -> dict[str, bytes]:
+    def fixed(self, path: str) -> dict[str, bytes]:
         """The texts that change when all safe fixes of a file's robots are applied, by path.
 
         Raises:
@@ -311,10 +310,10 @@ class Workspace:
         """
         config, _ = self.config(path)
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
-        fixes = fix(*roots, config=config, texts=self.texts)
+        fixes = fix(*roots, options=Options(config=config, texts=self.texts))
         return {os.path.realpath(f.path): Source(f.path, f.after).data for f in fixes.files}
 
-    def laid_out(self, path: str) -> bytes:
+    def formatted_text(self, path: str) -> bytes:
         """The text of a file in the layout of ``urdfkit format``.
 
         Raises:
@@ -327,7 +326,7 @@ class Workspace:
         return (file for by_file in self._found.values() for file in by_file)
 
     def _of_file(self, file: str) -> Iterator[Diagnostic]:
-        """The findings in a file; what several robots have is told in the words of the first."""
+        """The findings in a file; one that several robots share has the message of the first."""
         reported: set[tuple[str, int, int]] = set()
         for by_file in self._found.values():
             fresh = [one for one in by_file.get(file, ()) if _key(one) not in reported]
@@ -347,7 +346,7 @@ class Workspace:
 @cache
 def slow_rules() -> list[str]:
     """The codes of the rules that are not run for every key; this imports all rules."""
-    return [rule.code for rule in rules.all_rules() if rule.needs & _SLOW]
+    return [rule.code for rule in rule_index.all_rules() if rule.needs & _SLOW]
 
 
 def _key(diagnostic: Diagnostic) -> tuple[str, int, int]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Vector
+from urdfkit.core.spatial import Vector, vector
 from urdfkit.mesh.geometry import Mesh, areas
 from urdfkit.mesh.health import Health, examine_mesh
 from urdfkit.mesh.io.salvage import load_or_salvage
@@ -75,15 +75,14 @@ def describe(path: str) -> MeshDescription:
     metric = in_metres(mesh)
     vertices, faces = metric.vertices, metric.faces
     used = vertices[faces.reshape(-1)]
-    low, high = used.min(axis=0).tolist(), used.max(axis=0).tolist()
     return MeshDescription(
         path,
         facts.format,
         facts.size,
         defect,
         mesh,
-        (low[0], low[1], low[2]),
-        (high[0], high[1], high[2]),
+        vector(used.min(axis=0)),
+        vector(used.max(axis=0)),
         examine_mesh(metric),
         float(areas(vertices, faces).sum()),
     )

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Transform, Vector
+from urdfkit.core.spatial import Rotation, Transform, Vector, basis, vector
 from urdfkit.mesh import solids
 from urdfkit.mesh.containment import missing, protrusion
 from urdfkit.mesh.geometry import Floats, Mesh
@@ -84,7 +84,7 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
 
     cylinder = next(one for one in fits.tried if one.kind == "cylinder")
     radius = cylinder.size[0]
-    rows = _with_z(np.asarray(axis, dtype=float))
+    rows = np.array(basis(axis))
     offset = np.subtract(cylinder.frame.position, through)
     beside = float(np.linalg.norm((rows @ offset)[:2]))
     along = abs(float(np.dot(axis, [row[2] for row in cylinder.frame.rotation])))
@@ -162,12 +162,12 @@ def _box(points: Floats) -> _Shape:
     from trimesh.bounds import oriented_bounds
 
     low, high = points.min(axis=0), points.max(axis=0)
-    edges, frame = high - low, Transform(position=_vector((low + high) / 2))
+    edges, frame = high - low, Transform(position=vector((low + high) / 2))
     to_box, extents = oriented_bounds(points)
     if np.prod(edges) > _ALONG_AXES * np.prod(extents):
         from_box = np.linalg.inv(to_box)
-        edges, frame = extents, Transform(_rows(from_box[:3, :3]), _vector(from_box[:3, 3]))
-    size = _vector(edges)
+        edges, frame = extents, Transform(_rows(from_box[:3, :3]), vector(from_box[:3, 3]))
+    size = vector(edges)
     return "box", size, frame, solids.as_mesh(solids.box(size))
 
 
@@ -179,7 +179,7 @@ def _cylinder(points: Floats) -> _Shape:
     to_box, _ = oriented_bounds(points)
     best: tuple[float, float, float, Transform] | None = None
     for axis in (*np.eye(3), *to_box[:3, :3]):
-        rows = _with_z(axis)
+        rows = np.array(basis(vector(axis)))
         seen = points @ rows.T
         center, _ = minimum_nsphere(seen[:, :2])
         radius = np.linalg.norm(seen[:, :2] - center, axis=1).max()  # that found is a guess
@@ -187,7 +187,7 @@ def _cylinder(points: Floats) -> _Shape:
         volume = float(np.pi * radius**2 * (high - low))
         if best is None or volume < 0.999 * best[0]:
             middle = rows.T @ np.array([*center, (low + high) / 2])
-            frame = Transform(_rows(rows.T), _vector(middle))
+            frame = Transform(_rows(rows.T), vector(middle))
             best = (volume, float(radius), float(high - low), frame)
     assert best is not None
     _, radius, length, frame = best
@@ -201,22 +201,9 @@ def _sphere(points: Floats) -> _Shape:
     center, _ = minimum_nsphere(points)
     radius = np.linalg.norm(points - center, axis=1).max()
     shape = solids.as_mesh(solids.ball(float(radius), (0.0, 0.0, 0.0)))
-    return "sphere", (float(radius), 0.0, 0.0), Transform(position=_vector(center)), shape
-
-
-def _with_z(axis: Floats) -> Floats:
-    """Rows of a rotation whose third is an axis."""
-    helper = np.eye(3)[int(np.argmin(np.abs(axis)))]
-    y = np.cross(axis, helper)
-    y /= np.linalg.norm(y)
-    return np.array([np.cross(y, axis), y, axis])
-
-
-def _vector(values: Floats) -> Vector:
-    x, y, z = (float(value) for value in values)
-    return (x, y, z)
+    return "sphere", (float(radius), 0.0, 0.0), Transform(position=vector(center)), shape
 
 
 def _rows(matrix: Floats) -> Rotation:
-    a, b, c = (_vector(row) for row in matrix)
+    a, b, c = (vector(row) for row in matrix)
     return (a, b, c)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.core.spatial import Vector
+from urdfkit.core.spatial import vector
 from urdfkit.mesh.components import are_flat, inside_out, take_apart
 from urdfkit.mesh.edges import Edges, three_cornered
 from urdfkit.mesh.geometry import Floats, Integers, Mesh
@@ -45,12 +45,12 @@ def measure(mesh: Mesh) -> Measures:
     return Measures(
         triangles=len(faces),
         vertices=len(np.unique(faces)),
-        low=_vector(low),
-        high=_vector(high),
+        low=vector(low),
+        high=vector(high),
         area=float(areas.sum()),
         solid=solid,
         hull=hull,
-        points=tuple(_vector(point) for point in points),
+        points=tuple(vector(point) for point in points),
         inside_out=looks_inwards,
         open_edges=int(open_edges.sum()),
         flipped_edges=int(flipped.sum()),
@@ -113,7 +113,7 @@ def _density_one(volume: float, first: Floats, second: Floats, about: Floats) ->
     if not np.isfinite(tensor).all():
         return None
     ixx, ixy, ixz, iyy, iyz, izz = (float(tensor[i, k]) for i in range(3) for k in range(i, 3))
-    return Uniform(float(abs(volume)), _vector(center + about), (ixx, ixy, ixz, iyy, iyz, izz))
+    return Uniform(float(abs(volume)), vector(center + about), (ixx, ixy, ixz, iyy, iyz, izz))
 
 
 def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Floats]:
@@ -138,7 +138,7 @@ def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Fl
     found = _density_one(volume * size**3, first * size**4, second * size**5, np.zeros(3))
     if found is None:
         return None, points
-    return found._replace(center=_vector(np.array(found.center) + middle)), points
+    return found._replace(center=vector(np.array(found.center) + middle)), points
 
 
 def _extreme(points: Floats) -> Floats:
@@ -161,8 +161,3 @@ def _heights(places: Floats, faces: Integers) -> tuple[Floats, Floats]:
     sides = [np.linalg.norm(one - other, axis=1) for one, other in ((a, b), (b, c), (c, a))]
     longest = np.max(sides, axis=0)
     return np.divide(twice, longest, out=np.zeros_like(twice), where=longest > 0), twice / 2
-
-
-def _vector(values: Floats) -> Vector:
-    x, y, z = map(float, values)
-    return (x, y, z)

@@ -5,7 +5,7 @@ Lengths in m. Everything comes from manifold3d, so every solid is closed and ori
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import cos, pi, sin
 
 import numpy as np
@@ -28,38 +28,36 @@ _SLIVER = 1e-6
 Point = tuple[float, float]
 
 
-class Assembly:
-    """Solids of several materials that do not overlap: together they have one true volume."""
+#: A solid and the material of its surface.
+Coloured = tuple[MeshMaterial, Manifold]
 
-    def __init__(self) -> None:
-        self.parts: list[tuple[MeshMaterial, Manifold]] = []
 
-    def add(self, material: MeshMaterial, solid: Manifold) -> None:
-        """Add a solid; where there is one already, that one stays."""
-        for _, earlier in self.parts:
+def disjoint(solids: Iterable[Coloured]) -> list[Coloured]:
+    """Solids that do not overlap, so that together they have one true volume.
+
+    Where there is one already, that one stays.
+    """
+    found: list[Coloured] = []
+    for material, solid in solids:
+        left = solid
+        for _, earlier in found:
             # What only touches is left alone: a boolean would leave a film of no thickness.
-            if (solid ^ earlier).volume() > _FILM * solid.volume():
-                solid = solid - earlier
-        if solid.volume() > 0:
-            self.parts.append((material, solid))
-
-    def mesh(self) -> Mesh:
-        """The triangles, one part for each material, with normals."""
-        together: dict[MeshMaterial, list[Manifold]] = {}
-        for material, solid in self.parts:
-            together.setdefault(material, []).append(solid)
-        return Mesh(
-            tuple(
-                shaded(_part(_united(solids), material)) for material, solids in together.items()
-            ),
-            up_axis="Z_UP",
-        )
+            if (left ^ earlier).volume() > _FILM * left.volume():
+                left = left - earlier
+        if left.volume() > 0:
+            found.append((material, left))
+    return found
 
 
-def _united(solids: Sequence[Manifold]) -> Manifold:
-    """Solids as one, without the slivers that booleans leave."""
-    whole = Manifold.batch_boolean(solids, OpType.Add)
-    return whole.simplify(_SLIVER)
+def assembled(solids: Iterable[Coloured]) -> Mesh:
+    """The triangles of disjoint solids, one part for each material, with normals."""
+    by_material: dict[MeshMaterial, list[Manifold]] = {}
+    for material, solid in disjoint(solids):
+        by_material.setdefault(material, []).append(solid)
+    # Booleans leave slivers.
+    unions = (Manifold.batch_boolean(each, OpType.Add) for each in by_material.values())
+    parts = zip((whole.simplify(_SLIVER) for whole in unions), by_material, strict=True)
+    return Mesh(tuple(shaded(_part(*part)) for part in parts), up_axis="Z_UP")
 
 
 def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
@@ -87,12 +85,12 @@ def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
     return as_mesh(whole)
 
 
-def as_mesh(solid: Manifold, material: MeshMaterial | None = None) -> Mesh:
+def as_mesh(solid: Manifold) -> Mesh:
     """A solid as a mesh of one part, without normals."""
-    return Mesh((_part(solid, material),), up_axis="Z_UP")
+    return Mesh((_part(solid),), up_axis="Z_UP")
 
 
-def _part(solid: Manifold, material: MeshMaterial | None) -> MeshPart:
+def _part(solid: Manifold, material: MeshMaterial | None = None) -> MeshPart:
     mesh = solid.to_mesh64()
     vertices = np.asarray(mesh.vert_properties[:, :3], dtype=float)
     return MeshPart(vertices, np.asarray(mesh.tri_verts, dtype=np.int64), material)

@@ -1,4 +1,4 @@
-"""The mass properties of a robot: each link as declared, beside its shapes, and the whole."""
+"""The mass properties of a robot: declared and computed from the shapes, per link and in total."""
 
 from __future__ import annotations
 
@@ -75,11 +75,11 @@ def mass_properties(subject: Subject, pose: Mapping[str, float] | None = None) -
     found = whole(subject.tree, frames(subject.tree, pose or {}))
     body = found.properties
     moments, axes = principal_axes(body.tensor) if body else (None, None)
-    rows = [_row(subject, link) for link in links if _matters(link)]
+    rows = [_row(subject, link) for link in links if _has_geometry_or_mass(link)]
     return MassTable(tuple(rows), found, moments, axes)
 
 
-def _matters(link: Link) -> bool:
+def _has_geometry_or_mass(link: Link) -> bool:
     return bool(link.inertial or link.collisions or link.visuals)
 
 

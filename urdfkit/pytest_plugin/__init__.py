@@ -23,7 +23,7 @@ import pytest
 if TYPE_CHECKING:
     from urdfkit.lint.report import Report
     from urdfkit.physics.dynamics.robot import Dynamics
-    from urdfkit.robot.assets.measured_meshes import MeshUse
+    from urdfkit.robot.assets.mesh_uses import MeshUse
     from urdfkit.robot.model import RobotModel
     from urdfkit.testing import Description
 

@@ -1,4 +1,4 @@
-"""A robot whose parts with findings stand out, with the codes beside them."""
+"""An image of a robot whose parts with findings are coloured and labelled with the codes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ COLOURS: Mapping[Severity, Colour] = {
 }
 #: What has no findings steps back.
 QUIET: Colour = (0.80, 0.82, 0.85, 1.0)
-#: Codes that are written beside a link; the rest is counted.
+#: Codes in the label of a link; the rest is counted.
 MAX_CODES = 4
 
 

@@ -44,7 +44,7 @@ class FragmentSurface(NamedTuple):
     Attributes:
         position: (k, 3).
         normal: (k, 3), unit vectors, turned to the viewer.
-        flat: (k, 3), of the face itself, likewise.
+        flat: (k, 3), of the face itself, in the same frame.
         uv: (k, 2); None if no vertex has any.
         color: (k, 4); None if no vertex has any.
     """

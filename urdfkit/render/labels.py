@@ -51,7 +51,7 @@ def caption(image: Image.Image, text: str) -> None:
 
 
 def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
-    """Write the labels of a scene beside their points, so that none covers another.
+    """Write the labels of a scene next to their points, so that none covers another.
 
     Where there is no place left for a label it is left out; points outside of the picture have
     none.
@@ -103,7 +103,7 @@ def _free(
     picture: tuple[int, int],
     taken: list[LabelBox],
 ) -> LabelBox | None:
-    """The nearest place beside a point that no other label has."""
+    """The free place that is nearest to a point."""
     for distance in _DISTANCES:
         for across, down in _DIRECTIONS:
             left = x + across * distance * size + (wide * (across - 1) / 2)

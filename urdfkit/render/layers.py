@@ -160,10 +160,10 @@ def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: flo
 
 def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
     """A ball at the centre of mass of each link, as large as its mass, and one of the robot."""
-    total = sum(link.mass for link in _weighed(scene, subject))
+    total = sum(link.mass for link in _with_mass(scene, subject))
     if total <= 0:
         return
-    for link in _weighed(scene, subject):
+    for link in _with_mass(scene, subject):
         assert link.inertial is not None
         radius = BALL * size * 2.2 * (link.mass / total) ** (1 / 3)
         ball = primitives.sphere(max(radius, BALL * size * 0.35))
@@ -178,7 +178,7 @@ def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, fl
         yield Label(f"{found.mass:.4g} kg", found.root, center)
 
 
-def _weighed(scene: Scene, subject: Subject) -> list[Link]:
+def _with_mass(scene: Scene, subject: Subject) -> list[Link]:
     links = subject.model.links_by_name.values()
     return [link for link in links if link.name in scene.frames and link.mass > 0]
 
@@ -216,11 +216,11 @@ def _equivalent(
     A second moment of mass along an axis is half of the other two moments less its own; the edge
     of a box, or the half axis of an ellipsoid, is the root of a factor times it over the mass.
     One larger than the robot, or of a light link than half of it, hides what there is to see, and
-    is told in words.
+    is written in words.
     """
-    total = sum(link.mass for link in _weighed(scene, subject))
+    total = sum(link.mass for link in _with_mass(scene, subject))
     large: list[Label] = []
-    for link in _weighed(scene, subject):
+    for link in _with_mass(scene, subject):
         inertial = link.inertial
         assert inertial is not None
         if inertial.tensor is None:

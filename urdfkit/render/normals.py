@@ -20,7 +20,7 @@ def smooth(vertices: Floats, faces: Integers) -> Floats | None:
     """A normal for each corner, (3 m, 3), in the order of the faces.
 
     It is the mean of the normals of those faces at the point that belong to one curved surface
-    with its own face, weighed by their angles at the point; None if that is worth nothing, since
+    with its own face, weighted by their angles at the point; None if that has no use, since
     all faces are flat or tiny.
 
     Args:

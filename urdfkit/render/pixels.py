@@ -51,12 +51,12 @@ def _tents(values: Sequence[Floats], distances: Floats, bound: Floats, axis: int
     half = LATTICE // 2
     alike = {}
     for offset in range(-half, half + 1):
-        here, there = _beside(offset, axis)
+        here, there = _neighbours(offset, axis)
         alike[offset] = np.abs(distances[there] - distances[here]) < bound[here]
     for offsets in (range(-half, half), range(1 - half, half + 1)):
         totals, count = [np.zeros_like(value) for value in values], np.zeros_like(distances)
         for offset in offsets:
-            here, there = _beside(offset, axis)
+            here, there = _neighbours(offset, axis)
             count[here] += alike[offset]
             for total, value in zip(totals, values, strict=True):
                 total[here] += value[there] * alike[offset]
@@ -64,8 +64,8 @@ def _tents(values: Sequence[Floats], distances: Floats, bound: Floats, axis: int
     return list(values)
 
 
-def _beside(offset: int, axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...]]:
-    """The pixels that have one beside them so far along an axis, and those."""
+def _neighbours(offset: int, axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...]]:
+    """The pixels that have a neighbour at an offset along an axis, and these neighbours."""
     back, on = slice(max(-offset, 0), -offset if offset > 0 else None), slice(None)
     away = slice(max(offset, 0), offset if offset < 0 else None)
     return ((back, on), (away, on)) if axis == 0 else ((on, back), (on, away))
@@ -74,7 +74,7 @@ def _beside(offset: int, axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...
 def matching(
     pixel: Integers, own: Floats, depth: Floats, near: Callable[[Floats], Floats]
 ) -> Integers:
-    """The pixel beside each fragment whose depth is nearest to that; its own if that is near.
+    """The neighbouring pixel whose depth is nearest to each fragment; its own if that is near.
 
     Args:
         pixel: (k,), of the fragments, from the first of the band.
@@ -87,10 +87,10 @@ def matching(
     gap = np.abs(flat[place] - own)
     off = np.flatnonzero(gap > near(flat[place]))
     for step in (-1, 1, -width, width):
-        beside = np.clip(pixel[off] + step, 0, len(flat) - 1)
-        distance = np.abs(flat[beside] - own[off])
+        neighbour = np.clip(pixel[off] + step, 0, len(flat) - 1)
+        distance = np.abs(flat[neighbour] - own[off])
         better = distance < gap[off]
-        place[off[better]] = beside[better]
+        place[off[better]] = neighbour[better]
         gap[off[better]] = distance[better]
     return place
 

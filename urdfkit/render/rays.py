@@ -50,7 +50,7 @@ class RayTracer:
             pixel: (k,), where they are in the picture.
             width: of the picture.
             reach: in m; what is farther away hides nothing.
-            rays: for each of them; their mean is weighed by the cosine.
+            rays: for each of them; their mean is weighted by the cosine.
         """
         across, along = _tangents(normals)
         offsets = spiral(rays)[lattice(pixel, width)]

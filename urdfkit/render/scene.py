@@ -24,7 +24,7 @@ PLACEHOLDER_SIZE = 0.045
 #: What is smaller than this part of that edge is not seen.
 SPECK = 0.05
 
-#: In m; what is further away than this, or larger, is a slip and not drawn.
+#: In m; what is further away than this, or larger, is a wrong value and not drawn.
 LIMIT = 1e6
 
 
@@ -273,7 +273,7 @@ def _primitive(shape: Shape) -> primitives.Triangles | None:
 def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: float) -> SceneItem:
     """A marked box where a mesh should be.
 
-    It is as large as a shape that the link has beside, or a mesh; else it reaches to the joints
+    It is as large as another shape or mesh of the link; else it reaches to the joints
     that hang on the link.
     """
     size, frame = _target_bounds(subject, link, body, least)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector
+from urdfkit.core.spatial import Transform, vector
 from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import BoundingBox, solid
 
@@ -61,16 +61,8 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
             else:
                 boxes.append(found)
                 measured.add(name)
-    return RobotExtent(around(boxes), len(measured), left_out)
-
-
-def around(boxes: list[BoundingBox]) -> BoundingBox | None:
-    """The box around some boxes."""
-    if not boxes:
-        return None
-    low = [min(box.low[axis] for box in boxes) for axis in range(3)]
-    high = [max(box.high[axis] for box in boxes) for axis in range(3)]
-    return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+    whole = BoundingBox.around(boxes) if boxes else None
+    return RobotExtent(whole, len(measured), left_out)
 
 
 def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
@@ -78,11 +70,12 @@ def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
 
     Args:
         robot: the robot.
-        body: with a shape.
+        body: the visual or collision.
         link: the frame of the link, in which the box is wanted.
     """
     shape = body.shape
-    assert shape is not None
+    if shape is None:
+        return "a shape that is missing"
     if shape.filename is None:
         primitive = solid([body._replace(origin=link @ body.origin)])
         return primitive.bounds if primitive else f"a {shape.kind} without positive sizes"
@@ -93,14 +86,6 @@ def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
     if vertices is None:
         return robot.meshes.reason(shape)
     rotation, position = link @ body.origin
-    low: list[float] = []
-    high: list[float] = []
-    for row, shift in zip(rotation, position, strict=True):
-        along = vertices @ row
-        low.append(float(along.min()) + shift)
-        high.append(float(along.max()) + shift)
-    return BoundingBox(_vector(low), _vector(high))
-
-
-def _vector(values: list[float]) -> Vector:
-    return values[0], values[1], values[2]
+    columns = [vertices @ row + shift for row, shift in zip(rotation, position, strict=True)]
+    low, high = ((column.min() for column in columns), (column.max() for column in columns))
+    return BoundingBox(vector(low), vector(high))

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from math import acos, cos, hypot, pi, sqrt
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Rotation, Vector, cross, dot, rotate
+from urdfkit.core.spatial import IDENTITY, Rotation, Vector, basis, cross, dot, rotate, unit
 from urdfkit.robot.model import Tensor
 
 #: Sweeps of Jacobi's rotations: they converge quadratically, and five reach rounding.
@@ -116,11 +116,7 @@ def _eigenbasis(
     """Two unit vectors at right angles to the kernel of a singular symmetric matrix, and it."""
     rows = ((a, b, c), (b, d, e), (c, e, f))
     normals = [cross(rows[i], rows[j]) for i, j in ((0, 1), (0, 2), (1, 2))]
-    w = _unit(max(normals, key=lambda normal: dot(normal, normal)))
-    # The axis that is least like w makes the best-conditioned right angle.
-    axis = min(range(3), key=lambda i: abs(w[i]))
-    u = _unit(cross(w, (float(axis == 0), float(axis == 1), float(axis == 2))))
-    return u, cross(w, u), w
+    return basis(unit(max(normals, key=lambda normal: dot(normal, normal))))
 
 
 def box(mass: float, size: Vector) -> Tensor:
@@ -214,8 +210,3 @@ def combined(bodies: Iterable[MassProperties]) -> MassProperties:
         offset = (body.center[0] - x, body.center[1] - y, body.center[2] - z)
         total = added(total, shifted(body.tensor, body.mass, offset))
     return MassProperties(mass, (x, y, z), total)
-
-
-def _unit(vector: Vector) -> Vector:
-    size = sqrt(dot(vector, vector))
-    return (vector[0] / size, vector[1] / size, vector[2] / size)

@@ -9,10 +9,10 @@ from collections.abc import Mapping
 from math import cos, isfinite, sin
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Transform, Vector
+from urdfkit.core.spatial import Rotation, Transform, Vector, unit
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.robot.model import Joint, Mimic, length
+from urdfkit.robot.model import Joint, Mimic
 from urdfkit.robot.tree import KinematicTree
 
 
@@ -152,9 +152,7 @@ def motion(joint: Joint, position: float) -> Transform:
 
 def direction(joint: Joint) -> Vector:
     """The unit vector of the axis; x where none is written or it has no direction."""
-    x, y, z = joint.axis.value if joint.axis else (1.0, 0.0, 0.0)
-    norm = length((x, y, z))
-    return (x / norm, y / norm, z / norm) if norm > 0 else (1.0, 0.0, 0.0)
+    return unit(joint.axis.value) if joint.axis and any(joint.axis.value) else (1.0, 0.0, 0.0)
 
 
 def about(axis: Vector, angle: float) -> Rotation:

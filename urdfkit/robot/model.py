@@ -8,7 +8,7 @@ Units are those of URDF: metres, radians, kilograms, newtons and newton metres.
 from __future__ import annotations
 
 from functools import cached_property
-from math import hypot, isfinite
+from math import isfinite
 from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
@@ -382,8 +382,3 @@ def _mimic(element: Element) -> Mimic:
         1.0 if multiplier is None else multiplier,
         number(element.get("offset")) or 0.0,
     )
-
-
-def length(vector: Vector) -> float:
-    """The Euclidean norm."""
-    return hypot(*vector)  # which does not overflow

@@ -9,7 +9,7 @@ from math import atan2, cos, hypot, isfinite, pi, sin
 from random import Random
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import ORIGIN, Vector, cross, dot
+from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, minus
 from urdfkit.robot.joints import span
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, motion
 from urdfkit.robot.model import Joint
@@ -140,8 +140,7 @@ def _best(joint: Joint, ends: tuple[float, float], base: Vector, tip: Vector, no
     """
     axis = direction(joint)
     if joint.kind in SLIDING:
-        offset = tuple(t - b for t, b in zip(tip, base, strict=True))
-        along = dot(axis, (offset[0], offset[1], offset[2]))
+        along = dot(axis, minus(tip, base))
         return max(ends, key=lambda q: abs(q + along))
     b = dot(base, tip) - dot(axis, base) * dot(axis, tip)
     c = dot(base, cross(axis, tip))

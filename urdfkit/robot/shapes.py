@@ -10,7 +10,7 @@ from functools import cached_property
 from math import dist, hypot, pi, sqrt
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, dot, rotate, transposed
+from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate, transposed, vector
 from urdfkit.robot import inertia
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.model import Body, Link, RobotModel, Shape, Tensor, numbers
@@ -36,17 +36,35 @@ class BoundingBox(Record):
     low: Vector
     high: Vector
 
+    @classmethod
+    def of(cls, points: Iterable[Vector]) -> BoundingBox:
+        """The box of some points, at least one."""
+        columns = tuple(zip(*points, strict=True))
+        return cls(vector(map(min, columns)), vector(map(max, columns)))
+
+    @classmethod
+    def around(cls, boxes: Iterable[BoundingBox]) -> BoundingBox:
+        """The box of some boxes, at least one."""
+        return cls.of(corner for box in boxes for corner in box)
+
+    def moved(self, frame: Transform) -> BoundingBox:
+        """The box around this one, given in a frame, in the parent of that frame."""
+        half = [edge / 2 for edge in self.edges]
+        reach = [sum(abs(r) * h for r, h in zip(row, half, strict=True)) for row in frame.rotation]
+        center = frame.apply(self.center)
+        low = (a - b for a, b in zip(center, reach, strict=True))
+        high = (a + b for a, b in zip(center, reach, strict=True))
+        return BoundingBox(vector(low), vector(high))
+
     @property
     def edges(self) -> Vector:
         """In m."""
-        x, y, z = (high - low for low, high in zip(self.low, self.high, strict=True))
-        return (x, y, z)
+        return minus(self.high, self.low)
 
     @property
     def center(self) -> Vector:
         """In m."""
-        x, y, z = ((low + high) / 2 for low, high in zip(self.low, self.high, strict=True))
-        return (x, y, z)
+        return vector((low + high) / 2 for low, high in zip(self.low, self.high, strict=True))
 
     @property
     def volume(self) -> float:
@@ -84,10 +102,8 @@ class Primitive(Record):
         """In m^3."""
         if self.kind == "box":
             return self.size[0] * self.size[1] * self.size[2]
-        ball = (
-            0.0 if self.kind == "cylinder" else 4 * pi * self.radius * self.radius * self.radius / 3
-        )
-        return ball + pi * self.radius * self.radius * self.length
+        ends = 0.0 if self.kind == "cylinder" else 4 * self.radius / 3
+        return pi * self.radius * self.radius * (self.length + ends)
 
     @property
     def longest(self) -> float:
@@ -113,8 +129,7 @@ class Primitive(Record):
 
     def farthest(self, point: Vector) -> float:
         """Distance from a point to the farthest point of the solid."""
-        x, y, z = self.origin.position
-        offset = (point[0] - x, point[1] - y, point[2] - z)
+        offset = minus(point, self.origin.position)
         x, y, z = map(abs, rotate(transposed(self.origin.rotation), offset))
         if self.kind == "box":
             a, b, c = self.size
@@ -128,8 +143,7 @@ class Primitive(Record):
 
         This is the support function of the solid, which is convex.
         """
-        x, y, z = self.origin.position
-        center = x * direction[0] + y * direction[1] + z * direction[2]
+        center = dot(self.origin.position, direction)
         u, v, w = map(abs, rotate(transposed(self.origin.rotation), direction))
         if self.kind == "box":
             a, b, c = self.size
@@ -237,9 +251,8 @@ class LinkSolid:
     @cached_property
     def bounds(self) -> BoundingBox:
         """Its bounding box along the axes of the link."""
-        low = [-self.reach((-x, -y, -z)) for x, y, z in AXES]
-        high = [self.reach(axis) for axis in AXES]
-        return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+        low = (-self.reach((-x, -y, -z)) for x, y, z in AXES)
+        return BoundingBox(vector(low), vector(map(self.reach, AXES)))
 
     def __str__(self) -> str:
         if len(self.parts) == 1:
@@ -249,7 +262,7 @@ class LinkSolid:
 
 
 def solid(
-    bodies: Iterable[Body], lump: Callable[[Body], MeshSolid | None] | None = None
+    bodies: Iterable[Body], mesh_solid: Callable[[Body], MeshSolid | None] | None = None
 ) -> LinkSolid | None:
     """The solid that some visuals or collisions make.
 
@@ -258,11 +271,11 @@ def solid(
 
     Args:
         bodies: the visuals or collisions.
-        lump: measures those that are meshes.
+        mesh_solid: measures those that are meshes.
     """
     parts: list[Primitive | MeshSolid] = []
     for body in bodies:
-        part = primitive(body) or (lump(body) if lump else None)
+        part = primitive(body) or (mesh_solid(body) if mesh_solid else None)
         if part is None:
             return None
         parts.append(part)

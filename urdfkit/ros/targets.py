@@ -61,9 +61,13 @@ class Targets(Record):
     names: tuple[str, ...]
     evidence: tuple[str, ...] = ()
 
+    def among(self, names: Iterable[str]) -> tuple[str, ...]:
+        """Those of some consumers that are meant."""
+        return tuple(name for name in names if name in self.names)
+
     def any_of(self, names: Iterable[str]) -> bool:
         """True if one of some consumers is meant."""
-        return any(name in self.names for name in names)
+        return bool(self.among(names))
 
     def are_only(self, *names: str) -> bool:
         """True if no others than some consumers are meant."""

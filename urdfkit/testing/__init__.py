@@ -15,11 +15,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.config import Config, load
+from urdfkit.lint.config import Config
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.report import Report
-from urdfkit.lint.rules import matching
+from urdfkit.lint.rule_index import matching
 from urdfkit.output.comparison.differences import Tolerances, differences
 from urdfkit.output.comparison.renames import renames
 from urdfkit.robot.model import Joint, RobotModel
@@ -32,7 +33,7 @@ from urdfkit.workspace.snapshots import as_it_was
 
 if TYPE_CHECKING:
     from urdfkit.physics.dynamics.robot import Dynamics
-    from urdfkit.robot.assets.measured_meshes import MeshUse
+    from urdfkit.robot.assets.mesh_uses import MeshUse
 
 __all__ = [
     "Description",
@@ -228,8 +229,8 @@ def assert_no_self_collision(
 ) -> None:
     """Fail if two links collide in the initial pose, or in samples within its limits.
 
-    Links that a joint holds together and those that only fixed joints part do not count, nor do
-    pairs that the SRDF beside the robot disables. ``urdfkit.collisions`` says what is measured.
+    Adjacent links and links of one rigid body do not count, nor do pairs that the SRDF of the
+    robot's package disables. ``urdfkit.collisions`` says what is measured.
 
     Args:
         description: the model, as the fixture ``urdf`` makes it.

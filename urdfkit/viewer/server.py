@@ -49,12 +49,12 @@ _HEADERS = {
 
 
 class Viewer:
-    """One robot, the pages that show it, and what they are told.
+    """One robot, the pages that show it, and the events that they get.
 
     Attributes:
         wish: what is shown.
         state: what was read last.
-        revision: counts what pages are told.
+        revision: the number of events so far.
         shape: counts the robots; the 3D view need not be sent again for the same one.
         error: why the last attempt to read gave nothing; empty if it did.
     """
@@ -78,7 +78,7 @@ class Viewer:
                 await self.refresh()
 
     async def refresh(self) -> None:
-        """Read again, and tell the pages."""
+        """Read the robot again, and notify the pages."""
         try:
             self.state = await asyncio.to_thread(read, self.wish, self.state.stamps)
             self.error = ""
@@ -90,7 +90,7 @@ class Viewer:
             if self.error == what:
                 return
             self.error = what
-        self._tell()
+        self._notify()
 
     async def _complete(self, state: ViewerState) -> None:
         """Add what takes a while, unless there is another state by then."""
@@ -99,9 +99,9 @@ class Viewer:
                 whole = await _aside(completed, state)
                 if state is self.state:
                     self.state = whole
-                    self._tell()
+                    self._notify()
 
-    def _tell(self) -> None:
+    def _notify(self) -> None:
         """Wake the pages up."""
         self.revision += 1
         self._changed.set()

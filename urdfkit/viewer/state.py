@@ -31,7 +31,7 @@ class ViewRequest(Record):
         file: a URDF or xacro file.
         arguments: for xacro.
         packages: folders of ROS packages by name.
-        targets: consumers that findings are weighed for; inferred if empty.
+        targets: programs that severities depend on; detected if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
         variant: which of those that the configuration has of the file.
@@ -50,7 +50,7 @@ class ViewerState(Record):
     """A robot as it was read.
 
     Attributes:
-        document: what is told of it.
+        document: its contents.
         drawings: addresses of pictures, by name.
         scene: the robot in three dimensions; None if it cannot be had.
         declared: the arguments that the xacro declares, each with its value.
@@ -113,7 +113,7 @@ def read(wish: ViewRequest, known: Iterable[str] = ()) -> ViewerState:
     document, drawings, scene = drawn(reported, has_pictures=False)
     files = files_of(subject, reported.diagnostics) | {wish.file}
     if scene is not None:
-        files |= _beside(subject)
+        files |= _images(subject)
     stamps = {path: before[path] if path in before else stamp(path) for path in files}
     return ViewerState(document, drawings, scene, _declared(subject), stamps, reported)
 
@@ -140,7 +140,7 @@ def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
     return found | {one.span.source.path for one in diagnostics}
 
 
-def _beside(subject: Subject) -> set[str]:
+def _images(subject: Subject) -> set[str]:
     """The files that the looks of a robot need besides its meshes, such as images."""
     found: set[str] = set()
     for body in (body for link in subject.model.links for body in link.visuals):

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 from urdfkit.text.document import Attribute, CallFrame, Document, Element
 from urdfkit.text.xml_reader import encoding_problems
 from urdfkit.xacro import dom
-from urdfkit.xacro.expansion import Definition, Run
+from urdfkit.xacro.definitions import Definition
+from urdfkit.xacro.expansion import Run
 from urdfkit.xacro.expansion_log import Message
 from urdfkit.xacro.recovery import attempt
 from urdfkit.xacro.usage import Usage, usage
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from urdfkit.text.diagnostic import Related
     from urdfkit.text.source import Source
     from urdfkit.workspace.resolve import Resolver
-    from urdfkit.xacro.trace import Origin
+    from urdfkit.xacro.origin import Origin
 
 
 class Xacro:
@@ -41,26 +42,26 @@ class Xacro:
     """
 
     def __init__(self, run: Run, resolver: Resolver) -> None:
-        ledger = run.ledger
+        log = run.log
         self.sources = tuple(run.reader.sources.values())
         problems = [
             *(one for source in self.sources for one in encoding_problems(source, strict=True)),
-            *ledger.problems,
+            *log.problems,
         ]
-        if ledger.first_error is not None:
+        if log.first_error is not None:
             from urdfkit.xacro.fragment import as_part
 
             problems = as_part(run.source, resolver.packages, problems, run.document)
         self.problems = tuple(problems)
-        self.macros = tuple(run.macros)
-        self.properties = tuple(run.properties)
-        self.arguments = tuple(run.declared)
-        self.messages = tuple(ledger.messages)
+        self.macros = tuple(run.defined.macros)
+        self.properties = tuple(run.defined.properties)
+        self.arguments = tuple(run.defined.arguments)
+        self.messages = tuple(log.messages)
         self.data_files = tuple(dict.fromkeys(run.reader.data_files))
         self.dependencies = tuple(dict.fromkeys(run.dependencies))
-        self.first_error = ledger.first_error
+        self.first_error = log.first_error
         self._included = frozenset(run.included)
-        self._dom = run.document if ledger.first_error is None else None
+        self._dom = run.document if log.first_error is None else None
         self.document: Document | None = None
         if self._dom is not None:
             self.document = dom.to_document(self._dom, self.sources)

@@ -6,14 +6,14 @@ import math
 import os
 import re
 from types import FrameType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Related
 from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import DocumentTooLarge, Problem
-from urdfkit.xacro.annotations import notes_of
+from urdfkit.xacro.definitions import Definitions, annotations_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
 from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, locate
@@ -21,9 +21,6 @@ from urdfkit.xacro.messages import bare_property, macro_of, words
 from urdfkit.xacro.sandbox import TooLarge, UnsafeExpression
 from urdfkit.xacro.substitution import EnvironmentRefused
 from urdfkit.xacro.yaml_files import YamlTooLarge
-
-if TYPE_CHECKING:
-    from urdfkit.xacro.expansion import Run
 
 _DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
 _UNKNOWN_ATTRIBUTE = re.compile(r"unknown attribute\(s\): ([\w:.-]+)")
@@ -52,7 +49,7 @@ def node_in(frame: FrameType | None) -> tuple[Node | None, dict[str, Any]]:
 
 
 def problem(
-    run: Run,
+    defined: Definitions,
     error: Exception,
     located: LocatedExpression,
     used: LocatedExpression,
@@ -61,28 +58,28 @@ def problem(
     """An expression that failed, at its place.
 
     Args:
-        run: the expansion.
+        defined: by the files.
         error: what is wrong.
         located: the expression. Inside a property the place is the property's definition, and
             its uses are related.
         used: the expression that needs it, which xacro is evaluating.
         frame: of the function that does.
     """
-    if wanting := argument_of_missing_file(run, root_cause(error)):
+    if wanting := argument_of_missing_file(defined, root_cause(error)):
         return wanting
     node, local = node_in(frame)
-    if bare := bare_property(run, root_cause(error)):
-        return _without_prefix(run, *bare, node and locate(node, local, used).span)
+    if bare := bare_property(defined, root_cause(error)):
+        return _without_prefix(*bare, node and locate(node, local, used).span)
     if node is None:
-        return _made(run, error, located, ErrorLocation(Span(run.source, 0, 0), None))
+        return _made(defined, error, located, ErrorLocation(Span(defined.source, 0, 0), None))
     if located.resolving:
         table, key = located.resolving[-1]
-        definer = notes_of(table).definers.get(key)
+        definer = annotations_of(table).definers.get(key)
         if definer is not None:
             notes = related(locate(node, local, used).span, f"needed here for '{key}'")
-            made = _made(run, error, located, locate(definer, {}, located))
+            made = _made(defined, error, located, locate(definer, {}, located))
             return made._replace(related=notes)
-    made = _made(run, error, located, locate(node, local, located))
+    made = _made(defined, error, located, locate(node, local, located))
     notes = _in_yaml(root_cause(error)) or _definitions(local, located)
     return made._replace(related=notes)
 
@@ -98,7 +95,7 @@ def _definitions(local: dict[str, Any], located: LocatedExpression) -> tuple[Rel
     for name in dict.fromkeys(re.findall(r"[A-Za-z_]\w*", located.token)):
         scope = table
         while scope is not None:
-            definer = notes_of(scope).definers.get(name)
+            definer = annotations_of(scope).definers.get(name)
             if definer is not None:
                 if definer.tagName == "xacro:property":
                     found.append(Related(definer.tag_at.span, f"'{name}' is defined here"))
@@ -107,15 +104,17 @@ def _definitions(local: dict[str, Any], located: LocatedExpression) -> tuple[Rel
     return tuple(found)
 
 
-def _made(run: Run, error: Exception, located: LocatedExpression, at: ErrorLocation) -> Problem:
-    code, message, help = classify(run, error)
+def _made(
+    defined: Definitions, error: Exception, located: LocatedExpression, at: ErrorLocation
+) -> Problem:
+    code, message, help = classify(defined, error)
     token = located.token if located.token.startswith("$") else ""
     if code in ("XAC001", "XAC009", "XAC013") and token and token[:60] not in message:
         message += f" in {token}"
     return Problem(code, at.span, message, help, at.frame)
 
 
-def _without_prefix(run: Run, name: str, at: Span, use: Span | None) -> Problem:
+def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
     """One problem for all uses: who writes ``<property>`` uses it everywhere."""
     return Problem(
         "XAC001",
@@ -126,7 +125,7 @@ def _without_prefix(run: Run, name: str, at: Span, use: Span | None) -> Problem:
     )
 
 
-def argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:
+def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Problem | None:
     """A file that is missing because an argument has only a placeholder for a default.
 
     Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such folder exists.
@@ -134,9 +133,9 @@ def argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:
     if not isinstance(cause, FileNotFoundError) or not cause.filename:
         return None
     parts = os.path.dirname(os.path.abspath(cause.filename)).split(os.sep)
-    for argument in run.declared:
+    for argument in defined.arguments:
         default = argument.attributes.get("default", "")
-        if len(default) <= 2 or default not in parts or argument.name in run.arguments:
+        if len(default) <= 2 or default not in parts or argument.name in defined.given:
             continue
         above = os.sep.join(parts[: parts.index(default)])
         if os.path.isdir(above) and not os.path.exists(os.path.join(above, default)):
@@ -145,11 +144,11 @@ def argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:
                 f"argument '{argument.name}' must be given: with its default '{default}' "
                 "files are missing that the model needs"
             )
-            return Problem("XAC010", at, message, _pass(run, argument.name))
+            return Problem("XAC010", at, message, _pass(defined, argument.name))
     return None
 
 
-def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
+def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]:
     """Code, message and help of an error."""
     cause = root_cause(error)
     if isinstance(cause, UnsafeExpression):
@@ -170,22 +169,26 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
         help = "move the file into a package, or add --trust if you trust the author of the model"
         return "XAC009", str(cause), help
     if isinstance(cause, MissingArgument):
-        return "XAC010", f"argument '{cause}' has no value and no default", _how_to_pass(run, cause)
-    return "XAC001", *words(run, error, cause)
+        return (
+            "XAC010",
+            f"argument '{cause}' has no value and no default",
+            _how_to_pass(defined, cause),
+        )
+    return "XAC001", *words(defined, error, cause)
 
 
-def _how_to_pass(run: Run, missing: BaseException) -> str:
-    declared = {name: default for name, default in run.known_arguments().items() if default}
-    text = _pass(run, str(missing))
-    if declared:
-        text += "; the others: " + ", ".join(f"{n} (default {d})" for n, d in declared.items())
+def _how_to_pass(defined: Definitions, missing: BaseException) -> str:
+    others = {name: default for name, default in defined.argument_defaults().items() if default}
+    text = _pass(defined, str(missing))
+    if others:
+        text += "; the others: " + ", ".join(f"{n} (default {d})" for n, d in others.items())
     return text
 
 
-def _pass(run: Run, name: str) -> str:
+def _pass(defined: Definitions, name: str) -> str:
     """How to give an argument; with the slip in its place, if there is one."""
-    known = run.known_arguments()
-    mistake = nearest(name, [given for given in run.arguments if given not in known])
+    known = defined.argument_defaults()
+    mistake = nearest(name, [given for given in defined.given if given not in known])
     return f"pass it: {name}:=VALUE" + (f", not {mistake}:=" if mistake else "")
 
 
@@ -242,8 +245,7 @@ def _shadowing(name: str, node: Node, macro: Any) -> Problem | None:
     spans = node.tag_at.attribute_spans()
     what = f"the constant {name} = {constant:.6g}" if constant else f"the function {name}()"
     if node.tagName == "xacro:property":
-        values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
-        if constant and _is_near(values.get("value", ""), constant):
+        if constant and _is_near(node.written().get("value", ""), constant):
             return None  # it repeats the constant; XAC007 reports inexact ones
         at = spans.get("name", node.tag_at.span)
         help = "rename the property" + (", or delete it: xacro defines pi" if name == "pi" else "")

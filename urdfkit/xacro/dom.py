@@ -16,7 +16,7 @@ from urdfkit.text.source import Source
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.trace import Origin
+    from urdfkit.xacro.origin import Origin
 
 ELEMENT = minidom.Node.ELEMENT_NODE
 TEXT = minidom.Node.TEXT_NODE
@@ -117,6 +117,10 @@ class Node(_StockElement):  # type: ignore[misc]
             return self.frame
         name = call.tagName.removeprefix("xacro:")
         return CallFrame("macro", name, call.tag_at, self.tag_at, call.frame)
+
+    def written(self) -> dict[str, str]:
+        """The values of its attributes by name, as written."""
+        return dict(zip(self.raw[::2], self.raw[1::2], strict=True))
 
     @property
     def attributes(self) -> dict[str, str]:

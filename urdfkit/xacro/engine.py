@@ -25,7 +25,8 @@ from urdfkit.core import libraries
 from urdfkit.errors import UrdfkitError
 from urdfkit.xacro import dom, patterns
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.evaluation import POISON, DependsOnError, Evaluation
+from urdfkit.xacro.errors import FAILED, DependsOnError
+from urdfkit.xacro.evaluation import Evaluation
 from urdfkit.xacro.sandbox import UnsafeExpression
 
 if TYPE_CHECKING:
@@ -112,13 +113,14 @@ class XacroEngine:
         xacro = self.xacro
         with self._lock:
             self._evaluation.begin(run)
+            run.xacro = xacro
             xacro.all_includes = run.dependencies
             xacro.root_dir = run.root_dir
             xacro.verbosity = 1
             xacro.substitution_args_context.clear()
             xacro._global_symbols = self._global_symbols(trust=run.trust)
             xacro._empty_text_node = minidom.Document().createTextNode("\n\n")
-            return xacro.process_file(run.source.path, mappings=dict(run.arguments))
+            return xacro.process_file(run.source.path, mappings=dict(run.defined.given))
 
     def _global_symbols(self, *, trust: bool) -> dict[str, Any]:
         symbols: dict[str, Any] = self.xacro.create_global_symbols()
@@ -134,13 +136,13 @@ class XacroEngine:
         stock_default = xacro.eval_default_arg
 
         def get_boolean_value(value: Any, condition: Any) -> bool:
-            return False if value is POISON else stock_boolean(value, condition)
+            return False if value is FAILED else stock_boolean(value, condition)
 
         def eval_default_arg(*arguments: Any) -> Any:
             try:
                 return stock_default(*arguments)
             except DependsOnError:  # the property that it forwards failed
-                return POISON
+                return FAILED
 
         def resolve(table: Any, key: str) -> Any:
             return evaluation.resolve(table, key)
@@ -173,7 +175,7 @@ class XacroEngine:
                 self._run.including.pop()
 
         def grab_macro(elt: Node, macros: Any) -> None:
-            self._run.note_macro(elt)
+            self._run.defined.add_macro(elt)
             stock_macro(elt, macros)
 
         def handle_macro_call(node: Node, macros: Any, symbols: Any) -> bool:

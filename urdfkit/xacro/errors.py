@@ -1,4 +1,4 @@
-"""Errors that arise inside an expansion."""
+"""Errors that arise inside an expansion, and the value of an expression that failed."""
 
 from __future__ import annotations
 
@@ -6,6 +6,23 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.text.source import Span
+
+
+class FailedValue(str):
+    """The value of an expression that failed and was reported.
+
+    No model has this text. An error of xacro that quotes it is a consequence.
+    """
+
+    __slots__ = ()
+
+
+#: The only one; a private character of Unicode around its text.
+FAILED = FailedValue("\ue000failed\ue000")
+
+
+class DependsOnError(Exception):
+    """An expression uses the value of one that failed and was reported."""
 
 
 class MissingArgument(Exception):

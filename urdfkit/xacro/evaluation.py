@@ -1,7 +1,7 @@
 """How texts and properties get their values: xacro's way, and on to the next error.
 
-An expression that fails is reported with its place, and its value becomes POISON. What uses
-that value is no further error, so that one run finds all that is wrong.
+An expression that fails is reported with its place, and its value becomes FAILED. Using that
+value is no further error, so that one run finds all errors.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ import sys
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.xacro.definitions import annotations_of
+from urdfkit.xacro.errors import FAILED, DependsOnError
 from urdfkit.xacro.expressions import evaluate
 from urdfkit.xacro.locator import LocatedExpression
 
@@ -21,23 +23,6 @@ _TOKEN = re.compile(
     r"(?P<escape>\$\$+[{(])|(?P<expression>\$\{[^}]*\})|(?P<command>\$\([^)]*\))"
     r"|(?P<text>[^$]+|\$[^{($]+|\$$)"
 )
-
-
-class FailedValue(str):
-    """The value of what failed and was reported.
-
-    Its text is that of no model. An error of xacro that has it in its words is a consequence.
-    """
-
-    __slots__ = ()
-
-
-class DependsOnError(Exception):
-    """An expression uses the value of something that failed and was reported."""
-
-
-#: The one Poison; a private character of Unicode around its text.
-POISON = FailedValue("\ue000failed\ue000")
 
 
 @lru_cache(maxsize=4096)
@@ -77,7 +62,7 @@ class Evaluation:
 
     def eval_text(self, text: Any, symbols: Any) -> Any:
         """The value of a text with ``${}`` and ``$()`` in it; a single one keeps its type."""
-        if text is POISON:
+        if text is FAILED:
             return text
         if not text or "$" not in text:
             return text or ""  # minidom has None for an empty xmlns
@@ -90,7 +75,7 @@ class Evaluation:
         except DependsOnError:
             if self._depth > 1:
                 raise
-            return POISON
+            return FAILED
         finally:
             self._depth -= 1
             if tracer is not None:
@@ -105,14 +90,14 @@ class Evaluation:
             try:
                 values.append(self._value_of(kind, token, symbols))
             except DependsOnError:
-                values.append(POISON)
+                values.append(FAILED)
             except Exception as error:
-                values.append(POISON)
+                values.append(FAILED)
                 self.run.locate(text, offset, token)
                 if self._depth > 1:
                     raise
                 self.run.report(error, LocatedExpression(text, offset, token), sys._getframe(2))
-        if any(value is POISON for value in values):
+        if any(value is FAILED for value in values):
             raise DependsOnError
         sandbox = self.run.sandbox
         if len(values) > 1:
@@ -143,12 +128,12 @@ class Evaluation:
         """xacro's ``Table._setitem``, which also notes who defines the name."""
         run = self.run
         if key in table.root:
-            run.shadows(key)
+            run.warn(f"redefining global symbol: {key}")
         local = sys._getframe(2).f_locals
-        run.note_definition(table, key, local.get("elt") or local.get("node"))
+        run.define(table, key, local.get("elt") or local.get("node"))
         if run.tracer is not None and not unevaluated:
             run.tracer.defined(table, key)
-        value = POISON if value is POISON else table._eval_literal(value)
+        value = FAILED if value is FAILED else table._eval_literal(value)
         dict.__setitem__(table, key, value)
         if unevaluated and isinstance(value, str):
             table.unevaluated.add(key)
@@ -158,7 +143,7 @@ class Evaluation:
     def resolve(self, table: Any, key: str) -> Any:
         """xacro's ``Table._resolve_``, which leaves the table usable when a property fails."""
         run = self.run
-        run.note_use(table, key)
+        annotations_of(table).used.add(key)
         if key in table.unevaluated:
             if key in table.recursive:
                 chain = " -> ".join([*table.recursive, key])
@@ -173,13 +158,13 @@ class Evaluation:
             finally:
                 table.recursive.remove(key)
                 run.resolving.pop()
-            value = POISON if value is POISON else table._eval_literal(value)
+            value = FAILED if value is FAILED else table._eval_literal(value)
             dict.__setitem__(table, key, value)
             table.unevaluated.remove(key)
             if run.tracer is not None:
                 run.tracer.defined(table, key)
         value = dict.__getitem__(table, key)
-        if value is POISON:
+        if value is FAILED:
             raise DependsOnError(key)
         if run.tracer is not None:
             run.tracer.looked_up(table, key, value)

@@ -8,17 +8,14 @@ from collections.abc import Mapping
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
-from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
-from urdfkit.text.document import CallFrame, Tag
-from urdfkit.text.xml_reader import DocumentTooLarge, Problem
+from urdfkit.text.document import CallFrame
+from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro import dom_builder
-from urdfkit.xacro.annotations import notes_of
 from urdfkit.xacro.budget import Budget
+from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Dom, Node
-from urdfkit.xacro.engine import load_engine
-from urdfkit.xacro.errors import MissingArgument, root_cause
-from urdfkit.xacro.evaluation import POISON, DependsOnError
+from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
 from urdfkit.xacro.expansion_log import ANY, ExpansionLog, Message
 from urdfkit.xacro.file_reader import Reader
 from urdfkit.xacro.locator import LocatedExpression
@@ -35,22 +32,6 @@ MAX_MACRO_DEPTH = 150
 MAX_CALLS = 50_000
 
 
-class Definition(Record):
-    """Something that a xacro file defines: a macro, a property or an argument.
-
-    Attributes:
-        name: of it.
-        tag: the defining tag.
-        frame: the calls that led to the definition.
-        attributes: of the tag, as written.
-    """
-
-    name: str
-    tag: Tag
-    frame: CallFrame | None
-    attributes: dict[str, str]
-
-
 class Run:
     """The state of one expansion.
 
@@ -63,13 +44,13 @@ class Run:
         traced: True to note where values come from.
         frame: what led to the file, such as a launch file.
         without: tags that failed in an earlier run and were reported, as (path, offset).
-        ledger: takes problems and messages.
+        log: takes problems and messages.
         reader: reads files.
         deadline: time at which it must have ended.
 
     Attributes:
-        macros, properties: everything that was defined, in order.
-        declared: every ``xacro:arg`` of the files, evaluated or not.
+        defined: macros, properties and arguments of the files.
+        xacro: the private module of the engine that expands.
         included: places of the include tags that were carried out, as (path, offset).
         dependencies: included and loaded files, as the models spell them.
         document: the DOM, as far as it got.
@@ -86,25 +67,23 @@ class Run:
         traced: bool,
         frame: CallFrame | None,
         without: frozenset[tuple[str, int]],
-        ledger: ExpansionLog,
+        log: ExpansionLog,
         reader: Reader,
         deadline: float,
     ) -> None:
         self.source = source
         self.resolver = resolver
-        self.arguments = dict(arguments)
         self.trust = trust
         self.root_dir = root_dir
         self.frame = frame
         self.without = without
         self.budget = Budget(deadline)
         self.sandbox = Sandbox(self.budget)
-        self.ledger = ledger
+        self.log = log
         self.reader = reader
-        self.tracer = _tracer(self) if traced else None
-        self.macros: list[Definition] = []
-        self.properties: list[Definition] = []
-        self.declared: list[Definition] = []
+        self.defined = Definitions(source, reader.sources, arguments)
+        self.tracer = _tracer(self.defined) if traced else None
+        self.xacro: Any = None
         self.included: set[tuple[str, int]] = set()
         self.dependencies: list[str] = []
         self.document: Dom | None = None
@@ -112,7 +91,6 @@ class Run:
         self.resolving: list[tuple[Any, str]] = []
         self.including: list[Node] = []
         self._location: LocatedExpression | None = None
-        self._declared_nodes: list[Node] = []
         self._defaulting: set[str] = set()
         self._calls = 0
 
@@ -133,17 +111,16 @@ class Run:
             error.urdfkit_place = (source, frame, include)  # type: ignore[attr-defined]
             raise
         for problem in problems:
-            self.ledger.add(problem._replace(frame=frame))
-        self._declared_nodes += arguments
-        self.declared += [_definition(node) for node in arguments]
+            self.log.add(problem._replace(frame=frame))
+        self.defined.add_arguments(arguments)
         self._drop_reported(document)
         if include is None:
             self.document = document
         return document
 
     def _included(self, filename: str) -> Source:
-        xacro = load_engine().xacro
-        if POISON in filename:  # no missing file, which may be optional
+        xacro = self.xacro
+        if FAILED in filename:  # no missing file, which may be optional
             raise DependsOnError(filename)
         try:
             return self.reader.xacro(self._from_root(filename))
@@ -175,7 +152,7 @@ class Run:
     def leaves_out(self, include: Node) -> bool:
         """True for an include that failed in an earlier run; from here on anything may lack."""
         if self._is_reported(include):
-            self.ledger.lost.add(ANY)
+            self.log.lost.add(ANY)
             return True
         return False
 
@@ -183,7 +160,7 @@ class Run:
         """The value of a YAML file; the counterpart of ``xacro.load_yaml``."""
         from urdfkit.xacro import yaml_files
 
-        xacro = load_engine().xacro
+        xacro = self.xacro
         filename = xacro.abs_filename_spec(filename)
         source = self.reader.yaml(filename)
         self.budget.charge(10 * len(source.data))  # it takes so much longer than other text
@@ -205,7 +182,7 @@ class Run:
 
     def substitute(self, content: str, symbols: Any) -> str:
         """The value of ``$(content)``; the counterpart of ``xacro.eval_extension``."""
-        xacro = load_engine().xacro
+        xacro = self.xacro
         context = Context(
             self._find_package,
             lambda name: self.argument(name, symbols),
@@ -226,7 +203,7 @@ class Run:
             raise xacro.XacroException(f"{type(error)}: {error}", exc=error) from error
 
     def _find_package(self, name: str) -> str:
-        near = load_engine().xacro.filestack[-1] or self.source.path
+        near = self.xacro.filestack[-1] or self.source.path
         return self.resolver.package(name, self._from_root(near))
 
     def _from_root(self, path: str) -> str:
@@ -238,7 +215,7 @@ class Run:
         Raises:
             MissingArgument: it has none.
         """
-        values = load_engine().xacro.substitution_args_context["arg"]
+        values = self.xacro.substitution_args_context["arg"]
         if name not in values:
             values[name] = self._later_default(name, symbols)
         if self.tracer is not None:
@@ -251,7 +228,7 @@ class Run:
         xacro gives up here, which is told; ``<robot name="$(arg name)">`` above the declaration
         is common, and the rest of the robot can be checked with the default.
         """
-        for node in self._declared_nodes:
+        for node in self.defined.argument_nodes:
             if node.getAttribute("name") != name or not node.hasAttribute("default"):
                 continue
             if name in self._defaulting:
@@ -260,18 +237,11 @@ class Run:
             try:
                 from urdfkit.xacro import diagnosis
 
-                self.ledger.add(diagnosis.used_too_early(name, node, _caller()))
-                return str(load_engine().xacro.eval_text(node.getAttribute("default"), symbols))
+                self.log.add(diagnosis.used_too_early(name, node, _caller()))
+                return str(self.xacro.eval_text(node.getAttribute("default"), symbols))
             finally:
                 self._defaulting.discard(name)
         raise MissingArgument(name)
-
-    def known_arguments(self) -> dict[str, str]:
-        """The arguments that the files declare, with their defaults as written."""
-        defaults: dict[str, str] = {}
-        for argument in self.declared:
-            defaults.setdefault(argument.name, argument.attributes.get("default", ""))
-        return defaults
 
     # ------------------------------------------------------------ definitions
 
@@ -289,44 +259,10 @@ class Run:
         if self._calls > MAX_CALLS:
             raise DocumentTooLarge(f"more than {MAX_CALLS} macro calls")
 
-    def note_macro(self, node: Node) -> None:
-        """A macro is defined."""
-        name = node.getAttribute("name").removeprefix("xacro:")
-        self.macros.append(_definition(node)._replace(name=name))
-
-    def note_definition(self, table: Any, key: str, definer: Any) -> None:
+    def define(self, table: Any, key: str, definer: Any) -> None:
         """A property or a macro parameter gets a value."""
-        if not isinstance(definer, Node):
-            return
-        notes = notes_of(table)
-        if definer.tagName == "xacro:property":
-            self.properties.append(_definition(definer)._replace(name=key))
-            if key not in notes.used and not key.startswith("**"):
-                self._note_redefinition(key, definer, notes.definers.get(key))
-        notes.definers[key] = definer
-        notes.used.discard(key)
-
-    def note_use(self, table: Any, key: str) -> None:
-        """A name is looked up."""
-        notes_of(table).used.add(key)
-
-    def _note_redefinition(self, key: str, node: Node, earlier: Node | None) -> None:
-        if earlier is None:
-            return
-        one, other = earlier.tag_at, node.tag_at
-        same_block = one.source is other.source and earlier.around == node.around
-        same_value = _attributes(earlier).get("value") == _attributes(node).get("value")
-        if same_block and not same_value and earlier.tagName == node.tagName and one != other:
-            message = f"property '{key}' is defined again before its first value is used"
-            from urdfkit.xacro import diagnosis
-
-            related = diagnosis.related(earlier.tag_at.span, "first defined here")
-            span = node.tag_at.attribute_spans().get("name", node.tag_at.span)
-            self.ledger.add(Problem("XAC008", span, message, frame=node.frame, related=related))
-
-    def shadows(self, key: str) -> None:
-        """A property or parameter takes the name of something that expressions already have."""
-        self.warn(f"redefining global symbol: {key}")
+        if problem := self.defined.add_value(table, key, definer):
+            self.log.add(problem)
 
     # --------------------------------------------------------------- messages
 
@@ -335,15 +271,15 @@ class Run:
         from urdfkit.xacro import diagnosis  # which most runs do without
 
         node, local = diagnosis.node_in(_caller())
-        self.ledger.say(Message("warning", text, node.tag_at.span if node else None))
+        self.log.say(Message("warning", text, node.tag_at.span if node else None))
         if node is not None:
             problem = diagnosis.warning(text, node, local)
             if problem is not None:
-                self.ledger.add(problem)
+                self.log.add(problem)
 
     def say(self, kind: str, text: str) -> None:
         """The model speaks to the user."""
-        self.ledger.say(Message(kind, text, None))
+        self.log.say(Message(kind, text, None))
 
     # ----------------------------------------------------------------- errors
 
@@ -367,24 +303,16 @@ class Run:
             raise error
         from urdfkit.xacro import diagnosis
 
-        ledger = self.ledger
-        ledger.first_error = ledger.first_error or str(error) or repr(error)
-        if not ledger.is_full and not ledger.is_consequence(error):
-            ledger.add(diagnosis.problem(self, error, located or used, used, frame))
+        log = self.log
+        log.first_error = log.first_error or str(error) or repr(error)
+        if not log.is_full and not log.is_consequence(error):
+            log.add(diagnosis.problem(self.defined, error, located or used, used, frame))
 
 
-def _tracer(run: Run) -> Tracer:
+def _tracer(defined: Definitions) -> Tracer:
     from urdfkit.xacro.trace import Tracer
 
-    return Tracer(run)
-
-
-def _definition(node: Node) -> Definition:
-    return Definition(node.getAttribute("name"), node.tag_at, node.frame, _attributes(node))
-
-
-def _attributes(node: Node) -> dict[str, str]:
-    return dict(zip(node.raw[::2], node.raw[1::2], strict=True))
+    return Tracer(defined)
 
 
 def _caller() -> FrameType:

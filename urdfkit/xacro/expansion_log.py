@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.xml_reader import Problem
-from urdfkit.xacro.errors import MissingArgument, root_cause
-from urdfkit.xacro.evaluation import POISON, DependsOnError
+from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -89,7 +88,7 @@ class ExpansionLog:
     def is_consequence(self, error: BaseException) -> bool:
         """True if an error follows from one that was already reported."""
         cause = root_cause(error)
-        if isinstance(cause, DependsOnError) or POISON in str(error):
+        if isinstance(cause, DependsOnError) or FAILED in str(error):
             return True
         if not self.lost:
             return False

@@ -6,6 +6,7 @@ import os
 import re
 from typing import TYPE_CHECKING
 
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span, shown
 from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.includes import top_includer
@@ -45,7 +46,8 @@ def as_part(
     whole = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
     message = f"a part of {whole or 'another file'}, which must define {which}{more}"
     first = next(iter(lacking))
-    hint = Problem("XAC019", Span(source, 0, 0), message, _help(top), problems[first].frame)
+    at, frame = Span(source, 0, 0), problems[first].frame
+    hint = Problem("XAC001", at, message, _help(top), frame, severity=Severity.INFO)
     return [hint, *(one for number, one in enumerate(problems) if number not in lacking)]
 
 

@@ -65,7 +65,7 @@ def locate(node: Node, local: dict[str, Any], located: LocatedExpression) -> Err
 
 
 def _in_attribute(node: Node, local: dict[str, Any], located: LocatedExpression) -> Span | None:
-    values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
+    values = node.written()
     names = [name for name, value in values.items() if value == located.text]
     if local.get("name") in names:  # of two that are alike, the one that it works on
         names = [local["name"]]

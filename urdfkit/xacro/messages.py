@@ -16,7 +16,7 @@ from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.expansion import Run
+    from urdfkit.xacro.definitions import Definitions
 
 #: Folders that a help lists.
 _FEW = 10
@@ -42,11 +42,11 @@ class MessageText(Record):
     help: str = ""
 
 
-def words(run: Run, error: BaseException, cause: BaseException) -> MessageText:
+def words(defined: Definitions, error: BaseException, cause: BaseException) -> MessageText:
     """An error of an expression, a call or a tag.
 
     Args:
-        run: the expansion.
+        defined: by the files.
         error: as it was raised.
         cause: the innermost one.
     """
@@ -66,12 +66,12 @@ def words(run: Run, error: BaseException, cause: BaseException) -> MessageText:
         )
     text = str(cause).split("\nwhen evaluating expression")[0].strip()
     if isinstance(cause, NameError) and (found := _UNDEFINED.search(text)):
-        return _undefined_name(run, text, found.group(1))
+        return _undefined_name(defined, text, found.group(1))
     if isinstance(cause, AttributeError) and "'_setitem'" in text:
         message = 'scope="parent" stands outside of every macro, where there is no parent'
         return MessageText(message, "delete the scope")
     if found := _UNKNOWN_MACRO.search(text):
-        return _unknown_macro(run, found.group(1))
+        return _unknown_macro(defined, found.group(1))
     if isinstance(cause, TypeError) and (help := _help_with_types(text)):
         return MessageText(text, help)
     return _of_call(text, macro_of(error)) or MessageText(
@@ -135,41 +135,41 @@ def _of_call(text: str, macro: Any) -> MessageText | None:
     return None
 
 
-def _unknown_macro(run: Run, name: str) -> MessageText:
-    known = [macro.name for macro in run.macros]
+def _unknown_macro(defined: Definitions, name: str) -> MessageText:
+    known = [macro.name for macro in defined.macros]
     if tag := nearest(name, XACRO_TAGS, TYPO):
         known.append(tag)
-    if defined := _defined_elsewhere(run, "macro", name):
-        return MessageText(f"macro '{name}' is not defined", defined)
+    if elsewhere := _defined_elsewhere(defined, "macro", name):
+        return MessageText(f"macro '{name}' is not defined", elsewhere)
     help = "define the macro above its call, or include the file that does"
-    if any(map(_BARE_INCLUDE.search, (one.data for one in run.reader.sources.values()))):
+    if any(map(_BARE_INCLUDE.search, (one.data for one in defined.sources.values()))):
         help = "write <xacro:include>: xacro passes over an <include> without the prefix"
     return MessageText(f"macro '{name}' is not defined", help + did_you_mean(name, known))
 
 
-def bare_property(run: Run, cause: BaseException) -> tuple[str, Span] | None:
+def bare_property(defined: Definitions, cause: BaseException) -> tuple[str, Span] | None:
     """The name that an expression lacks, and the ``<property>`` without prefix that has it."""
     found = _UNDEFINED.search(str(cause)) if isinstance(cause, NameError) else None
     if found is None:
         return None
     pattern = re.compile(_BARE_PROPERTY % re.escape(found.group(1)).encode())
-    for source in run.reader.sources.values():
+    for source in defined.sources.values():
         if tag := pattern.search(blank_comments(source.data)):
             return found.group(1), Span(source, tag.start(), tag.end())
     return None
 
 
-def _undefined_name(run: Run, text: str, name: str) -> MessageText:
-    if defined := _defined_elsewhere(run, "property", name):
-        return MessageText(text, defined)
-    later = [named for _, named in _definitions(run, "property")]
+def _undefined_name(defined: Definitions, text: str, name: str) -> MessageText:
+    if elsewhere := _defined_elsewhere(defined, "property", name):
+        return MessageText(text, elsewhere)
+    later = [named for _, named in _definitions(defined, "property")]
     help = f"define the property '{name}' above its use, or correct the name"
     return MessageText(text, help + did_you_mean(name, later))
 
 
-def _defined_elsewhere(run: Run, kind: str, name: str) -> str:
+def _defined_elsewhere(defined: Definitions, kind: str, name: str) -> str:
     """How a name is defined where xacro has not come, or not for this use; empty if nowhere."""
-    span = next((span for span, named in _definitions(run, kind) if named == name), None)
+    span = next((span for span, named in _definitions(defined, kind) if named == name), None)
     if span is None:
         return ""
     place = f"{shown(span.source.path)}:{span.line}:{span.column}"
@@ -184,9 +184,9 @@ def _defined_elsewhere(run: Run, kind: str, name: str) -> str:
     return f"'{name}' is defined further down, at {place}: move its definition above the use"
 
 
-def _definitions(run: Run, kind: str) -> Iterator[tuple[Span, str]]:
+def _definitions(defined: Definitions, kind: str) -> Iterator[tuple[Span, str]]:
     """Places and names of the definitions in all files."""
-    for source in run.reader.sources.values():
+    for source in defined.sources.values():
         for found in _DEFINED.finditer(source.data):
             if found[1].decode() == kind:
                 yield Span(source, found.start(), found.end()), found[2].decode()

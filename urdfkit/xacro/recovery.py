@@ -38,22 +38,22 @@ def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
     """Expand a file as far as it goes.
 
     Returns:
-        The last run; its ledger has the problems of all.
+        The last run; its log has the problems of all.
     """
-    ledger = ExpansionLog()
+    log = ExpansionLog()
     near = os.path.join(options["root_dir"], source.path)
     reader = Reader(source, resolver, near=near, trust=options["trust"])
     without: set[tuple[str, int]] = set()
     lost: set[str] = set()
     until = deadline()
     while True:
-        ledger.begin(lost)
+        log.begin(lost)
         run = Run(
             source,
             resolver,
             arguments,
             without=frozenset(without),
-            ledger=ledger,
+            log=log,
             reader=reader,
             deadline=until,
             **options,
@@ -61,10 +61,10 @@ def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
         error = _once(run)
         if error is None:
             return run
-        ledger.first_error = ledger.first_error or _stock_words(error)
+        log.first_error = log.first_error or _stock_words(error)
         failure = _failure(run, error)
         for problem in failure.problems:
-            ledger.add(problem)
+            log.add(problem)
         if failure.node is None or len(without) >= MAX_RUNS:
             return run
         without.add((failure.node.tag_at.source.path, failure.node.tag_at.start))
@@ -96,15 +96,15 @@ def _failure(run: Run, error: BaseException) -> _Failure:
     while traceback is not None and traceback.tb_next is not None:
         traceback = traceback.tb_next
     node, _ = diagnosis.node_in(traceback.tb_frame if traceback else None)
-    if wanting := diagnosis.argument_of_missing_file(run, root_cause(error)):
+    if wanting := diagnosis.argument_of_missing_file(run.defined, root_cause(error)):
         return _Failure([wanting], node)
-    code, message, help = diagnosis.classify(run, error)
+    code, message, help = diagnosis.classify(run.defined, error)
     if node is None:
         return _Failure([Problem(code, Span(run.source, 0, 0), message, help)], None)
     taken_out = node.parentNode is None and node.tagName != "xacro:property"
     if code == "XAC013" or taken_out:
         return _Failure([Problem(code, node.tag_at.span, message, help, node.frame)], None)
-    if run.ledger.is_consequence(error):
+    if run.log.is_consequence(error):
         return _Failure([], node)
     notes = diagnosis.macro_notes(error)
     at = _at(node, str(error))

@@ -10,43 +10,22 @@ from collections.abc import Iterator
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
-from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Span
-from urdfkit.xacro.annotations import notes_of
+from urdfkit.xacro.definitions import Definitions, annotations_of
 from urdfkit.xacro.dom import ELEMENT, Dom, Node
+from urdfkit.xacro.origin import Origin
 
 if TYPE_CHECKING:
     from urdfkit.text.source import Source
-    from urdfkit.xacro.expansion import Run
-
-
-class Origin(Record):
-    """How a name got its value.
-
-    Attributes:
-        name: of the property, parameter or argument; the key in a YAML file.
-        value: as text.
-        kind: ``property``, ``argument``, ``default``, ``xacro:arg``, ``command line`` or ``YAML``.
-        span: where it is given; None for the command line.
-        text: what is written there.
-        inputs: the names that the text looks up.
-    """
-
-    name: str
-    value: str
-    kind: str
-    span: Span | None
-    text: str
-    inputs: tuple[Origin, ...]
 
 
 class Tracer:
-    """Notes what expressions look up while a Run expands."""
+    """Records what expressions look up during an expansion."""
 
-    def __init__(self, run: Run) -> None:
-        self.run = run
+    def __init__(self, defined: Definitions) -> None:
+        self._defined = defined
         self._collected: list[dict[str, Origin]] = []
         self._last: tuple[Origin, ...] = ()
 
@@ -64,20 +43,20 @@ class Tracer:
 
     def defined(self, table: Any, key: str) -> None:
         """A name got the value of the text that was evaluated last."""
-        notes = notes_of(table)
-        definer = notes.definers.get(key)
+        annotations = annotations_of(table)
+        definer = annotations.definers.get(key)
         if definer is not None and "$" in _definition(definer, key)[2]:
-            notes.inputs[key] = self._last
+            annotations.inputs[key] = self._last
 
     def looked_up(self, table: Any, key: str, value: Any) -> None:
         """An expression used a name."""
         if not self._collected or key.startswith("*"):
             return
-        notes = notes_of(table)
-        definer = notes.definers.get(key)
+        annotations = annotations_of(table)
+        definer = annotations.definers.get(key)
         if definer is None:
             return  # built in
-        inputs = notes.inputs.get(key, ())
+        inputs = annotations.inputs.get(key, ())
         kind, span, text = _definition(definer, key)
         self._collected[-1][key] = Origin(key, _short(value), kind, span, text, inputs)
 
@@ -87,8 +66,8 @@ class Tracer:
             return
         kind, text = "command line", f"{name}:={value}"
         span: Span | None = None
-        if name not in self.run.arguments:
-            for declared in self.run.declared:
+        if name not in self._defined.given:
+            for declared in self._defined.arguments:
                 if declared.name == name:
                     span = declared.tag.attribute_spans().get("default", declared.tag.span)
                     kind, text = "xacro:arg", span.text

@@ -17,7 +17,7 @@ def findings(codes: str, select: tuple[str, ...] = ()) -> list[tuple[str, str]]:
 
 
 def test_the_codes_that_hit_nothing_are_named():
-    assert findings("TRE006, JNT") == [("CFG001", "nothing here is found by TRE006, JNT")]
+    assert findings("TRE003, JNT") == [("CFG001", "nothing here is found by TRE003, JNT")]
 
 
 def test_an_empty_list_hits_nothing():
@@ -27,7 +27,7 @@ def test_an_empty_list_hits_nothing():
 def test_rules_that_were_not_run_are_not_missed():
     assert (
         findings(
-            "TRE006",
+            "TRE003",
             select=(
                 "CFG",
                 "JNT",

@@ -9,7 +9,6 @@ import pytest
 
 from tests.physics.collision.robots import box, cube, cylinder, joint, link, mesh, revolute, sphere
 from tests.reported import messages, places, reported
-from urdfkit.core import libraries
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
@@ -83,30 +82,33 @@ def test_rigidly_connected_links_are_not_reported() -> None:
     assert messages("COL001", arm + sensor + fixed) == []
 
 
-def test_without_coal_it_is_skipped_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
-    original = libraries.find
-    monkeypatch.setattr(libraries, "find", lambda name: None if name == "coal" else original(name))
-    for module in [name for name in sys.modules if name.startswith("urdfkit.physics.collision")]:
-        monkeypatch.delitem(sys.modules, module)
-    source = Source("r.urdf", whole_robot(bent(0.02)).encode())
-    report = engine.check(source, select=["COL"])
-    assert report.diagnostics == ()
-    assert {skip.code for skip in report.skipped} == {"COL001", "COL004"}
-    assert {skip.reason for skip in report.skipped} == {
-        "coal is not installed: pip install 'urdfkit[dynamics]'"
-    }
-    assert not any(name.startswith("urdfkit.physics.collision") for name in sys.modules)
+def test_without_coal_closed_forms_are_checked_and_the_rest_is_skipped(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "coal", None)
+    closed, open_ = (
+        bent(0.02),
+        bent(0.02).replace('<sphere radius="0.05"/>', '<capsule radius="0.05" length="0.01"/>'),
+    )
+    for text, codes, skipped in ((closed, ["COL001"], []), (open_, [], ["COL001"])):
+        source = Source("r.urdf", whole_robot(text).encode())
+        report = engine.check(source, select=["COL001"])
+        assert [one.code for one in report.diagnostics] == codes
+        assert [one.code for one in report.skipped] == skipped
+        assert all("pip install 'urdfkit[dynamics]'" in one.reason for one in report.skipped)
 
 
-def test_the_arm_of_moveit_is_folded_into_itself_at_zero(corpus: Path) -> None:
+def test_the_arm_of_moveit_folds_into_itself_only_at_the_end_of_its_range(corpus: Path) -> None:
     panda = corpus / "moveit_resources" / "panda_description" / "urdf" / "panda.urdf"
     found = engine.check(panda, select=["COL001"]).diagnostics
-    assert [
-        one.message.split(" overlap")[0] for one in found if one.severity is Severity.WARNING
-    ] == [
-        "links 'panda_link7' and 'panda_link5'",
-        "links 'panda_hand' and 'panda_link5'",
-    ]
+    assert [one for one in found if one.severity is Severity.WARNING] == []
+
+
+@pytest.mark.parametrize(("lower", "count"), [(-0.4, 1), (-0.05, 0), (0, 1)])
+def test_zero_next_to_the_end_of_a_joint_between(lower: float, count: int) -> None:
+    elbow = bent(0.004)
+    assert elbow.count('lower="-2"') == 1
+    assert len(messages("COL001", elbow.replace('lower="-2"', f'lower="{lower}"'))) == count
 
 
 @pytest.mark.parametrize(("limits", "count"), [(revolute(1, 2), 0), (revolute(-1, 2), 1)])

@@ -16,7 +16,7 @@ def test_a_tag_that_is_not_read() -> None:
     text = BASE + plugin(MOVE, "<odometryFrame>odom</odometryFrame><enableYAxis>1</enableYAxis>")
     (found,) = reported("GAZ016", text)
     assert (found.message, found.severity) == (
-        f"{NAME} does not read <enableYAxis>",
+        f"{NAME}: unknown element <enableYAxis> (ignored)",
         Severity.INFO,
     )
     assert places("GAZ016", text) == [(4, "<enableYAxis>")]
@@ -26,7 +26,7 @@ def test_a_block_is_reported_once_with_its_path() -> None:
     wheel = '<wheel link_name="base"><wheel_normal_force>1</wheel_normal_force><a><b/></a></wheel>'
     text = BASE + plugin("libWheelSlipPlugin.so", wheel)
     assert messages("GAZ016", text) == [
-        "plugin 'p' (libWheelSlipPlugin.so) does not read <a> in <wheel>"
+        "plugin 'p' (libWheelSlipPlugin.so): unknown element <a> in <wheel> (ignored)"
     ]
 
 
@@ -84,11 +84,19 @@ def test_names_of_ros2() -> None:
 
 def test_only_a_pure_rename_is_fixed() -> None:
     text = BASE + plugin(MOVE, "<odometryRate>9</odometryRate><commandTopic>c</commandTopic>")
-    rename, remap = reported("GAZ016", text, targets=("classic-ros2",))
-    assert rename.fix is not None
-    assert remap.fix is None
-    source = rename.span.source.data
-    assert b"<publish_rate>9</publish_rate>" in apply_edits(source, rename.fix.edits)
+    (found,) = reported("GAZ016", text, targets=("classic-ros2",))
+    assert found.fix is not None
+    edited = apply_edits(found.span.source.data, found.fix.edits)
+    assert b"<publish_rate>9</publish_rate><commandTopic>c</commandTopic>" in edited
+
+
+def test_the_tags_of_another_generation_are_one_finding_of_a_plugin() -> None:
+    tags = "<odometryRate>9</odometryRate><commandTopic>c</commandTopic><robotBaseFrame>b"
+    text = BASE + plugin(MOVE, f"{tags}</robotBaseFrame>")
+    (found,) = reported("GAZ016", text, targets=("classic-ros2",))
+    assert "<odometryRate>, <commandTopic> and <robotBaseFrame>" in found.message
+    assert len(found.related) == 2
+    assert found.related[1].message.endswith("write <robot_base_frame>")
 
 
 def test_no_second_tag_of_one_name() -> None:

@@ -75,8 +75,7 @@ def test_every_place_is_told(robot: str) -> None:
     "reference",
     [
         "package://arm/meshes/forearm.stl",
-        "package://no_such_package/meshes/a.stl",  # MSH005
-        "package:///arm/meshes/a.stl",  # MSH005
+        "package://no_such_package/meshes/a.stl",  # XAC011
         "https://example.org/a.stl",
         "model://arm/meshes/forearm.stl",
         "package://arm/meshes/${name}.stl",  # XAC003
@@ -183,4 +182,17 @@ def test_an_unknown_scheme(robot: str, scheme: str) -> None:
 
 def test_a_scheme_that_resembles_none(robot: str) -> None:
     (found,) = reported(CODE, mesh_link("s3://bucket/arm.stl"), robot)
+    assert found.fix is None
+
+
+def test_a_slash_too_many(robot: str) -> None:
+    text = mesh_link("package:///arm/meshes/forearm.stl")
+    (found,) = reported(CODE, text, robot)
+    assert found.message == (
+        "link 'arm': the visual mesh 'package:///arm/meshes/forearm.stl' names no "
+        "package between 'package://' and the next '/'"
+    )
+    right = mesh_link("package://arm/meshes/forearm.stl")
+    assert fixed(CODE, text, robot) == fixed(CODE, right, robot)
+    (found,) = reported(CODE, mesh_link("package:///no/such.stl"), robot)
     assert found.fix is None

@@ -53,6 +53,17 @@ def test_a_loop_of_eight_is_named_whole() -> None:
     assert message.endswith("l6 -> l7 -> l0")
 
 
-def test_two_ways_to_one_link_and_a_joint_to_itself_are_other_findings() -> None:
+def test_two_ways_to_one_link_are_another_finding() -> None:
     assert reported("TRE003", robot("a b c d", "a b", "a c", "b d", "c d")) == []  # TRE004
-    assert reported("TRE003", robot("a", "a a")) == []  # TRE006
+
+
+def test_a_joint_to_itself_is_reported_once() -> None:
+    model = robot("a b", "a a", "a b")
+    assert messages("TRE003", model) == ["joint 'a_a' has link 'a' as parent and as child"]
+    assert places("TRE003", model) == [(3, "a")]
+    assert reported("TRE004", model) == []
+
+
+def test_a_joint_without_ends_is_reported_elsewhere() -> None:
+    for end in ('<parent link="a"/>', '<child link="a"/>', ""):
+        assert not reported("TRE003", f'<link name="a"/><joint name="j" type="fixed">{end}</joint>')

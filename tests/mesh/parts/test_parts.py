@@ -34,19 +34,19 @@ def assert_clean(mesh: Mesh, size: Vector) -> None:
     assert 0.15 * np.prod(size) < sum(volumes) < np.prod(size)
 
 
-@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.module)
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.key)
 def test_every_part_is_made_of_closed_solids(part: RealPart) -> None:
     assert_clean(part.build(), part.size)
 
 
-@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.module)
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.key)
 def test_every_part_can_be_stretched(part: RealPart) -> None:
     x, y, z = part.size
     for size in ((2 * x, 2 * y, 1.4 * z), (0.7 * x, 0.7 * y, z)):
         assert_clean(part.build(size), size)
 
 
-@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.module)
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.key)
 def test_materials_of_a_part_do_not_overlap(part: RealPart) -> None:
     solids = [as_trimesh(Mesh((one,))) for one in part.build().parts]
     together = trimesh.boolean.union(solids, engine="manifold")
@@ -57,7 +57,7 @@ def test_a_block() -> None:
     assert_clean(block.build((0.1, 0.2, 0.05)), (0.1, 0.2, 0.05))
 
 
-@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.module)
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.key)
 def test_a_wheel_is_round_and_seen_along_z(part: RealPart) -> None:
     if not part.turns:
         pytest.skip("does not turn")
@@ -98,7 +98,7 @@ def test_names_choose_the_part(
     file: str, link: str, size: Vector | None, module: str | None
 ) -> None:
     choice = choose({"the file": file, "the link": link}, size)
-    assert (choice.part.module if choice else None) == module
+    assert (choice.part.key if choice else None) == module
 
 
 def test_the_reason_names_the_word() -> None:
@@ -128,7 +128,7 @@ def test_words_of_a_name() -> None:
     ],
 )
 def test_upper_rollers_of_mecanum_wheels_make_an_x(name: str, along: int) -> None:
-    part = next(part for part in PARTS if part.module == "mecanum_wheel")
+    part = next(part for part in PARTS if part.key == "mecanum_wheel")
     mesh = part.build(names=[name])
     rubber = next(one for one in mesh.parts if one.material and one.material.name == "rubber")
     # The axle of a wheel is the y axis of the robot, its x axis that of the robot.

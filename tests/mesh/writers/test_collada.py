@@ -110,7 +110,7 @@ def test_textures_lie_beside_it_each_once(tmp_path: Path) -> None:
     assert images == {(255, 0, 0), (0, 0, 255)}
 
 
-@pytest.mark.parametrize("part", REAL_PARTS, ids=lambda part: part.module)
+@pytest.mark.parametrize("part", REAL_PARTS, ids=lambda part: part.key)
 def test_assimp_reads_the_parts_as_they_are(part: object, tmp_path: Path) -> None:
     assimp = pytest.importorskip("assimp_py")
     mesh = part.build()  # type: ignore[attr-defined]

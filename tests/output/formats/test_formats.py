@@ -11,7 +11,7 @@ from tests.output.formats.made import diagnostic, report, span
 from urdfkit.output import formats
 from urdfkit.text.source import Source
 
-FOUND = diagnostic(span(Source("robot.urdf", b"<robot/>"), "robot"), code="TRE006")
+FOUND = diagnostic(span(Source("robot.urdf", b"<robot/>"), "robot"), code="TRE003")
 
 
 def test_the_folder_is_the_catalogue() -> None:
@@ -31,7 +31,7 @@ def test_every_format_obeys_the_law(name: str) -> None:
     assert str(inspect.signature(render)) == (
         "(report: 'Report', *, color: 'bool' = False, width: 'int' = 80) -> 'str'"
     )
-    for checked in (report(rules=("TRE006",)), report(FOUND, rules=("TRE006",))):
+    for checked in (report(rules=("TRE003",)), report(FOUND, rules=("TRE003",))):
         text = render(checked)
         assert text == "" or (text.endswith("\n") and not text.endswith("\n\n"))
         assert text == render(checked), "it depends on the report alone"

@@ -14,7 +14,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.output.formats.made import diagnostic, macro, report, span
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.report import Crashed, Skipped
 from urdfkit.output.formats.sarif import render
 from urdfkit.text.diagnostic import Call, Confidence, Edit, Fix, Related, Severity
@@ -36,7 +36,7 @@ def run_of(*diagnostics: Any, **changes: Any) -> Any:
 
 def result_of(at: Span, **changes: Any) -> Any:
     """The single result of a finding."""
-    (result,) = run_of(diagnostic(at, code="TRE006", name="joint-to-itself", **changes))["results"]
+    (result,) = run_of(diagnostic(at, code="TRE003", name="cycle", **changes))["results"]
     return result
 
 
@@ -166,17 +166,17 @@ def test_a_fix_is_replacements_by_file() -> None:
 
 def test_the_table_has_the_rules_that_ran_with_their_help() -> None:
     run = run_of(
-        diagnostic(span(WIDE, "轮子"), code="TRE006", name="joint-to-itself"),
+        diagnostic(span(WIDE, "轮子"), code="TRE003", name="cycle"),
         rules=("TRE001", "MSH001"),
     )
     table = run["tool"]["driver"]["rules"]
-    assert [rule["id"] for rule in table] == ["MSH001", "TRE001", "TRE006"]
+    assert [rule["id"] for rule in table] == ["MSH001", "TRE001", "TRE003"]
     (result,) = run["results"]
-    assert table[result["ruleIndex"]]["id"] == result["ruleId"] == "TRE006"
-    entry, rule = table[2], rules.get("TRE006")
-    assert entry["name"] == "JointToItself"
+    assert table[result["ruleIndex"]]["id"] == result["ruleId"] == "TRE003"
+    entry, rule = table[2], rule_index.get("TRE003")
+    assert entry["name"] == "Cycle"
     assert entry["shortDescription"]["text"] == rule.explanation.split("\n")[0]
-    assert entry["fullDescription"]["text"].startswith("urdfdom loops forever on it")
+    assert entry["fullDescription"]["text"].startswith("URDF describes trees")
     assert rule.help in entry["help"]["text"]
     assert entry["defaultConfiguration"] == {"level": "error"}
     assert run["tool"]["driver"]["version"] == urdfkit.__version__
@@ -203,10 +203,10 @@ JOINT = '<joint name="{}" type="fixed"><parent link="a"/><child link="a"/></join
 
 
 def marks(tmp_path: Path, text: str) -> dict[str, str]:
-    """The fingerprint of each finding of TRE006, by its element."""
+    """The fingerprint of each finding of TRE003, by its element."""
     file = tmp_path / "r.urdf"
     file.write_text(f'<robot name="r">\n<link name="a"/>\n{text}</robot>\n')
-    found = json.loads(render(urdfkit.check(file, select=["TRE006"])))["runs"][0]["results"]
+    found = json.loads(render(urdfkit.check(file, select=["TRE003"])))["runs"][0]["results"]
     return {
         result["locations"][0]["logicalLocations"][0]["fullyQualifiedName"]: result[
             "partialFingerprints"
@@ -252,8 +252,8 @@ def test_a_report_with_everything_fits_the_schema(validator: Any) -> None:
     full = report(
         diagnostic(
             span(WIDE, "轮子"),
-            code="TRE006",
-            name="joint-to-itself",
+            code="TRE003",
+            name="cycle",
             calls=(Call("a", via, "link/轮子"), Call("b", via, "")),
             related=(Related(span(TOP, "</robot>"), "it ends here"),),
             fix=Fix("write 'leg'", (Edit(span(WIDE, "轮子"), "leg"),)),
@@ -283,7 +283,7 @@ def test_reports_of_the_models_fit_the_schema(validator: Any, model: Path) -> No
 
 @needs_schema
 def test_all_rules_fit_the_schema(validator: Any) -> None:
-    validator.validate(json.loads(render(report(rules=tuple(rules.codes())))))
+    validator.validate(json.loads(render(report(rules=tuple(rule_index.codes())))))
 
 
 @needs_schema

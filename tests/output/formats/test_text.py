@@ -99,7 +99,7 @@ def test_for_whom_it_is_weighed_is_said_once_with_the_reason() -> None:
     checked = report(found, targets=(("a.urdf", inferred), ("b.urdf", inferred)))
     text = render(checked, width=100)
     assert text.splitlines()[0].endswith("2 m is over 1 m (for ros1, for kdl, guessed)")
-    assert text.count("Weighed for ros1: package.xml. Others: --target NAME\n") == 1
+    assert text.count("Targets: ros1 (package.xml); override with --target\n") == 1
     given = report(found, targets=(("a.urdf", Targets(("ros1",))),))
     assert "Weighed" not in render(given)
 

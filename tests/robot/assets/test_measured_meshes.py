@@ -38,15 +38,15 @@ def measured(folder: Path, robot: str, **files: bytes) -> MeasuredMeshes:
     return MeasuredMeshes(subject.model, subject.files, Store(None))
 
 
-def lump(folder: Path, part: str, data: bytes = BLOCK) -> MeshSolid:
+def mesh_solid(folder: Path, part: str, data: bytes = BLOCK) -> MeshSolid:
     (use,) = measured(folder, link(part), a_stl=data).uses
-    found = use.lump
+    found = use.solid
     assert found is not None
     return found
 
 
 def test_a_block(tmp_path: Path) -> None:
-    found = lump(tmp_path, mesh("a.stl"))
+    found = mesh_solid(tmp_path, mesh("a.stl"))
     assert (found.name, found.is_closed) == ("a.stl", True)
     assert (found.volume, found.hull) == pytest.approx((48, 48))
     mass, center, tensor = found.properties(12)
@@ -74,7 +74,7 @@ def test_scale_and_origin(
     size: tuple[float, float, float],
     center: tuple[float, float, float],
 ) -> None:
-    found = lump(tmp_path, mesh("a.stl", more=more, origin=origin))
+    found = mesh_solid(tmp_path, mesh("a.stl", more=more, origin=origin))
     assert found.volume == pytest.approx(size[0] * size[1] * size[2])
     _, middle, tensor = found.properties(5)
     assert middle == pytest.approx(center, abs=1e-6)
@@ -93,14 +93,14 @@ def test_a_turned_scale_agrees_with_a_mesh_that_was_stretched(tmp_path: Path) ->
     plain = stl([[corners[i] for i in face] for face in faces])
     stretched = [(2 * x, 3 * y, z) for x, y, z in corners]
     long = stl([[stretched[i] for i in face] for face in faces])
-    by_scale = lump(tmp_path, mesh("a.stl", more=' scale="2 3 1"'), plain).properties(1)
-    by_vertices = lump(tmp_path, mesh("a.stl"), long).properties(1)
+    by_scale = mesh_solid(tmp_path, mesh("a.stl", more=' scale="2 3 1"'), plain).properties(1)
+    by_vertices = mesh_solid(tmp_path, mesh("a.stl"), long).properties(1)
     assert by_scale.center == pytest.approx(by_vertices.center)
     assert by_scale.tensor == pytest.approx(by_vertices.tensor, rel=1e-5)
 
 
 def test_an_open_mesh_is_taken_for_its_hull(tmp_path: Path) -> None:
-    found = lump(tmp_path, mesh("a.stl"), stl(box((0, 0, 0), (1, 1, 1), BOX[2:])))
+    found = mesh_solid(tmp_path, mesh("a.stl"), stl(box((0, 0, 0), (1, 1, 1), BOX[2:])))
     assert not found.is_closed
     assert found.volume == pytest.approx(1)
     assert str(found) == "convex hull of the mesh 'a.stl' of 1 m^3"
@@ -109,7 +109,7 @@ def test_an_open_mesh_is_taken_for_its_hull(tmp_path: Path) -> None:
 def test_what_is_flat_is_no_solid(tmp_path: Path) -> None:
     flat = stl(box((0, 0, 0), (1, 1, 1), BOX[:2]))
     (use,) = measured(tmp_path, link(mesh("a.stl")), a_stl=flat).uses
-    assert use.lump is None
+    assert use.solid is None
 
 
 def test_the_unit_of_collada_counts(tmp_path: Path) -> None:

@@ -30,7 +30,7 @@ from urdfkit.robot.assets.placeholder_meshes import (
 )
 from urdfkit.robot.assets.target_bounds import target_bounds
 
-PARTS_BY_MODULE = {part.module: part for part in PARTS}
+PARTS_BY_KEY = {part.key: part for part in PARTS}
 BOX = '<box size="0.2 0.1 0.06"/>'
 WHEEL = '<cylinder radius="0.1" length="0.04"/>'
 
@@ -245,7 +245,7 @@ def test_one_mesh_by_its_reference(tmp_path: Path) -> None:
     one = generate(subject, "good.stl", size=(0.1, 0.2, 0.3), force=True)
     assert isinstance(one, GeneratedMesh)
     assert one.mesh.vertices.max(axis=0) == pytest.approx([0.05, 0.1, 0.15])
-    camera = generate(subject, "good.stl", part=PARTS_BY_MODULE["camera"], force=True)
+    camera = generate(subject, "good.stl", part=PARTS_BY_KEY["camera"], force=True)
     assert isinstance(camera, GeneratedMesh)
     assert camera.reason.startswith("industrial camera")
     assert not isinstance(camera, NotGenerated)
@@ -253,12 +253,12 @@ def test_one_mesh_by_its_reference(tmp_path: Path) -> None:
 
 def test_a_part_for_a_new_file(tmp_path: Path) -> None:
     path = tmp_path / "imu.glb"
-    one = generate_part(str(path), PARTS_BY_MODULE["xsens_mti"])
+    one = generate_part(str(path), PARTS_BY_KEY["xsens_mti"])
     one.write()
     with pytest.raises(GoodMesh):
-        generate_part(str(path), PARTS_BY_MODULE["xsens_mti"])
+        generate_part(str(path), PARTS_BY_KEY["xsens_mti"])
     path.write_bytes(b"")
-    assert generate_part(str(path), PARTS_BY_MODULE["xsens_mti"]).defect == "is empty"
+    assert generate_part(str(path), PARTS_BY_KEY["xsens_mti"]).defect == "is empty"
 
 
 @needs_corpus

@@ -5,7 +5,7 @@ from itertools import product
 import pytest
 
 from urdfkit.core.spatial import IDENTITY, Rotation, Transform, multiply, rotate, transposed
-from urdfkit.robot.assets.visual_collision import QUARTERS, turned
+from urdfkit.robot.assets.visual_collision import QUARTERS
 from urdfkit.robot.shapes import BoundingBox
 
 
@@ -20,14 +20,10 @@ def test_the_quarter_turns_are_the_rotations_of_a_cube() -> None:
 
 
 @pytest.mark.parametrize("turn", QUARTERS)
-def test_a_box_is_turned_about_a_point(turn: Rotation) -> None:
-    about = Transform(position=(1, -2, 3))
+def test_a_box_moves_with_its_frame(turn: Rotation) -> None:
+    frame = Transform(turn, (1, -2, 3))
     box = BoundingBox((0.5, 0, 1), (2, 1, 4))
-    corners = [
-        about.apply(rotate(turn, (x - 1, y + 2, z - 3)))
-        for x, y, z in product(*zip(*box, strict=True))
-    ]
-    columns = list(zip(*corners, strict=True))
-    found = turned(box, turn, about)
-    assert found.low == pytest.approx([min(column) for column in columns])
-    assert found.high == pytest.approx([max(column) for column in columns])
+    corners = BoundingBox.of(frame.apply((x, y, z)) for x, y, z in product(*zip(*box, strict=True)))
+    found = box.moved(frame)
+    assert found.low == pytest.approx(corners.low)
+    assert found.high == pytest.approx(corners.high)

@@ -7,7 +7,7 @@ import pytest
 from tests.massive import BALL, BOX, MESH, WHEEL, inertial, joint, link, masses, part, shape
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import (
     UNITS,
     Diagnosis,
@@ -29,12 +29,12 @@ BOX_MOMENTS = (0.1, 0.05, 0.13)
 def unlike(robot: str) -> Diagnosis:
     """The diagnosis of the first link, whose tensor is not that of its shape."""
     found = masses(robot)
-    return of_unlike_shape(found.weighed[0], found)
+    return of_unlike_shape(found.inertias[0], found)
 
 
 def impossible(moments: tuple[float, ...], *shapes: str) -> Diagnosis:
     found = masses(link("a", *shapes, inertial(12, moments)))
-    return of_impossible(found.weighed[0], found)
+    return of_impossible(found.inertias[0], found)
 
 
 def test_without_a_cause_the_shape_is_proposed() -> None:
@@ -51,15 +51,15 @@ def test_many_links_with_one_tensor_are_compared_with_each_other_once(
     calls: list[LinkInertia] = []
     fits = LinkInertia.fits
 
-    def counted(weighed: LinkInertia, expected: Tensor, factor: float) -> bool:
-        calls.append(weighed)
-        return fits(weighed, expected, factor)
+    def counted(one: LinkInertia, expected: Tensor, factor: float) -> bool:
+        calls.append(one)
+        return fits(one, expected, factor)
 
     monkeypatch.setattr(LinkInertia, "fits", counted)
     count = 50
     found = masses("".join(part(f"l{n}", 12, (7, 7, 7), BOX) for n in range(count)))
-    for weighed in found.weighed:
-        of_unlike_shape(weighed, found)
+    for one in found.inertias:
+        of_unlike_shape(one, found)
     assert len(calls) <= 4 * count
 
 
@@ -176,7 +176,7 @@ def test_the_twin_is_possible() -> None:
         + joint("hip", "right_leg", xyz="0 -0.1 0")
     )
     found = masses(symmetric_pairs)
-    diagnosis = of_impossible(found.weighed[1], found)
+    diagnosis = of_impossible(found.inertias[1], found)
     assert diagnosis.cause == "of its counterpart 'left_leg' is possible"
     assert diagnosis.tensor == Tensor(0.01, -0.002, 0.001, 0.02, -0.003, 0.025)
     assert diagnosis.confidence is Confidence.INFERRED
@@ -194,10 +194,10 @@ def test_no_proposal_is_impossible() -> None:
     for moments in product((-0.02, 0.0, 0.001, 0.03), repeat=6):
         found = masses(link("a", inertial(1, moments)))
         impossible = (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY)
-        for one in (one for key in impossible for one in found.diagnoses.get(key, [])):
+        for one in (one for key in impossible for one in found.defects.get(key, [])):
             tensor = of_impossible(one, found).tensor
             if tensor is not None:
-                assert masses(link("a", inertial(1, tensor))).diagnoses == {}
+                assert masses(link("a", inertial(1, tensor))).defects == {}
 
 
 @pytest.mark.parametrize(
@@ -219,7 +219,7 @@ def test_equal_values_are_written_once() -> None:
 
 
 def test_a_replacement_edits_what_is_different_only() -> None:
-    (found,) = masses(part("a", 12, (0.1, 7, 0.13), BOX)).weighed
+    (found,) = masses(part("a", 12, (0.1, 7, 0.13), BOX)).inertias
     fix = replacement(found, Tensor(0.1, 0, 0, 0.05, 0, 0.13))
     assert fix is not None
     assert fix.title == 'write iyy="0.05"'
@@ -230,7 +230,7 @@ def test_a_replacement_edits_what_is_different_only() -> None:
 
 def replaced(robot: str) -> list[tuple[str, str]]:
     """The old and new texts of what a fix writes instead of a tensor that is not of the shape."""
-    (found,) = masses(robot).weighed
+    (found,) = masses(robot).inertias
     fix = replacement(found, of_unlike_shape(found, masses(robot)).tensor)
     return [(edit.span.text, edit.text) for edit in fix.edits] if fix else []
 
@@ -247,12 +247,12 @@ def test_one_sign_is_all_that_is_changed() -> None:
     """As on the wrists of Kinova's arms."""
     turned = shape("collision", BOX, rpy="0 0 0.4")
     robot = link("wrist", turned, inertial(12, BOX_MOMENTS))
-    (box,) = masses(robot).weighed
+    (box,) = masses(robot).inertias
     assert box.expected is not None
     moments = Tensor(0.0923, -0.0178, 0, 0.0576, 0, 0.1303)
     assert box.expected == pytest.approx((0.0924, 0.0179, 0, 0.0576, 0, 0.13), abs=1e-4)
     wrong = link("wrist", turned, inertial(12, moments))
-    (found,) = masses(wrong).weighed
+    (found,) = masses(wrong).inertias
     assert found.is_at_wrong_axes
     assert replaced(wrong) == [("-0.0178", "0.0178")]
 
@@ -266,7 +266,7 @@ def test_entries_that_are_right_keep_their_digits() -> None:
 
 def test_a_product_that_an_angle_of_1_57_leaves_is_not_written() -> None:
     lying = link("a", shape("collision", BOX, rpy="1.57 0 0"), inertial(12, (7, 7, 7)))
-    (found,) = masses(lying).weighed
+    (found,) = masses(lying).inertias
     assert found.expected is not None
     assert abs(found.expected.iyz) > 1e-5
     assert [old for old, _ in replaced(lying)] == ["7", "7", "7"]
@@ -274,12 +274,12 @@ def test_a_product_that_an_angle_of_1_57_leaves_is_not_written() -> None:
 
 def test_of_the_signs_that_are_possible_that_of_the_shape_is_meant() -> None:
     thin = shape("collision", '<box size="0.02 0.02 1"/>', rpy="0.5 0.6 0")
-    (rod,) = masses(link("a", thin, inertial(1, (7, 7, 7)))).weighed
+    (rod,) = masses(link("a", thin, inertial(1, (7, 7, 7)))).inertias
     assert rod.expected is not None
     wrong = link("a", thin, inertial(1, rod.expected._replace(ixz=-rod.expected.ixz)))
     found = masses(wrong)
-    assert [*found.diagnoses] == [InertiaDefect.TRIANGLE_INEQUALITY]
-    diagnosis = of_impossible(found.weighed[0], found)
+    assert [*found.defects] == [InertiaDefect.TRIANGLE_INEQUALITY]
+    diagnosis = of_impossible(found.inertias[0], found)
     assert diagnosis.cause == "has ixz with the opposite sign"
     assert diagnosis.tensor == pytest.approx(rod.expected)
 
@@ -295,7 +295,7 @@ def findings(found: Masses) -> list[Finding]:
                 fix=replacement(one, Tensor(1, 0, 0, 1, 0, one.mass)),
             ),
         )
-        for one in found.weighed
+        for one in found.inertias
     ]
     return list(together(pairs))
 

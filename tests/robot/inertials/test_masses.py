@@ -90,18 +90,18 @@ def names(robot: str) -> list[tuple[str, str]]:
     ],
 )
 def test_in_what_two_links_differ(mass: float, moments: tuple[float, ...], expected: str) -> None:
-    one, other = masses(part("a", 1, (1, 1, 1), BALL) + part("b", mass, moments, BALL)).weighed
+    one, other = masses(part("a", 1, (1, 1, 1), BALL) + part("b", mass, moments, BALL)).inertias
     assert unlike(one, other) == unlike(other, one) == expected
 
 
 def test_a_moment_that_is_next_to_nothing_may_differ() -> None:
     robot = part("a", 1, (1, 1, 1e-5), BALL) + part("b", 1, (1, 1, 9e-3), BALL)
-    assert unlike(*masses(robot).weighed) == ""
+    assert unlike(*masses(robot).inertias) == ""
 
 
 def test_groups_keep_the_order_of_the_document() -> None:
     robot = "".join(part(f"l{i}", 1, (1 + i % 2,) * 3, BALL) for i in range(4))
-    groups = by_tensor(masses(robot).weighed)
+    groups = by_tensor(masses(robot).inertias)
     assert [[one.link.name for one in group] for group in groups] == [["l0", "l2"], ["l1", "l3"]]
 
 

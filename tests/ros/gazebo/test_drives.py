@@ -5,7 +5,7 @@ import pytest
 from tests.gazebos import BASE, WHEELS, wheel
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.ros.gazebo.drives import DrivenWheel, rolling, wrong_sides
+from urdfkit.ros.gazebo.drives import DrivenWheel, rolling, wrong_direction
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -37,33 +37,30 @@ def test_a_wheel_without_a_shape_is_where_its_joint_is() -> None:
 
 def test_left_is_where_the_axis_points() -> None:
     left, right = rolling_of(WHEELS, "left", "right")
-    assert wrong_sides(left, right) is None
-    message, remedy = wrong_sides(right, left) or ("", "")
-    assert message == (
-        "the left joint 'right_joint' is 0.3 m to the right of 'left_joint' as the robot rolls, so "
-        "that it turns the wrong way"
-    )
-    assert remedy == "interchange the joints, or turn both axes"
+    assert wrong_direction(left, right) is None
+    message, remedy = wrong_direction(right, left) or ("", "")
+    assert message.startswith("left joint 'right_joint' is 0.3 m to the right of 'left_joint'")
+    assert remedy == "swap the joints, or invert both axes"
 
 
 def test_both_axes_the_other_way_turn_the_robot_round() -> None:
     robot = BASE + wheel("left", 0.15, axis="0 -1 0") + wheel("right", -0.15, axis="0 -1 0")
     left, right = rolling_of(robot, "left", "right")
-    assert wrong_sides(left, right) is not None
-    assert wrong_sides(right, left) is None
+    assert wrong_direction(left, right) is not None
+    assert wrong_direction(right, left) is None
 
 
 def test_axes_against_each_other() -> None:
     robot = BASE + wheel("left", 0.15) + wheel("right", -0.15, axis="0 -1 0")
     left, right = rolling_of(robot, "left", "right")
     assert left.is_parallel(right)
-    message, remedy = wrong_sides(left, right) or ("", "")
-    assert message.startswith("the axes of 'left_joint' and 'right_joint' point in opposite")
-    assert remedy == "turn the axis of one of the joints"
+    message, remedy = wrong_direction(left, right) or ("", "")
+    assert message.startswith("the axes of 'left_joint' and 'right_joint' are opposite")
+    assert remedy == "invert the <axis> of one of the joints"
 
 
 @pytest.mark.parametrize(("y", "axis"), [(0.149, "0 1 0"), (-0.15, "1 0 0"), (-0.15, "0 1 0.1")])
 def test_wheels_that_are_not_left_and_right_of_each_other(y: float, axis: str) -> None:
     robot = BASE + wheel("left", 0.15) + wheel("right", y, axis=axis)
     left, right = rolling_of(robot, "left", "right")
-    assert wrong_sides(left, right) is wrong_sides(right, left) is None
+    assert wrong_direction(left, right) is wrong_direction(right, left) is None

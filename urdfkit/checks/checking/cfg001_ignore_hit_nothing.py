@@ -7,18 +7,19 @@ next defect there: delete it.
 from __future__ import annotations
 
 from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, get, matching, rule
+from urdfkit.lint.rule_index import get, matching
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
 
 BAD = """\
 <robot name="r">
-  <!-- urdfkit: ignore[TRE006] closed by the gripper -->
+  <!-- urdfkit: ignore[TRE003] closed by the gripper -->
   <link name="a"/>
 </robot>
 """
-GOOD = BAD.replace("urdfkit: ignore[TRE006] ", "")
-FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE006] closed by the gripper -->\n", "")
+GOOD = BAD.replace("urdfkit: ignore[TRE003] ", "")
+FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE003] closed by the gripper -->\n", "")
 
 
 @rule(Severity.WARNING, needs=(), help="delete the comment")

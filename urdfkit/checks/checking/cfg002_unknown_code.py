@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, ignore_note, matching, rule
+from urdfkit.lint.rule_index import ignore_note, matching
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.text.diagnostic import Severity
 
 BAD = """\
@@ -18,7 +19,7 @@ BAD = """\
   <link name="a"/>
 </robot>
 """
-GOOD = BAD.replace("TRE999", "TRE006")
+GOOD = BAD.replace("TRE999", "TRE003")
 
 
 @rule(Severity.WARNING, needs=(), help="name a rule that exists; 'urdfkit rules' lists them")

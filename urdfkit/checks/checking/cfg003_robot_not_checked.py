@@ -2,7 +2,8 @@
 
 It wants arguments for which no file has values, or it cannot be read for a reason that this check
 was told to ignore. Nothing of the robot was checked, and a report without findings would hide
-that. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore
+that. The same holds for single values of an argument: more than 16, or a directory with whose name
+the robot does not expand. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore
 comment above the root element and `per-file-ignores` accept robots that stay unchecked.
 
 Values for arguments are taken from the launch files of the package and of the workspace, from the
@@ -38,19 +39,30 @@ GOOD = """\
 
 @rule(Severity.WARNING, needs=())
 def check(subject: Subject) -> Findings:
-    # A part of a robot is checked through the file that includes it, which XAC019 names.
-    if subject.reading.document is not None or subject.problems("XAC019"):
+    for one in subject.unchecked:
+        yield Finding(
+            Location(_top(subject)),
+            f"robot not checked with {len(one.values)} of {one.total} values of '{one.name}': "
+            f"{', '.join(one.values)}; {one.why}",
+            "list the robot's variants in urdfkit.toml, under [[robot]]",
+            alike=one.name,
+        )
+    # A part of a robot is checked through the file that includes it, which XAC001 names.
+    if subject.reading.document is not None or subject.is_fragment:
         return
     from urdfkit.lint.argument_values import missing_argument
     from urdfkit.lint.unchecked import why_unchecked
 
     why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
-    start = subject.source.data.find(b"<robot")
-    top = Span(subject.source, *((start, start + len("<robot")) if start >= 0 else (0, 0)))
     wanting = [one for one in subject.reading.problems if missing_argument(one)]
     yield Finding(
-        Location(top),
+        Location(_top(subject)),
         f"robot not checked: {why}",
         help,
         related=tuple(Related(one.span, f"argument '{missing_argument(one)}'") for one in wanting),
     )
+
+
+def _top(subject: Subject) -> Span:
+    start = subject.source.data.find(b"<robot")
+    return Span(subject.source, *((start, start + len("<robot")) if start >= 0 else (0, 0)))

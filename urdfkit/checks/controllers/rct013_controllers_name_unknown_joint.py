@@ -16,7 +16,7 @@ from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
-from urdfkit.ros.controllers import Controller, controllers
+from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
 from urdfkit.ros.ros_control import components
 from urdfkit.text.diagnostic import Severity
@@ -48,7 +48,7 @@ def check(subject: Subject) -> Findings:
     for component in components(subject.model):  # a controller may command a GPIO, too
         known.update(part.name for part in component.parts)
     suggester = Suggester(known)
-    for file, found in controllers(subject):
+    for file, found in subject.controllers:
         named = [(controller, _joints(controller)) for controller in found]
         any_known = any(value.text in known for _, values in named for value in values)
         for controller, values in named:

@@ -37,7 +37,7 @@ from urdfkit.ros.catalog.controllers import (
 )
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.catalog.ros_control import parameters
-from urdfkit.ros.controllers import Controller, Section, controllers, managers, named_sections
+from urdfkit.ros.controllers import Controller, Section, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
 from urdfkit.ros.parameter_types import is_not_positive, type_of
 from urdfkit.text.diagnostic import Severity
@@ -88,7 +88,7 @@ def check(subject: Subject) -> Findings:
             at = Location(span)
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     everywhere = named_sections(subject)
-    for file, found in controllers(subject):
+    for file, found in subject.controllers:
         names = {one.name for one in found}
         others = {n: section for n, section in everywhere.items() if n not in names}
         for one in found:

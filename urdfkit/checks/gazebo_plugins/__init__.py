@@ -24,11 +24,8 @@ REDIRECTS = {
     "world-system-in-model": "GAZ014",
     "GAZ035": "GAZ011",
     "plugin-class-unknown": "GAZ011",
-    "GAZ064": "GAZ024",
-    "wheel-driven-twice": "GAZ024",
     "GAZ070": "GAZ011",
     "plugin-misspelt": "GAZ011",
-    "joint-kind-unfit": "GAZ024",
     "parameter-names-unknown-joint": "GAZ021",
     "unknown-parameter": "GAZ016",
 }

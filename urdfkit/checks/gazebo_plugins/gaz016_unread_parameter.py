@@ -22,8 +22,9 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.catalog.plugins import Plugin, renames
+from urdfkit.ros.gazebo.parameters import UnreadParameter
 from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element
 
@@ -43,19 +44,27 @@ BAD = """\
 GOOD = BAD.replace("Frme", "Frame")
 FIXED = GOOD
 
+#: Tags that a message names.
+_MAX_TAGS = 6
+
 _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "classic": "no ROS"}
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it")
 def check(subject: Subject) -> Findings:
+    foreign: dict[PluginUse, list[UnreadParameter]] = {}
     for use, found in subject.unread:
         if found.other is not None and use.plugin is not None:
-            yield _of_other_generation(use, use.plugin, found.other, found.item)
+            foreign.setdefault(use, []).append(found)
         elif found.suggested is not None:
             yield _misspelt(use, found.item, found.suggested)
         else:
             path = "> in <".join(reversed(found.item.path.split("/")))
-            yield Finding(found.item.at, f"{use.title} does not read <{path}>", alike=use.filename)
+            message = f"{use.title}: unknown element <{path}> (ignored)"
+            yield Finding(found.item.at, message, alike=use.filename)
+    for use, some in foreign.items():
+        assert use.plugin is not None
+        yield _of_other_generation(use, use.plugin, some)
 
 
 def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
@@ -63,7 +72,7 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
     assert isinstance(element, Element)
     return Finding(
         element,
-        f"{use.title} does not read <{element.tag}>",
+        f"{use.title}: unknown element <{element.tag}> (ignored)",
         f"did you mean <{name}>?",
         Fix.of(f"rename it to <{name}>", rename_element(element, name)),
         alike=f"{use.filename} misspelt",
@@ -71,22 +80,41 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
     )
 
 
-def _of_other_generation(
-    use: PluginUse, plugin: Plugin, other: Plugin, item: PluginParameter
-) -> Finding:
-    element = item.at
+def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParameter]) -> Finding:
+    """One finding for the block of a plugin that was written for another generation."""
+    first, *others = some
+    element, other = first.item.at, first.other
     assert isinstance(element, Element)
-    new = _renamed(item, plugin)
-    edits = rename_element(element, new) if new and not use.values(new) else None
+    assert other is not None
+    title, edits = _rename(use, plugin, [one.item for one in some])
+    tags = [f"<{one.item.path.rpartition('/')[2]}>" for one in some]
+    named = [*tags[:_MAX_TAGS], *([f"{len(tags) - _MAX_TAGS} more"] if tags[_MAX_TAGS:] else [])]
     return Finding(
         element,
-        f"{use.title} reads <{element.tag}> in {_NAMES[other.generation]}, but not in "
-        f"{_NAMES[plugin.generation]}",
-        f"write <{new}>" if new else _advice(item, plugin),
-        Fix.of(f"rename it to <{new}>", edits),
+        f"{use.title} reads {' and '.join(filter(None, (', '.join(named[:-1]), named[-1])))} in "
+        f"{_NAMES[other.generation]}, but not in {_NAMES[plugin.generation]}",
+        _advice(first.item, plugin),
+        Fix.of(title, edits),
+        related=tuple(
+            Related(one.item.at.span, f"{tag}: {_advice(one.item, plugin)}")
+            for tag, one in zip(tags[1:], others, strict=True)
+        ),
         alike=f"{use.filename} {'renamed' if edits else 'other'}",
         severity=Severity.WARNING,
     )
+
+
+def _rename(
+    use: PluginUse, plugin: Plugin, items: list[PluginParameter]
+) -> tuple[str, tuple[Edit, ...]]:
+    """The edits that give tags the names that they have here, unless these are given, too."""
+    edits: dict[str, tuple[str, tuple[Edit, ...]]] = {}
+    for item in items:
+        new = _renamed(item, plugin)
+        if new and new not in edits and not use.values(new) and isinstance(item.at, Element):
+            edits[new] = (item.at.tag, rename_element(item.at, new) or ())
+    titles = (f"<{old}> to <{new}>" for new, (old, _) in edits.items())
+    return f"rename {', '.join(titles)}", tuple(e for _, some in edits.values() for e in some)
 
 
 def _renamed(item: PluginParameter, plugin: Plugin) -> str | None:
@@ -100,6 +128,8 @@ def _renamed(item: PluginParameter, plugin: Plugin) -> str | None:
 
 
 def _advice(item: PluginParameter, plugin: Plugin) -> str:
+    if new := _renamed(item, plugin):
+        return f"write <{new}>"
     if plugin.generation != "classic-ros2":
         return "write the tags that it reads there, or use the plugin of that generation"
     if item.path == "robotNamespace":

@@ -96,7 +96,8 @@ def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findin
         sensor.at.attributes["type"],
         f"{sensor.who}: {reader} has no sensor type '{sensor.type}'",
         f"write type '{other}'" if other else f"use a type that {reader} has",
-        severity=None if wants_gz or wants_classic else Severity.INFO,
+        severity=Severity.ERROR if wants_gz or wants_classic else Severity.INFO,
+        targets=targets.among(GZ if reader == "gz-sim" else CLASSIC),
     )
 
 
@@ -109,10 +110,10 @@ def _of_wrong_element(subject: Subject, sensor: Sensor) -> Findings:
     if is_link:
         above = subject.tree.parents.get(sensor.reference, [])
         help = f'write reference="{above[0].name}"' if above else "name a joint"
-        message = f"{who} is on link '{sensor.reference}', but measures in a joint"
+        message = f"{who} is on link '{sensor.reference}', but must be on a joint"
         yield Finding(sensor.at, message, help)
     else:
-        message = f"{who} is on joint '{sensor.reference}', but belongs to a link"
+        message = f"{who} is on joint '{sensor.reference}', but must be on a link"
         yield Finding(sensor.at, message, "name a link")
 
 
@@ -123,7 +124,7 @@ def _noise_without_type(sensor: Sensor, noise: Element) -> Finding:
     title = f'write <noise type="{type}">'
     return Finding(
         noise,
-        f"{sensor.who}: <noise> has no attribute type: {REJECTED}",
+        f"{sensor.who}: <noise> has no type: {REJECTED}",
         title,
         Fix(title, (Edit(Span(source, end, end), f' type="{type}"'),)),
     )

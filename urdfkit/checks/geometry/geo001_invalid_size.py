@@ -19,17 +19,13 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.robot.shapes import shaped, sizes
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 
-BAD = """\
-<link name="arm">
-  <collision>
-    <geometry><box size="0.1 -0.2 0.3"/></geometry>
-  </collision>
-</link>"""
+BAD = link_xml("arm", collision_xml('<box size="0.1 -0.2 0.3"/>'))
 GOOD = BAD.replace("-0.2", "0.2")
 FIXED = GOOD
 
@@ -43,10 +39,10 @@ def check(subject: Subject) -> Findings:
             if min(values) < 0:
                 yield Finding(attribute, message, fix=_fix(attribute))
             elif min(values) == 0:
-                is_fatal = subject.targets.any_of(("mujoco",))
+                fatal = subject.targets.among(("mujoco",))
                 help = "remove the whole <visual> or <collision>"
-                severity = None if is_fatal else Severity.INFO
-                yield Finding(attribute, message, help, severity=severity)
+                severity = Severity.ERROR if fatal else Severity.INFO
+                yield Finding(attribute, message, help, severity=severity, targets=fatal)
         if shape.kind == "mesh" and 0 in shape.scale:
             message = f"{who} scale {_numbers(shape.scale)}"
             yield Finding(shape.at.attributes["scale"], message, "write three factors other than 0")

@@ -22,19 +22,14 @@ from __future__ import annotations
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.samples import inertial_xml, link_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <inertial>
-    <mass value="2"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.15"/>
-  </inertial>
-</link>"""
+BAD = link_xml("arm", inertial_xml("2", "0.01 0.01 0.15"))
 GOOD = BAD.replace('"0.15"', '"0.015"')
 FIXED = GOOD
 
@@ -46,7 +41,7 @@ FIXED = GOOD
 def check(subject: Subject) -> Findings:
     masses = subject.masses
     for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
-        links = masses.diagnoses.get(defect, ())
+        links = masses.defects.get(defect, ())
         yield from together((one, _finding(one, masses)) for one in links)
 
 

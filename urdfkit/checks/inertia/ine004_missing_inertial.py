@@ -25,26 +25,16 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
+from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, Conversion
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="2"/>
-    <inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <collision>
-    <geometry><sphere radius="0.1"/></geometry>
-  </collision>
-</link>
-<joint name="axle" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base", inertial_xml("2", "0.02 0.02 0.02")),
+    link_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
+    joint_xml("continuous", name="axle", child="wheel"),
+)
 GOOD = BAD.replace(
     '<link name="wheel">',
     """<link name="wheel">
@@ -81,11 +71,13 @@ def _without_any_mass(subject: Subject) -> Findings:
     links = subject.model.links
     if links and not subject.is_part:
         count = f"none of the {len(links)} links has a mass"
+        gazebo = subject.targets.among(GAZEBO)
         yield Finding(
             subject.model.root,
             "the link has no mass" if len(links) == 1 else count,
             "for a simulation, give every moving link an <inertial>",
-            severity=Severity.ERROR if subject.targets.any_of(GAZEBO) else Severity.INFO,
+            severity=Severity.ERROR if gazebo else Severity.INFO,
+            targets=gazebo,
         )
 
 
@@ -126,6 +118,7 @@ def _listed(names: list[str]) -> str:
 
 
 def _of_tiny_mass(subject: Subject) -> Findings:
+    old = subject.targets.among(_OLD_GAZEBO)
     for body in subject.masses.bodies:
         if body.joint is None or not 0 < body.mass <= NO_MASS:
             continue
@@ -136,11 +129,13 @@ def _of_tiny_mass(subject: Subject) -> Findings:
             f"link '{link.name}' of {body.mass:.3g} kg is moved by the {body.joint.kind} joint "
             f"'{body.joint.name}': older Gazebo drops links of up to {NO_MASS:g} kg",
             "give it a gram, or make its joint fixed",
-            severity=_in_old_gazebo(subject),
+            severity=Severity.WARNING if old else Severity.INFO,
+            targets=old,
         )
 
 
 def _on_massless_frames(subject: Subject) -> Findings:
+    old = subject.targets.among(_OLD_GAZEBO)
     for body in Conversion(subject.tree, OLD).stranded:
         joint = body.joint
         assert joint is not None
@@ -150,9 +145,6 @@ def _on_massless_frames(subject: Subject) -> Findings:
             f"joint '{joint.name}' is a child of link '{joint.parent.value}', which has no mass "
             f"and is fixed to another link: older Gazebo drops '{body.top.name}' and its children",
             "make the joint a child of the parent, or give the link a mass of a gram",
-            severity=_in_old_gazebo(subject),
+            severity=Severity.WARNING if old else Severity.INFO,
+            targets=old,
         )
-
-
-def _in_old_gazebo(subject: Subject) -> Severity:
-    return Severity.WARNING if subject.targets.any_of(_OLD_GAZEBO) else Severity.INFO

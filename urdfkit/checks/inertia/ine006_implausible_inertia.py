@@ -28,7 +28,7 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import (
     advice,
     as_solid,
@@ -40,18 +40,14 @@ from urdfkit.robot.inertials.diagnosis import (
 )
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 from urdfkit.text.diagnostic import Confidence, Severity
 
-BAD = """\
-<link name="wheel">
-  <collision>
-    <geometry><cylinder radius="0.06" length="0.05"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
-  </inertial>
-</link>"""
+BAD = link_xml(
+    "wheel",
+    collision_xml('<cylinder radius="0.06" length="0.05"/>'),
+    inertial_xml("0.5", "0.1 0.1 0.1"),
+)
 FIXED = GOOD = BAD.replace(
     'ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"',
     'ixx="0.000554167" ixy="0" ixz="0" iyy="0.000554167" iyz="0" izz="0.0009"',
@@ -70,13 +66,13 @@ _SHARE = 0.1
 )
 def check(subject: Subject) -> Findings:
     masses = subject.masses
-    too_large = masses.diagnoses.get(InertiaDefect.TOO_LARGE, ())
+    too_large = masses.defects.get(InertiaDefect.TOO_LARGE, ())
     # One value for all small links, below which no moment goes, is one decision.
     found = ((one, _too_large(one, masses)) for one in too_large)
     yield from together(found, by=lambda one: max(one.diagonal))
-    too_small = masses.diagnoses.get(InertiaDefect.TOO_SMALL, ())
+    too_small = masses.defects.get(InertiaDefect.TOO_SMALL, ())
     yield from together((one, _too_small(one, masses)) for one in too_small)
-    yield from map(_wrong_axes, masses.diagnoses.get(InertiaDefect.WRONG_AXES, ()))
+    yield from map(_wrong_axes, masses.defects.get(InertiaDefect.WRONG_AXES, ()))
 
 
 def _too_large(one: LinkInertia, masses: Masses) -> Finding:

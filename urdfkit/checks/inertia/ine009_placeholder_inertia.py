@@ -16,21 +16,13 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.robot.inertials.diagnoses import InertiaDefect
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.samples import inertial_xml, link_xml, visual_xml
 from urdfkit.text.diagnostic import Confidence, Severity
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="arm.stl"/></geometry>
-  </visual>
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-</link>"""
+BAD = link_xml("arm", visual_xml('<mesh filename="arm.stl"/>'), inertial_xml("1", "1 1 1"))
 GOOD = BAD.replace('="1" ixy', '="0.012" ixy').replace(
     '="1" iyz="0" izz="1"', '="0.011" iyz="0" izz="0.002"'
 )
@@ -42,7 +34,7 @@ FILES = {"arm.stl": PLATE}
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
 def check(subject: Subject) -> Findings:
-    links = subject.masses.diagnoses.get(InertiaDefect.PLACEHOLDER, ())
+    links = subject.masses.defects.get(InertiaDefect.PLACEHOLDER, ())
     yield from together((one, _finding(one)) for one in links)
 
 

@@ -20,7 +20,7 @@ from math import inf
 from urdfkit.core.spatial import Vector
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.robot.inertials.diagnoses import InertiaDefect, center_is_outside, center_mistake
+from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside, center_mistake
 from urdfkit.text.diagnostic import Confidence, Severity
 
 BAD = """\
@@ -39,7 +39,7 @@ GOOD = BAD.replace("-0.4 0 0", "0 0 0")
 
 @rule(Severity.WARNING, help="write the <origin> of the <inertial> in the link's own frame, in m")
 def check(subject: Subject) -> Findings:
-    for one in subject.masses.diagnoses.get(InertiaDefect.CENTER_OF_MASS, ()):
+    for one in subject.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ()):
         distance = center_is_outside(one)
         assert distance is not None
         mistake = center_mistake(one)

@@ -102,12 +102,13 @@ def _cycles(model: RobotModel) -> Iterator[list[Joint]]:
 def _immobile(subject: Subject) -> Findings:
     """Leaders, and for Drake followers, without one position; one finding for each reason."""
     known = subject.model.joints_by_name
+    drake = subject.targets.among(("drake",))
     found: dict[str, list[Joint]] = {}
     for joint in subject.model.joints:
         leader = known.get(joint.mimic.joint.value) if joint.mimic and joint.mimic.joint else None
         if leader is None or leader is joint:
             continue
-        if joint.kind in _IMMOBILE and _is_for_drake(subject):
+        if joint.kind in _IMMOBILE and drake:
             found.setdefault(f"<mimic> on a {joint.kind} joint", []).append(joint)
         elif leader.kind in _IMMOBILE and joint.kind in MOVING:
             reason = f"<mimic> of '{leader.name}', which is {leader.kind}"
@@ -119,9 +120,6 @@ def _immobile(subject: Subject) -> Findings:
             f"{several(joints)}: {reason}",
             "remove the <mimic>, or give the joint a type that moves",
             related=related((joint, joint.mimic.at.span) for joint in joints if joint.mimic),
-            severity=Severity.ERROR if _is_for_drake(subject) else Severity.WARNING,
+            severity=Severity.ERROR if drake else Severity.WARNING,
+            targets=drake,
         )
-
-
-def _is_for_drake(subject: Subject) -> bool:
-    return subject.targets.any_of(["drake"])

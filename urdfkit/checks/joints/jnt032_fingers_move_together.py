@@ -9,11 +9,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.core.spatial import dot, minus, rotate
+from urdfkit.core.spatial import dot, length, minus, rotate
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Joint, length
+from urdfkit.robot.model import Joint
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 _FINGER = """\

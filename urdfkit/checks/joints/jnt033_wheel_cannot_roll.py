@@ -22,21 +22,15 @@ from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.shapes import AXES, LinkSolid, MeshSolid, solid
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
-BAD = """\
-<link name="base"/>
-<link name="wheel">
-  <collision>
-    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-  </collision>
-</link>
-<joint name="wheel_joint" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-  <axis xyz="0 1 0"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("wheel", collision_xml('<cylinder radius="0.1" length="0.04"/>')),
+    joint_xml("continuous", '<axis xyz="0 1 0"/>', name="wheel_joint", child="wheel"),
+)
 GOOD = BAD.replace("<geometry>", '<origin rpy="1.5707963 0 0"/>\n    <geometry>', 1)
 
 #: Names of links whose cylinder need not roll.
@@ -57,15 +51,15 @@ def check(subject: Subject) -> Findings:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
         if link := links.get(joint.child.value) if joint.child else None:
-            yield from _across(joint, link, subject.lump)
+            yield from _across(joint, link, subject.mesh_solid)
             yield from _limited(joint, link)
 
 
-def _across(joint: Joint, link: Link, lump: Callable[[Body], MeshSolid | None]) -> Findings:
+def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | None]) -> Findings:
     """A wheel whose joint turns about another axis than its shape."""
     if joint.kind != "continuous" or not _is_wheel(joint, link):
         return
-    tyre = _tyre(link, lump)
+    tyre = _tyre(link, mesh_solid)
     if tyre is None:
         return
     (body, axle), axis = tyre, direction(joint)
@@ -115,7 +109,7 @@ def _is_wheel(joint: Joint, link: Link) -> bool:
     return "wheel" in names and not any(word in names for word in _OTHERS)
 
 
-def _tyre(link: Link, lump: Callable[[Body], MeshSolid | None]) -> tuple[Body, Vector] | None:
+def _tyre(link: Link, mesh_solid: Callable[[Body], MeshSolid | None]) -> tuple[Body, Vector] | None:
     """The flat shape of a wheel about its joint, and the axis of it; None if it has none."""
     for bodies in (link.collisions, link.visuals):
         shape = bodies[0].shape if len(bodies) == 1 else None
@@ -125,8 +119,8 @@ def _tyre(link: Link, lump: Callable[[Body], MeshSolid | None]) -> tuple[Body, V
             is_centred = max(map(abs, body.origin.position)) < shape.radius
             axle = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
             return (body, axle) if is_flat and is_centred else None
-        found = lump(bodies[0]) if len(bodies) == 1 else None
-        axle_of_mesh = _axle(solid(bodies, lump)) if found else None
+        found = mesh_solid(bodies[0]) if len(bodies) == 1 else None
+        axle_of_mesh = _axle(solid(bodies, mesh_solid)) if found else None
         if axle_of_mesh:
             return bodies[0], axle_of_mesh
     return None

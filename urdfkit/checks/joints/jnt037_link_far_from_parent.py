@@ -15,7 +15,7 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import rigid_bodies
-from urdfkit.robot.shapes import BoundingBox, LinkSolid, solid
+from urdfkit.robot.shapes import LinkSolid, solid
 from urdfkit.text.diagnostic import Confidence, Severity
 
 _LINK = """\
@@ -79,7 +79,7 @@ def _gap(subject: Subject, here: Link, there: Link, frame: Transform) -> tuple[f
     first, second = (_solid(subject, link) for link in (here, there))
     if first is None or second is None:
         return None
-    one, other = first.bounds, _moved(second.bounds, frame)
+    one, other = first.bounds, second.bounds.moved(frame)
     gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
     longest = max(*one.edges, *other.edges)
     return (gap, longest) if gap > max(_TIMES * longest, _LEAST) else None
@@ -109,17 +109,4 @@ def _is_bridged(subject: Subject, parent: Link, child: Link) -> bool:
 
 
 def _solid(subject: Subject, link: Link) -> LinkSolid | None:
-    return solid(link.visuals, subject.lump) or solid(link.collisions, subject.lump)
-
-
-def _moved(box: BoundingBox, frame: Transform) -> BoundingBox:
-    """The box around a box that a frame turns and shifts."""
-    low, high = box
-    corners = [
-        frame.apply((x, y, z))
-        for x in (low[0], high[0])
-        for y in (low[1], high[1])
-        for z in (low[2], high[2])
-    ]
-    xs, ys, zs = zip(*corners, strict=True)
-    return BoundingBox((min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs)))
+    return solid(link.visuals, subject.mesh_solid) or solid(link.collisions, subject.mesh_solid)

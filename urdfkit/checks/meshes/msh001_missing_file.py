@@ -3,11 +3,12 @@
 RViz shows the link white or not at all and reports an error; Gazebo leaves the shape out, so that a
 link without its collision falls through the floor; Pinocchio and MuJoCo reject the model. The
 package was found, the file in it was not: the name is misspelt, a directory has moved, or the file
-was never committed. A package that is not found is MSH005. Also reported:
+was never committed. A package that is not found is XAC011. Also reported:
 
 - A name that differs from the file's in upper and lower case: it is found on Windows and on most
   Macs, and missing on Linux.
 - Backslashes, which only Windows takes for the end of a directory's name. Write `/`.
+- A third slash, as in `package:///arm/arm.stl`: it names no package.
 - An unknown scheme: only `package://`, `model://` and `file://` lead to files. Meshes on the web,
   which RViz alone fetches, are not reported.
 
@@ -28,16 +29,12 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.workspace.resolve import ResolvedReference
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="package://arm_description/meshes/forarm.stl"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "package://arm_description/meshes/forarm.stl")
 GOOD = BAD.replace("forarm", "forearm")
 FIXED = GOOD
 FILES = {
@@ -66,8 +63,19 @@ def check(subject: Subject) -> Findings:
             yield Finding(mesh.at, message, "write / instead", fix)
         elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
             yield _unknown_scheme(mesh, scheme, rest)
+        elif mesh.located.package == "":
+            yield _without_package(subject, mesh, scheme, rest)
         elif id(mesh) in missing:
             yield _missing(subject, mesh)
+
+
+def _without_package(subject: Subject, mesh: MeshReference, scheme: str, rest: str) -> Finding:
+    """``package:///name/...``, whose package is the empty text before the third slash."""
+    reference = f"{scheme}://{rest.lstrip('/')}"
+    is_found = subject.resolver.locate(reference, subject.files.top).path is not None
+    message = f"{mesh.who} names no package between '{scheme}://' and the next '/'"
+    fix = _fix(mesh, reference, "remove the third slash") if is_found else None
+    return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, alike=scheme)
 
 
 def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:

@@ -24,15 +24,11 @@ from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect, losses
+from urdfkit.robot.assets.mesh_defects import MeshDefect, losses
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="meshes/comma.stl"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "meshes/comma.stl")
 GOOD = BAD.replace("comma", "plate")
 
 FILES = {
@@ -75,6 +71,6 @@ def _partly(subject: Subject) -> Findings:
         return
     for mesh in measured.unmeasured:
         yield Finding(mesh.at, f"{mesh.who} {mesh.reason}", _HELP_PARTLY, severity=Severity.WARNING)
-    for use in measured.diagnoses.get(MeshDefect.PARTLY_UNREADABLE, ()):
+    for use in measured.defects.get(MeshDefect.PARTLY_UNREADABLE, ()):
         message = f"{use.who} is partly broken: {'; '.join(losses(use))}"
         yield Finding(use.at, message, _HELP_PARTLY, severity=Severity.WARNING)

@@ -20,25 +20,18 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.measured_meshes import MeshUse
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect, rest_of_robot
+from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
+from urdfkit.robot.assets.mesh_uses import MeshUse
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import edits
 
-BAD = """\
-<link name="base"/>
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="forearm.stl"/></geometry>
-  </visual>
-</link>
-<joint name="shoulder" type="continuous">
-  <parent link="base"/>
-  <child link="arm"/>
-  <origin xyz="0 0 0.2"/>
-  <axis xyz="0 0 1"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("arm", visual_xml('<mesh filename="forearm.stl"/>')),
+    joint_xml("continuous", '<origin xyz="0 0 0.2"/>', '<axis xyz="0 0 1"/>'),
+)
 FIXED = GOOD = BAD.replace(
     'filename="forearm.stl"', 'filename="forearm.stl" scale="0.001 0.001 0.001"'
 )
@@ -51,18 +44,18 @@ FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
     help='add scale="0.001 0.001 0.001" to the mesh, or export it in metres',
 )
 def check(subject: Subject) -> Findings:
-    diagnoses = subject.measured.diagnoses
-    for use in diagnoses.get(MeshDefect.MILLIMETRES, ()):
+    defects = subject.measured.defects
+    for use in defects.get(MeshDefect.MILLIMETRES, ()):
         length = use.longest
         yield Finding(
             use.at,
             f"{use.who} is {length:.4g} m long, the rest of the robot "
-            f"{rest_of_robot(subject.measured):.3g} m; in mm it would be {length / 1000:.3g} m",
+            f"{rest_of_robot(subject.model):.3g} m; in mm it would be {length / 1000:.3g} m",
             fix=_fix(use),
             confidence=Confidence.INFERRED,
             weight=length,
         )
-    for use in diagnoses.get(MeshDefect.MICROSCOPIC, ()):
+    for use in defects.get(MeshDefect.MICROSCOPIC, ()):
         unscaled = use.longest / max(map(abs, use.shape.scale))
         yield Finding(
             use.scale_at or use.at,

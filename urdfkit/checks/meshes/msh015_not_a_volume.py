@@ -27,16 +27,12 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import BOX, box, stl
-from urdfkit.robot.assets.measured_meshes import MeshUse
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect
+from urdfkit.robot.assets.mesh_defects import MeshDefect
+from urdfkit.robot.assets.mesh_uses import MeshUse
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <collision>
-    <geometry><mesh filename="forearm.stl"/></geometry>
-  </collision>
-</link>"""
+BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3), BOX[2:])),
@@ -50,13 +46,13 @@ FILES = {
     help="urdfkit mesh repair FILE, or urdfkit mesh hull FILE",
 )
 def check(subject: Subject) -> Findings:
-    diagnoses = subject.measured.diagnoses
-    for use in diagnoses.get(MeshDefect.FLAT, ()):
+    defects = subject.measured.defects
+    for use in defects.get(MeshDefect.FLAT, ()):
         x, y, z = use.edges
         message = f"{use.who} is flat: {x:.3g} x {y:.3g} x {z:.3g} m"
         yield Finding(use.at, message, "use a thin <box>", severity=Severity.WARNING)
-    yield from map(_open, diagnoses.get(MeshDefect.OPEN, ()))
-    for use in diagnoses.get(MeshDefect.OVERLAPPING, ()):
+    yield from map(_open, defects.get(MeshDefect.OPEN, ()))
+    for use in defects.get(MeshDefect.OVERLAPPING, ()):
         yield Finding(
             use.at,
             f"{use.who} has {use.measures.bodies} pieces that overlap: a mass computed from it is "

@@ -15,15 +15,11 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect
+from urdfkit.robot.assets.mesh_defects import MeshDefect
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <collision>
-    <geometry><mesh filename="forearm.stl"/></geometry>
-  </collision>
-</link>"""
+BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.stl": stl([*box((0, 0, 0), (0.1, 0.1, 0.3)), [(0, 0, 0), (0.1, 0, 0), (0.1, 0, 0)]]),
@@ -33,7 +29,7 @@ FILES = {
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.MESHES), help="urdfkit mesh repair FILE")
 def check(subject: Subject) -> Findings:
-    for use in subject.measured.diagnoses.get(MeshDefect.DEGENERATE, ()):
+    for use in subject.measured.defects.get(MeshDefect.DEGENERATE, ()):
         found = use.measures
         yield Finding(
             use.at,

@@ -24,21 +24,17 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
-from urdfkit.robot.assets.mesh_diagnoses import (
+from urdfkit.robot.assets.mesh_defects import (
     DENSE_COLLISION,
     DENSE_SHARED,
     DENSE_VISUAL,
     MUJOCO_MOST,
     MeshDefect,
 )
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <collision>
-    <geometry><mesh filename="forearm.stl"/></geometry>
-  </collision>
-</link>"""
+BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3)), copies=1700),
@@ -53,7 +49,7 @@ FILES = {
     options={"triangles": DENSE_COLLISION},
 )
 def check(subject: Subject) -> Findings:
-    diagnoses = subject.measured.diagnoses
+    defects = subject.measured.defects
     bound = check.option(subject, "triangles")
     dense = {
         use.path: use
@@ -70,7 +66,7 @@ def check(subject: Subject) -> Findings:
             weight=number,
             alike="collision",
         )
-    for use in diagnoses.get(MeshDefect.DENSE_SHARED, ()):
+    for use in defects.get(MeshDefect.DENSE_SHARED, ()):
         number = use.measures.triangles
         yield Finding(
             use.at,
@@ -81,7 +77,7 @@ def check(subject: Subject) -> Findings:
             alike="shared",
             severity=Severity.INFO,
         )
-    for use in diagnoses.get(MeshDefect.DENSE_VISUAL, ()):
+    for use in defects.get(MeshDefect.DENSE_VISUAL, ()):
         number = use.measures.triangles
         yield Finding(
             use.at,

@@ -18,15 +18,11 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import collada
-from urdfkit.robot.assets.mesh_diagnoses import MeshDefect, missing_textures
+from urdfkit.robot.assets.mesh_defects import MeshDefect, missing_textures
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="forearm.dae"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "forearm.dae")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.dae": collada(look='<diffuse><texture texture="image" texcoord="UV"/></diffuse>'),
@@ -40,12 +36,12 @@ FILES = {
     help="add the image next to the mesh, or give the mesh a plain colour",
 )
 def check(subject: Subject) -> Findings:
-    diagnoses = subject.measured.diagnoses
-    for use in diagnoses.get(MeshDefect.MISSING_TEXTURES, ()):
+    defects = subject.measured.defects
+    for use in defects.get(MeshDefect.MISSING_TEXTURES, ()):
         names = missing_textures(use)
         more = f" (and {len(names) - 1} more like this)" if len(names) > 1 else ""
         yield Finding(use.at, f"{use.who} uses the image '{names[0]}', which does not exist{more}")
-    for use in diagnoses.get(MeshDefect.MISSING_MATERIALS, ()):
+    for use in defects.get(MeshDefect.MISSING_MATERIALS, ()):
         yield Finding(
             use.at,
             f"{use.who} has its colours in '{use.measures.no_materials[0]}', which does not exist",

@@ -20,15 +20,11 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import collada
-from urdfkit.robot.assets.mesh_diagnoses import COLOURS, MeshDefect, extras
+from urdfkit.robot.assets.mesh_defects import COLOURS, MeshDefect, extras
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="forearm.dae"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "forearm.dae")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.dae": collada(
@@ -45,12 +41,12 @@ FILES = {
     help="export the mesh alone, or urdfkit mesh convert FILE NEW.dae",
 )
 def check(subject: Subject) -> Findings:
-    diagnoses = subject.measured.diagnoses
-    for use in diagnoses.get(MeshDefect.EXTRAS, ()):
+    defects = subject.measured.defects
+    for use in defects.get(MeshDefect.EXTRAS, ()):
         content = ", ".join(extras(use))
         message = f"{use.who} also holds {content}; only triangles are shown"
         yield Finding(use.at, message, alike=content)
-    for use in diagnoses.get(MeshDefect.STL_COLOURS, ()):
+    for use in defects.get(MeshDefect.STL_COLOURS, ()):
         (colours,) = (extra for extra in use.measures.extras if extra.startswith(COLOURS))
         message = f"{use.who} holds {colours}, which URDF programs ignore"
         help = "give the visual a <material>, or export COLLADA"

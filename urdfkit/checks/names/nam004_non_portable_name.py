@@ -74,11 +74,13 @@ def _first_character(subject: Subject, name: Attribute) -> Findings:
             "remove the slash, here and wherever the link is named",
         )
     elif "0" <= text[0] <= "9":
+        isaac = subject.targets.among(("isaac",))
         yield Finding(
             name,
             f"{tag} '{text}' begins with a digit, which USD does not allow",
             "begin with a letter",
-            severity=_severity(subject, "isaac"),
+            severity=Severity.WARNING if isaac else Severity.INFO,
+            targets=isaac,
         )
 
 
@@ -97,17 +99,14 @@ def _reserved(subject: Subject, name: Attribute) -> Findings:
         reason = "Gazebo reads it as the world and drops its mass and shapes"
     else:
         return
+    readers = subject.targets.among((*GAZEBO, "mujoco"))
     yield Finding(
         name,
         f"{tag} '{text}': {reason}",
         "choose another name",
-        severity=_severity(subject, *GAZEBO, "mujoco"),
+        severity=Severity.WARNING if readers else Severity.INFO,
+        targets=readers,
     )
-
-
-def _severity(subject: Subject, *targets: str) -> Severity:
-    """A warning for some targets, else an info."""
-    return Severity.WARNING if subject.targets.any_of(targets) else Severity.INFO
 
 
 def _has_body(link: Link) -> bool:

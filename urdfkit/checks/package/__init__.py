@@ -9,6 +9,7 @@ from urdfkit.workspace.package_references import are_in
 #: Former codes and names of rules.
 REDIRECTS = {
     "LAU002": "XAC011",
+    "MSH005": "XAC011",
     "LAU014": "PKG002",
     "LAU017": "PKG001",
     "PKG003": "PKG005",
@@ -24,4 +25,5 @@ def applies(subject: Subject) -> bool:
     if is_launch(subject.source.path) or subject.problems("XAC011"):
         return True
     document = subject.reading.document
-    return are_in(document.sources if document else (subject.source,))
+    sources = document.sources if document else (subject.source,)
+    return are_in(sources) or any(b"model://" in source.data for source in sources)

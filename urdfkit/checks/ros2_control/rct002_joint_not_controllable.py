@@ -71,8 +71,7 @@ def check(subject: Subject) -> Findings:
             joint = subject.model.joints_by_name.get(part.name)
             if joint and joint.mimic:
                 leader = joint.mimic.joint.value if joint.mimic.joint else ""
-                is_humble = targets.any_of(_HUMBLE)
-                yield from _commanded_mimic(part, leader, is_humble)
+                yield from _commanded_mimic(part, leader, targets.among(_HUMBLE))
             elif joint and is_jazzy and (leader_at := parameter(part.at, "mimic")):
                 yield Finding(
                     leader_at,
@@ -114,7 +113,7 @@ def _is_of_a_vendor(joint: Element) -> bool:
     return bool(named) and named.isdisjoint(known)
 
 
-def _commanded_mimic(part: ControlPart, leader: str, is_humble: bool) -> Findings:
+def _commanded_mimic(part: ControlPart, leader: str, humble: tuple[str, ...]) -> Findings:
     """A mimic joint with a command interface; one with Humble's parameters is written for it."""
     commands = part.of("command")
     has_motor = (part.at.get("mimic") or "").lower() == "false"
@@ -123,5 +122,6 @@ def _commanded_mimic(part: ControlPart, leader: str, is_humble: bool) -> Finding
             commands[0].at,
             f"mimic joint '{part.name}' (of '{leader}') has command interface '{commands[0].name}'",
             'delete the command interface, or write mimic="false" in this joint of <ros2_control>',
-            severity=Severity.WARNING if is_humble else Severity.ERROR,
+            severity=Severity.WARNING if humble else Severity.ERROR,
+            targets=humble,
         )

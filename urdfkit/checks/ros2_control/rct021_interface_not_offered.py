@@ -21,7 +21,7 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
-from urdfkit.ros.controllers import Controller, ParameterFile, controllers
+from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
 from urdfkit.ros.ros_control import components, control_plugins, driven_joints
 from urdfkit.text.diagnostic import Severity
@@ -74,7 +74,7 @@ _Offered = dict[str, set[str]]
 
 @rule(Severity.ERROR)
 def check(subject: Subject) -> Findings:
-    read = [(file, one) for file, found in controllers(subject) for one in found]
+    read = [(file, one) for file, found in subject.controllers for one in found]
     yield from _without_command(subject, read)
     states = _offered(subject, "state")
     for file, controller in read:

@@ -18,7 +18,6 @@ from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.catalog.ros_control import hardware
-from urdfkit.ros.controllers import controllers
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
@@ -86,7 +85,7 @@ def _not_in_ros2_control(subject: Subject, blocks: list[Component]) -> Findings:
     known = {part.name for part in parts if part.kind == "sensor"}
     if not known:
         return  # the file may be for another robot, too, and nothing start the broadcaster
-    for file, found in controllers(subject):
+    for file, found in subject.controllers:
         for controller in found:
             for value in controller.values(["sensor_name"]):
                 name = value.text

@@ -1,8 +1,9 @@
-"""Joints form a closed loop.
+"""Joints form a closed loop, or one joint has the same link as parent and child.
 
-URDF describes trees. urdfdom searches for the root of a loop forever, or drops a loop that
-has no parent silently; MuJoCo, Drake and PyBullet reject it. A closed mechanism is
-written as a tree: leave one joint of the loop out, and close it in the simulator.
+URDF describes trees. urdfdom searches for the root of a loop forever, or drops a loop that has no
+parent without a message; sdformat, MuJoCo, Drake and PyBullet reject it, Pinocchio crashes. A
+closed mechanism is written as a tree: leave one joint of the loop out, and close it in the
+simulator. The child of a joint is the link that moves.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
@@ -15,20 +16,16 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="base"/>
-<link name="crank"/>
-<link name="rod"/>
-<joint name="pivot" type="continuous">
-  <parent link="rod"/>
-  <child link="crank"/>
-</joint>
-<joint name="pin" type="continuous">
-  <parent link="crank"/>
-  <child link="rod"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("crank"),
+    link_xml("rod"),
+    joint_xml("continuous", name="pivot", parent="rod", child="crank"),
+    joint_xml("continuous", name="pin", parent="crank", child="rod"),
+)
 GOOD = BAD.replace('<parent link="rod"/>', '<parent link="base"/>')
 
 #: Links of a loop that a message names; the others are counted.
@@ -37,6 +34,13 @@ SHOWN = 8
 
 @rule(Severity.ERROR, help="leave one of these joints out")
 def check(subject: Subject) -> Findings:
+    for joint in subject.model.joints:
+        if joint.parent and joint.child and joint.parent.value == joint.child.value:
+            yield Finding(
+                joint.child,
+                f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child",
+                "name the link that this joint moves as its child",
+            )
     for loop in subject.tree.cycles:
         yield Finding(
             loop[-1].child or loop[-1].at,

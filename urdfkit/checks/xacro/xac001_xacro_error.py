@@ -1,9 +1,13 @@
 """The file cannot be expanded.
 
-A property that is not defined, a macro that is not there or is called with other parameters than
-it has, an include that does not exist, an expression that Python cannot evaluate. xacro stops at
-the first of them and names no line; here all are listed, each at its expression. Where the
-expression is in a property, the place is the property's definition, with its use as a note.
+A property is not defined, a macro does not exist or is called with other parameters than it has, an
+included file does not exist, Python cannot evaluate an expression. xacro stops at the first error
+and names no line; urdfkit lists all, each at its expression. Where the expression is in a property,
+the place is the property's definition, with its use as a note.
+
+A file that another one includes and that uses macros, properties or arguments of that file is no
+robot by itself: an info. Check the file at the top; findings in its parts are reported at their
+lines.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

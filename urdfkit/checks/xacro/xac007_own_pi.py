@@ -18,7 +18,7 @@ from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.robot.model import number
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
-from urdfkit.xacro.expansion import Definition
+from urdfkit.xacro.definitions import Definition
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">

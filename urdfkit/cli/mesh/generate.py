@@ -21,7 +21,7 @@ from urdfkit.robot.assets.placeholder_meshes import (
 )
 from urdfkit.text.source import shown
 
-_PARTS = {part.module: part for part in PARTS}
+_PARTS = {part.key: part for part in PARTS}
 
 
 def _is_robot(files: list[str]) -> bool:

@@ -7,7 +7,7 @@ from manifold3d import Manifold
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.parts.palette import GREY
-from urdfkit.mesh.solids import Assembly, box
+from urdfkit.mesh.solids import assembled, box
 
 
 def build(size: Vector) -> Mesh:
@@ -19,6 +19,4 @@ def build(size: Vector) -> Mesh:
         box((x - 2 * bevel, y, z - 2 * bevel)),
         box((x - 2 * bevel, y - 2 * bevel, z)),
     ]
-    assembly = Assembly()
-    assembly.add(GREY, Manifold.batch_hull(slabs))
-    return assembly.mesh()
+    return assembled([(GREY, Manifold.batch_hull(slabs))])

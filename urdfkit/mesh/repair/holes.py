@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from urdfkit.core.spatial import basis, vector
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Flags, Floats, Integers
 from urdfkit.mesh.repair.soup import TriangleSoup
@@ -172,10 +173,5 @@ def _in_plane(points: Floats) -> Integers:
     length = float(np.linalg.norm(normal))
     if length == 0:
         return np.zeros((0, 3), dtype=np.int64)
-    normal /= length
-    helper = np.eye(3)[int(np.argmin(np.abs(normal)))]
-    x = np.cross(helper, normal)
-    x /= np.linalg.norm(x)
-    y = np.cross(normal, x)
-    flat = np.column_stack([centred @ x, centred @ y])
+    flat = centred @ np.array(basis(vector(normal / length))[:2]).T
     return np.asarray(triangulate([flat]), dtype=np.int64).reshape(-1, 3)

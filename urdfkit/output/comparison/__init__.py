@@ -1,4 +1,4 @@
-"""compare(): what became of a robot from one state to another, as an engineer would tell it."""
+"""compare(): the differences between two states of a robot, in the terms of the robot."""
 
 from __future__ import annotations
 
@@ -107,16 +107,16 @@ def compare(
     Args:
         before: a URDF or xacro file, or one in git: ``REVISION:PATH``, the path from the current
             folder or from the top of the repository.
-        after: likewise.
+        after: the second state, as ``before``.
         arguments: for xacro, of both states.
         packages: folders of ROS packages by name; those of the repository are taken as they were.
         tolerances: what may differ; those of the class unless given.
-        targets: consumers that findings are weighed for; inferred from each state if empty.
+        targets: programs that severities depend on; detected from each state if empty.
         trust: let expressions of the models run unfenced and read any file.
         config: settings of the project.
         variant: which of those that the configuration has of the files.
         has_pictures: draw both states, if the libraries for it are installed.
-        progress: is told how many steps are done, and of how many.
+        progress: called with the number of finished steps and of all steps.
 
     Raises:
         UnreadableFile: a file is missing.
@@ -124,12 +124,12 @@ def compare(
         ConfigError: a file has several variants, or none of this name.
         UrdfkitError: there is no such revision, or git is not there.
     """
-    tell = progress or (lambda done, total: None)
+    advance = progress or (lambda done, total: None)
     steps = 4 if has_pictures else 3
     with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
         states: list[RobotState] = []
         for word, name in ((before, "before"), (after, "after")):
-            tell(len(states), steps)
+            advance(len(states), steps)
             state = read(
                 word,
                 os.path.join(os.path.realpath(folder), name),
@@ -141,12 +141,12 @@ def compare(
                 variant=variant,
             )
             states.append(state)
-        tell(2, steps)
+        advance(2, steps)
         found = _compare(states[0], states[1], tolerances or Tolerances())
         if has_pictures:
             from urdfkit.output.comparison.pictures import pictures
 
-            tell(3, steps)
+            advance(3, steps)
             drawn = pictures(states[0].subject, states[1].subject, found)
             found = found._replace(pictures=drawn)
         for state in states:

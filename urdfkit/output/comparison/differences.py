@@ -12,7 +12,7 @@ from math import asin, dist
 from types import MappingProxyType
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector
+from urdfkit.core.spatial import Transform, Vector, length
 from urdfkit.robot.inertia import rotated
 from urdfkit.robot.model import (
     Body,
@@ -24,7 +24,6 @@ from urdfkit.robot.model import (
     RobotModel,
     Shape,
     Tensor,
-    length,
 )
 
 #: What a difference may be about. ``links`` and ``joints`` come and go, ``names`` are other ones of
@@ -234,8 +233,8 @@ def _of_joint(
 ) -> Iterator[Change]:
     for what, old, new in (
         ("type", before.kind, after.kind),
-        ("parent", _said(before.parent, names.links), _said(after.parent)),
-        ("child", _said(before.child, names.links), _said(after.child)),
+        ("parent", _name_of(before.parent, names.links), _name_of(after.parent)),
+        ("child", _name_of(before.child, names.links), _name_of(after.child)),
         ("mimic", _mimic(before, names.joints), _mimic(after)),
     ):
         if old != new:
@@ -248,11 +247,11 @@ def _of_joint(
             yield "joints", f"its axis turned by {turned:.4g} rad", *axes
     for key in ("lower", "upper", "velocity", "effort"):
         limits = _limit(before.limit, key), _limit(after.limit, key)
-        if not _alike(*limits, allowed.limit):
+        if not _is_close(*limits, allowed.limit):
             yield "limits", f"{key} {_text(limits[0])} -> {_text(limits[1])}", *limits
 
 
-def _said(name: Placed[str] | None, renamed: Mapping[str, str] = _NONE) -> str:
+def _name_of(name: Placed[str] | None, renamed: Mapping[str, str] = _NONE) -> str:
     return renamed.get(name.value, name.value) if name else ""
 
 
@@ -267,7 +266,7 @@ def _mimic(joint: Joint, renamed: Mapping[str, str] = _NONE) -> str:
     mimic = joint.mimic
     if mimic is None or mimic.joint is None:
         return ""
-    return f"{_said(mimic.joint, renamed)} x {mimic.multiplier:g} + {mimic.offset:g}"
+    return f"{_name_of(mimic.joint, renamed)} x {mimic.multiplier:g} + {mimic.offset:g}"
 
 
 def _limit(limit: Limit | None, key: str) -> float | None:
@@ -275,7 +274,7 @@ def _limit(limit: Limit | None, key: str) -> float | None:
     return placed.value if placed else None
 
 
-def _alike(old: float | None, new: float | None, tolerance: float) -> bool:
+def _is_close(old: float | None, new: float | None, tolerance: float) -> bool:
     if old is None or new is None:
         return old is new
     return abs(new - old) <= tolerance * max(abs(old), abs(new))

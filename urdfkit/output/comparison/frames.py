@@ -57,7 +57,7 @@ def _apart(before: Transform, after: Transform) -> tuple[float, float]:
 
 
 def _parent(tree: KinematicTree, name: str) -> str:
-    """The link that a link hangs on; empty for a root."""
+    """The parent link; empty for a root."""
     joints = tree.parents[name]
     return joints[0].parent.value if joints and joints[0].parent else ""
 

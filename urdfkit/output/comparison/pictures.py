@@ -49,7 +49,7 @@ def pictures(before: Subject, after: Subject, found: Comparison) -> tuple[str, .
 
 
 def _colours(found: Comparison, after: Subject) -> dict[str, tuple[float, float, float, float]]:
-    """Of the links that differ; what a joint changed is told of its child."""
+    """Of the links that differ; a change of a joint counts for its child link."""
     children = {
         joint.name: joint.child.value for joint in after.model.joints if joint.child is not None
     }

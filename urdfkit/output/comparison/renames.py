@@ -25,7 +25,7 @@ def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> Renam
     links = {name: name for name in old.links if name in new.links}
     if len(links) < min(len(old.links), len(new.links)):
         # From what is known to its neighbours, until there is nothing more to learn.
-        while found := _known_again(old, new, links, allowed):
+        while found := _unique_matches(old, new, links, allowed):
             links |= found
     joints = {
         joint.name: other.name
@@ -61,10 +61,10 @@ def _parent(joint: Joint) -> str:
     return joint.parent.value if joint.parent else ""
 
 
-def _known_again(
+def _unique_matches(
     old: _Tree, new: _Tree, links: dict[str, str], allowed: Tolerances
 ) -> dict[str, str]:
-    """Links beside known ones that can be one link only; so can those that they became."""
+    """Links next to matched ones that can correspond to one link only, in both directions."""
     taken = set(links.values())
     fits: dict[str, list[str]] = {}
     for name in old.links.keys() - links.keys():

@@ -11,7 +11,7 @@ from urdfkit.robot.tree import KinematicTree
 MAX_DEPTH = 40
 
 
-#: What is told of a joint has so many columns at least, however deep it is.
+#: Columns for the description of a joint at least, however deep it is in the tree.
 LEAST_WIDTH = 40
 
 
@@ -20,7 +20,7 @@ def render(tree: KinematicTree, width: int = 80) -> str:
 
     Args:
         tree: of the model.
-        width: columns; what is told of a joint goes on in another line.
+        width: columns; a longer description of a joint is wrapped.
     """
     return "".join(f"{line}\n" for line in _lines(tree, width))
 

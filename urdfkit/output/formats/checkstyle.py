@@ -12,7 +12,7 @@ from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
 from urdfkit.output.formats._xml import xml_text
 
-#: Of Checkstyle; readers tell by it that the report is one of Checkstyle's.
+#: Of Checkstyle; programs recognise the format by it.
 _VERSION = "4.3"
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Crashed, Report
-from urdfkit.lint.rules import NOT_CHECKED, foreign
+from urdfkit.lint.rule_index import NOT_CHECKED, foreign
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown
@@ -43,8 +43,8 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         hints.append(printable(f"No robot here has an argument '{name}'{hint}"))
     evidence = dict.fromkeys(why for _, targets in report.targets for why in targets.evidence)
     if evidence:
-        text = f"Weighed for {'; '.join(evidence)}. Others: --target NAME"
-        hints.append(page.wrap(text, indent=2))
+        targets = ", ".join("{} ({})".format(*why.split(": ", 1)) for why in evidence)
+        hints.append(page.wrap(f"Targets: {targets}; override with --target", indent=2))
     if hints:
         blocks.append("".join(f"{hint}\n" for hint in hints))
     return "\n".join(blocks) + summary(report, color=color, width=width)
@@ -201,7 +201,7 @@ class _Page:
     def _ways(self, diagnostic: Diagnostic) -> Iterator[str]:
         """How expansion arrived at the place, from there outwards.
 
-        Steps that all calls share are told once: the inner ones before the calls, the outer
+        Steps that all calls share are printed once: the inner ones before the calls, the outer
         ones after them.
         """
         ways = [call.via[::-1] for call in diagnostic.calls]
@@ -237,7 +237,7 @@ class _Page:
             yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
 
     def _near(self, span: Span, diagnostic: Diagnostic) -> str:
-        """A place; without the path if that of the finding has told it."""
+        """A place; without the path if it is the path of the finding."""
         if span.source.path != diagnostic.span.source.path:
             return self.place(span)
         line, column = span.source.position(span.start)

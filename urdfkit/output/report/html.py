@@ -1,4 +1,4 @@
-"""The report as one HTML file that opens offline, from templates beside this module.
+"""The report as one HTML file that opens offline, from the templates in this package.
 
 Everything that comes from a robot is escaped by Jinja. The page also carries a content security
 policy: the browser runs only the scripts whose hashes it names, and loads nothing from anywhere.
@@ -50,7 +50,7 @@ def render(
     """A whole page.
 
     Args:
-        document: what it tells.
+        document: its contents.
         words: of the reader's language.
         drawings: addresses of pictures, by name.
         scene: the robot in three dimensions; None for a page without.
@@ -101,7 +101,7 @@ def render_plain(template: str, words: Translator, **context: object) -> str:
 
 
 def render_content(document: Document, words: Translator, drawings: Mapping[str, str]) -> str:
-    """What is told of the robot, without the page around it."""
+    """The contents about the robot, without the page around it."""
     context = _context(document, words, drawings)
     return _environment().get_template("content.html.j2").render(context)
 

@@ -46,7 +46,7 @@ def report(
         quick: leave out what takes a while: pictures, statics and collisions.
         arguments: for xacro.
         packages: folders of ROS packages by name; they win over every search.
-        targets: consumers that findings are weighed for; inferred if empty.
+        targets: programs that severities depend on; detected if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
         variant: which of those that the configuration has of the file.
@@ -104,7 +104,7 @@ class RobotImages(Record):
     """A robot as pictures.
 
     Attributes:
-        document: what is told of it, and why a picture is missing.
+        document: its contents, and why an image is missing.
         drawings: addresses of pictures, by name.
         scene: the robot in three dimensions; None if it cannot be had.
     """
@@ -141,7 +141,7 @@ def drawn(reported: ReportInput, *, has_pictures: bool) -> RobotImages:
 
 
 def _without_view(document: Document, reason: str) -> Document:
-    """A document that tells why the robot is not to be seen in three dimensions, or not well."""
+    """The document, with the reason why the 3D view is missing or incomplete."""
     return {**document, "missing": {**document["missing"], "3D view": reason}}
 
 

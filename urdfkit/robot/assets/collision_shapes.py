@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy, transposed
+from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy
 from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.inertials.suggestions import NoSuchLink
+from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Link
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
@@ -165,13 +166,8 @@ def _axle(robot: Robot, link: Link, body: Body) -> tuple[Vector, Vector] | None:
     turning = [joint for joint in joints if joint.kind == "continuous"]
     if not turning:
         return None
-    x, y, z = turning[0].axis.value if turning[0].axis else (1.0, 0.0, 0.0)
-    length = (x * x + y * y + z * z) ** 0.5
-    if not length:
-        return None
-    back = transposed(body.origin.rotation)
-    a, b, c = body.origin.position
-    return rotate(back, (x / length, y / length, z / length)), rotate(back, (-a, -b, -c))
+    back = body.origin.inverse
+    return rotate(back.rotation, direction(turning[0])), back.position
 
 
 def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:

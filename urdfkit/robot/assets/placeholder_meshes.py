@@ -12,7 +12,16 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, cross, multiply, transposed
+from urdfkit.core.spatial import (
+    IDENTITY,
+    Rotation,
+    Transform,
+    Vector,
+    basis,
+    multiply,
+    transposed,
+    vector,
+)
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.mesh.writers import SUFFIXES, refuse_sound, write
@@ -311,9 +320,8 @@ def _part_in_room(
     axes = _axes(robot, link, body, part)
     here = target_bounds(robot, link, body, axes)
     if size is not None:
-        wanted = transposed(axes)
-        edges = [sum(abs(a) * b for a, b in zip(row, size, strict=True)) for row in wanted]
-        fitted: Vector = (edges[0], edges[1], edges[2])
+        rows = transposed(axes)
+        fitted = vector(sum(abs(a) * b for a, b in zip(row, size, strict=True)) for row in rows)
         how = "of the size asked for"
         frame = here.frame if here else Transform(axes)
     else:
@@ -348,15 +356,7 @@ def _with_z_along(axis: Vector) -> Rotation:
     for i in range(3):
         if abs(axis[i]) > _ALMOST:
             axis = (float(i == 0), float(i == 1), float(i == 2))
-    helper = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.9 else (0.0, 1.0, 0.0)
-    y = _unit(cross(axis, helper))
-    x = cross(y, axis)
-    return transposed((x, y, axis))
-
-
-def _unit(vector: Vector) -> Vector:
-    length = sum(value * value for value in vector) ** 0.5
-    return (vector[0] / length, vector[1] / length, vector[2] / length)
+    return transposed(basis(axis))
 
 
 def _fit(part: RealPart, here: TargetBounds | None, link: Link) -> tuple[Vector, str]:
@@ -396,15 +396,12 @@ def _copied(robot: Robot, link: Link, body: Body) -> tuple[Mesh, str] | None:
     from urdfkit.robot.assets.geometry import body_mesh
 
     others, source = counterparts(link, body)
-    back = Transform(transposed(body.origin.rotation))
-    x, y, z = back.apply(body.origin.position)
-    inverse = Transform(back.rotation, (-x, -y, -z))
     parts: list[MeshPart] = []
     for other in others:
         mesh = body_mesh(robot, other)
         if mesh is None:
             return None
-        parts += moved(mesh, inverse @ other.origin).parts
+        parts += moved(mesh, body.origin.inverse @ other.origin).parts
     if not parts:
         return None
     return Mesh(tuple(parts), up_axis="Z_UP"), f"the shape of {source} of link '{link.name}'"

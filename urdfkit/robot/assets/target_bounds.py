@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from math import sqrt
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, multiply, rotate, transposed
+from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, rotate, transposed
+from urdfkit.robot.bounding_box import box_of
+from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Link
-from urdfkit.robot.shapes import LinkSolid, Primitive, solid
+from urdfkit.robot.shapes import BoundingBox, LinkSolid, Primitive
 
 if TYPE_CHECKING:
     from urdfkit.robot import Robot
 
 #: Edges in m outside this range, out of an inertia tensor, say that the tensor is wrong.
 _SHORTEST, _LONGEST = 0.001, 3.0
-
-
 #: Edges in m that solids can be built of.
 BUILDABLE = (1e-6, 1e4)
 
@@ -50,18 +49,16 @@ def target_bounds(
         axes: of the room, as columns, in the frame of that body.
     """
     others, source = counterparts(link, body)
-    measured = [
-        box for box in (_reaches(robot, other, body.origin, axes) for other in others) if box
-    ]
+    frame = Transform(axes).inverse @ body.origin.inverse
+    boxes = [box_of(robot, other, frame) for other in others]
+    measured = [box for box in boxes if isinstance(box, BoundingBox)]
     if measured and len(measured) == len(others):
-        low = [min(box[0][i] for box in measured) for i in range(3)]
-        high = [max(box[1][i] for box in measured) for i in range(3)]
-        return _target_bounds(low, high, axes, source, measured=True)
+        return _target_bounds(BoundingBox.around(measured), axes, source, measured=True)
     block = _block_of_inertia(link)
     if block is None:
         return None
-    low, high = _bounds(LinkSolid((block,)), body.origin, axes)
-    return _target_bounds(low, high, axes, "mass and inertia", measured=False)
+    box = LinkSolid((block._replace(origin=frame @ block.origin),)).bounds
+    return _target_bounds(box, axes, "mass and inertia", measured=False)
 
 
 def counterparts(link: Link, body: Body) -> tuple[tuple[Body, ...], str]:
@@ -84,62 +81,23 @@ def turning_axis(robot: Robot, link: Link, body: Body) -> Vector | None:
     """
     others, _ = counterparts(link, body)
     if len(others) == 1 and others[0].shape and others[0].shape.kind in ("cylinder", "capsule"):
-        direction = rotate(others[0].origin.rotation, (0.0, 0.0, 1.0))
+        axis = rotate(others[0].origin.rotation, (0.0, 0.0, 1.0))
     else:
         joints = robot.tree.parents.get(link.name, [])
         turning = [joint for joint in joints if joint.kind in ("continuous", "revolute")]
         if not turning:
             return None
-        direction = turning[0].axis.value if turning[0].axis else (1.0, 0.0, 0.0)
-        norm = sqrt(sum(value * value for value in direction))
-        if norm == 0:
-            return None
-        direction = (direction[0] / norm, direction[1] / norm, direction[2] / norm)
-    return rotate(transposed(body.origin.rotation), direction)
+        axis = direction(turning[0])
+    return rotate(transposed(body.origin.rotation), axis)
 
 
 def _target_bounds(
-    low: Iterable[float], high: Iterable[float], axes: Rotation, source: str, *, measured: bool
+    box: BoundingBox, axes: Rotation, source: str, *, measured: bool
 ) -> TargetBounds | None:
-    pairs = [*zip(low, high, strict=True)]
-    x, y, z = (high - low for low, high in pairs)
-    if not is_buildable((x, y, z)):
+    if not is_buildable(box.edges):
         return None
-    a, b, c = ((low + high) / 2 for low, high in pairs)
-    return TargetBounds((x, y, z), Transform(axes, rotate(axes, (a, b, c))), source, measured)
-
-
-def _reaches(
-    robot: Robot, other: Body, frame: Transform, axes: Rotation
-) -> tuple[list[float], list[float]] | None:
-    """How far a shape reaches along some axes of another one's frame; None if it is not known."""
-    whole = solid((other,))
-    if whole is not None:
-        return _bounds(whole, frame, axes)
-    vertices = robot.meshes.vertices(other.shape) if other.shape else None
-    if vertices is None or not len(vertices):
-        return None
-    inverse = transposed(frame.rotation)
-    turn = multiply(transposed(axes), multiply(inverse, other.origin.rotation))
-    offset = tuple(a - b for a, b in zip(other.origin.position, frame.position, strict=True))
-    shift = rotate(multiply(transposed(axes), inverse), (offset[0], offset[1], offset[2]))
-    low, high = [], []
-    for row, start in zip(turn, shift, strict=True):
-        along = vertices @ list(row) + start
-        low.append(float(along.min()))
-        high.append(float(along.max()))
-    return low, high
-
-
-def _bounds(whole: LinkSolid, frame: Transform, axes: Rotation) -> tuple[list[float], list[float]]:
-    """How far a solid reaches along some axes of a frame, from its origin."""
-    low, high = [], []
-    for column in transposed(axes):
-        x, y, z = rotate(frame.rotation, column)
-        start = sum(a * b for a, b in zip((x, y, z), frame.position, strict=True))
-        low.append(-whole.reach((-x, -y, -z)) - start)
-        high.append(whole.reach((x, y, z)) - start)
-    return low, high
+    frame = Transform(axes, rotate(axes, box.center))
+    return TargetBounds(box.edges, frame, source, measured)
 
 
 def _block_of_inertia(link: Link) -> Primitive | None:

@@ -18,10 +18,8 @@ from urdfkit.core.spatial import (
     Transform,
     Vector,
     cross,
-    multiply,
-    rotate,
+    minus,
     to_rpy,
-    transposed,
 )
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, solid
@@ -155,9 +153,9 @@ class VisualCollisionPair:
         for body in bodies if len(bodies) == 1 else ():
             frame = body.origin
             for quarter in QUARTERS:
-                rotation = multiply(frame.rotation, quarter)
-                box = turned(one.bounds, multiply(rotation, transposed(frame.rotation)), frame)
-                yield QuarterTurn(body, to_rpy(rotation), _overlap(box, other.bounds))
+                turned = frame @ Transform(quarter)
+                box = one.bounds.moved(turned @ frame.inverse)
+                yield QuarterTurn(body, to_rpy(turned.rotation), _overlap(box, other.bounds))
 
     @property
     def is_apart(self) -> bool:
@@ -171,8 +169,8 @@ class VisualCollisionPair:
         if not (_is_mesh(self.collision) or _is_mesh(self.visual)) or self.has_one_shape:
             return True
         one, other = self.collision.bounds, self.visual.bounds
-        shift = [a - b for a, b in zip(one.center, other.center, strict=True)]
-        if _overlap(one, other, (shift[0], shift[1], shift[2])) >= SAME:
+        concentric = other.moved(Transform(position=minus(one.center, other.center)))
+        if _overlap(one, concentric) >= SAME:
             return True
         gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
         return gap > max(*one.edges, *other.edges)
@@ -205,22 +203,22 @@ class VisualCollisionPairs:
 
     Args:
         model: of the robot.
-        lump: measures visuals and collisions that are meshes; None for one that is not measured.
+        mesh_solid: a visual or collision that is a mesh, as a solid; None where not measured.
         is_ambiguous: True for a visual or collision that programs rotate differently.
     """
 
     def __init__(
         self,
         model: RobotModel,
-        lump: Callable[[Body], MeshSolid | None],
+        mesh_solid: Callable[[Body], MeshSolid | None],
         is_ambiguous: Callable[[Body], bool],
     ) -> None:
         self._model = model
-        self._lump = lump
+        self._mesh_solid = mesh_solid
         self._is_ambiguous = is_ambiguous
 
     @cached_property
-    def diagnoses(self) -> dict[Mismatch, list[VisualCollisionPair]]:
+    def mismatches(self) -> dict[Mismatch, list[VisualCollisionPair]]:
         """The links with each mismatch; each link has at most one."""
         found: dict[Mismatch, list[VisualCollisionPair]] = {}
         for one in self._each():
@@ -237,8 +235,8 @@ class VisualCollisionPairs:
     def _each(self) -> Iterator[VisualCollisionPair]:
         for link in self._model.links:
             if link.visuals and link.collisions:
-                collision = solid(link.collisions, self._lump)
-                visual = solid(link.visuals, self._lump)
+                collision = solid(link.collisions, self._mesh_solid)
+                visual = solid(link.visuals, self._mesh_solid)
                 if collision and visual and collision.parts != visual.parts:
                     yield VisualCollisionPair(link, collision, visual)
 
@@ -253,18 +251,6 @@ class VisualCollisionPairs:
             if one.turn:
                 return Mismatch.ROTATION
         return Mismatch.APART if one.is_apart else None
-
-
-def turned(box: BoundingBox, rotation: Rotation, about: Transform) -> BoundingBox:
-    """The box around a box that is turned about the origin of a frame."""
-    there = about.position
-    x, y, z = (a - b for a, b in zip(box.center, there, strict=True))
-    center = rotate(rotation, (x, y, z))
-    edges = box.edges
-    half = [sum(abs(r) * e for r, e in zip(row, edges, strict=True)) / 2 for row in rotation]
-    low = [a + b - c for a, b, c in zip(center, there, half, strict=True)]
-    high = [a + b + c for a, b, c in zip(center, there, half, strict=True)]
-    return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
 
 def _quarters() -> Iterator[Rotation]:
@@ -282,11 +268,9 @@ def _quarters() -> Iterator[Rotation]:
 QUARTERS: tuple[Rotation, ...] = tuple(_quarters())
 
 
-def _overlap(one: BoundingBox, other: BoundingBox, shift: Vector = (0.0, 0.0, 0.0)) -> float:
-    """The common volume of two boxes by that of both together, the other one shifted."""
-    x, y, z = shift
-    low, high = ((a + x, b + y, c + z) for a, b, c in other)
-    common = one.common_volume(BoundingBox(low, high))
+def _overlap(one: BoundingBox, other: BoundingBox) -> float:
+    """The common volume of two boxes by that of both together."""
+    common = one.common_volume(other)
     both = one.volume + other.volume - common
     return common / both if both > 0 else 0.0
 

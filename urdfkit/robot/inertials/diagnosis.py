@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import rotate, transposed
 from urdfkit.robot import inertia
-from urdfkit.robot.inertials.diagnoses import HEAVIEST, TOO_SMALL
+from urdfkit.robot.inertials.defects import HEAVIEST, TOO_SMALL
 from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia
 from urdfkit.robot.model import Tensor, number
 from urdfkit.text.diagnostic import Confidence, Fix
@@ -76,54 +76,54 @@ class Diagnosis(Record):
         return f"the tensor {self.cause}: write {written(self.tensor)}"
 
 
-def of_unlike_shape(weighed: LinkInertia, masses: Masses) -> Diagnosis:
+def of_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
     """Why a tensor is not that of the shape of its link; without a cause, that of the shape."""
-    expected = weighed.expected
+    expected = link.expected
     assert expected is not None
-    for cause, tensor in _mistakes(weighed, expected):
+    for cause, tensor in _mistakes(link, expected):
         return Diagnosis(cause, tensor, Confidence.INFERRED)
-    other = masses.of_their_shape.get(weighed.tensor)
-    cause = f"is that of link '{other.link.name}', which it fits" if other else ""
-    is_wrong = bool(other) or _is_invented(weighed, expected)
-    return Diagnosis(cause, _of_shape(weighed) if is_wrong else None, Confidence.INFERRED)
+    other = masses.of_their_shape.get(link.tensor)
+    cause = f"is that of link '{other.name}', which it fits" if other else ""
+    is_wrong = bool(other) or _is_invented(link, expected)
+    return Diagnosis(cause, _of_shape(link) if is_wrong else None, Confidence.INFERRED)
 
 
-def _is_invented(weighed: LinkInertia, expected: Tensor) -> bool:
+def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
     """True if nobody measured a tensor, so that even the rough shape of the link tells more.
 
     Three equal moments of a shape that has none, or of one digit, are a guess; moments in the very
     proportions of the shape were computed from it; and no rough shape is wrong by a factor of 100.
     Others may be published for the real robot, whose shape here may be a placeholder.
     """
-    moment = weighed.tensor.ixx
-    if weighed.is_diagonal and {*weighed.diagonal} == {moment}:
+    moment = link.tensor.ixx
+    if link.is_diagonal and {*link.diagonal} == {moment}:
         return not _is_even(expected) or float(f"{moment:.0e}") == moment
-    ratios = weighed.ratios(expected)
+    ratios = link.ratios(expected)
     is_scaled = min(ratios) > 0 and max(ratios) <= EXACT * min(ratios)
     return is_scaled or max(ratios) < TOO_SMALL or min(ratios) > 1 / TOO_SMALL
 
 
-def _of_shape(weighed: LinkInertia) -> Tensor | None:
+def _of_shape(link: LinkInertia) -> Tensor | None:
     """The tensor of the shape; None where that marks a place, or is too small for the mass."""
-    is_other = weighed.is_marker or (weighed.densities and weighed.densities[0] > HEAVIEST)
-    return None if is_other else weighed.expected
+    is_other = link.is_marker or (link.densities and link.densities[0] > HEAVIEST)
+    return None if is_other else link.expected
 
 
-def _mistakes(weighed: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
+def _mistakes(link: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
     """Mistakes without which the tensor agrees with the shape, each with the intended tensor."""
-    if weighed.is_at_wrong_axes:
-        yield of_wrong_axes(weighed)
+    if link.is_at_wrong_axes:
+        yield of_wrong_axes(link)
     # Three equal moments of a shape that has none were made up, in whatever unit they fit.
-    if not weighed.is_placeholder and (_is_even(expected) or not _is_even(weighed.tensor)):
+    if not link.is_placeholder and (_is_even(expected) or not _is_even(link.tensor)):
         for unit, factor in UNITS:
-            tensor = inertia.scaled(weighed.tensor, factor)
+            tensor = inertia.scaled(link.tensor, factor)
             if inertia.agree(tensor, expected, NEAR):
                 yield f"is in {unit}", tensor
-    about_center = _shifted_from_origin(weighed, -weighed.mass)
-    if about_center != weighed.tensor and inertia.agree(about_center, expected, NEAR):
+    about_center = _shifted_from_origin(link, -link.mass)
+    if about_center != link.tensor and inertia.agree(about_center, expected, NEAR):
         yield "is about the origin of the link, not the centre of mass", about_center
-    twice = weighed.expected_of_twice
-    if weighed.is_diagonal and twice is not None and weighed.fits(twice, EXACT):
+    twice = link.expected_of_twice
+    if link.is_diagonal and twice is not None and link.fits(twice, EXACT):
         yield "was computed with twice the size, as of a diameter for a radius", expected
 
 
@@ -134,22 +134,22 @@ def _is_even(tensor: Tensor) -> bool:
     return max(moments) <= _EVEN * min(moments) and products <= (_EVEN - 1) * max(moments)
 
 
-def of_wrong_axes(weighed: LinkInertia) -> tuple[str, Tensor]:
+def of_wrong_axes(link: LinkInertia) -> tuple[str, Tensor]:
     """Why a tensor with the moments of the shape has other axes, and the intended tensor.
 
     Its own entries, as far as possible: moved as little as needed, or with other signs.
     """
-    expected = weighed.expected
+    expected = link.expected
     assert expected is not None
-    if suggested := _rearranged(weighed, expected, list(permutations(range(3)))):
-        if keys := opposite(weighed.tensor, suggested):
+    if suggested := _rearranged(link, expected, list(permutations(range(3)))):
+        if keys := opposite(link.tensor, suggested):
             return f"has {' and '.join(keys)} with the opposite sign", suggested
         return "has its moments at the wrong axes", suggested
     return "has its moments at the wrong axes", expected
 
 
 def _rearranged(
-    weighed: LinkInertia, expected: Tensor, orders: Iterable[Sequence[int]]
+    link: LinkInertia, expected: Tensor, orders: Iterable[Sequence[int]]
 ) -> Tensor | None:
     """The entries of a tensor in other places or with other signs, nearest to those of the shape.
 
@@ -157,10 +157,10 @@ def _rearranged(
     """
     found = []
     for order, signs in product(orders, product((1, -1), repeat=3)):
-        tensor = _permuted(weighed.tensor, order, signs)
+        tensor = _permuted(link.tensor, order, signs)
         pairs = zip(tensor, expected, strict=True)
-        if max(abs(a - b) for a, b in pairs) <= _ALIKE * abs(weighed.moments[2]):
-            changes = sum(a != b for a, b in zip(tensor, weighed.tensor, strict=True))
+        if max(abs(a - b) for a, b in pairs) <= _ALIKE * abs(link.moments[2]):
+            changes = sum(a != b for a, b in zip(tensor, link.tensor, strict=True))
             found.append((changes, tensor))
     return min(found)[1] if found else None
 
@@ -182,51 +182,51 @@ def opposite(tensor: Tensor, other: Tensor) -> list[str]:
     return keys if len(keys) == len(different) else []
 
 
-def of_impossible(weighed: LinkInertia, masses: Masses) -> Diagnosis:
+def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
     """Why no body can have a tensor, and the intended one if the numbers show it."""
-    if weighed.is_measured and weighed.expected:
-        suggested = _rearranged(weighed, weighed.expected, [range(3)])
-        if suggested and is_possible(suggested) and (keys := opposite(weighed.tensor, suggested)):
+    if link.is_measured and link.expected:
+        suggested = _rearranged(link, link.expected, [range(3)])
+        if suggested and is_possible(suggested) and (keys := opposite(link.tensor, suggested)):
             cause = f"has {' and '.join(keys)} with the opposite sign"
             return Diagnosis(cause, suggested, Confidence.INFERRED)
-    for cause, tensor in _rewritten(weighed):
+    for cause, tensor in _rewritten(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
-    for other in _symmetric_pairs(weighed, masses):
+    for other in _symmetric_pairs(link, masses):
         mirrored = other.tensor._replace(ixy=-other.tensor.ixy, iyz=-other.tensor.iyz)
         if is_possible(mirrored):
-            cause = f"of its counterpart '{other.link.name}' is possible"
+            cause = f"of its counterpart '{other.name}' is possible"
             return Diagnosis(cause, mirrored, Confidence.INFERRED)
-    if weighed.is_measured:
-        return Diagnosis("", _of_shape(weighed), Confidence.INFERRED)
+    if link.is_measured:
+        return Diagnosis("", _of_shape(link), Confidence.INFERRED)
     return Diagnosis("", None, Confidence.GUESSED)
 
 
-def _rewritten(weighed: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
+def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
     """Ways of writing it that make the tensor possible, each with the intended tensor."""
-    a, b, c, d, e, f = weighed.tensor
+    a, b, c, d, e, f = link.tensor
     as_in_sdf = Tensor(a, d, e, b, f, c)
     if min(a, b, c) > 0 and is_possible(as_in_sdf):
         yield "is in the order ixx iyy izz ixy ixz iyz", as_in_sdf
-    if b == d and e > 0 and abs(f) <= e and a > 0 and len({*weighed.tensor}) > 1:
+    if b == d and e > 0 and abs(f) <= e and a > 0 and len({*link.tensor}) > 1:
         rows = "holds the first two rows of the matrix, so that the value at iyz is iyy"
         yield f"{rows}, the one at izz is iyz, and izz is missing", None
     positive = Tensor(abs(a), b, c, abs(d), e, abs(f))
-    if positive != weighed.tensor and is_possible(positive):
+    if positive != link.tensor and is_possible(positive):
         yield "has a negative moment that is possible when positive", positive
     turned = Tensor(a, -b, -c, d, -e, f)
-    if turned != weighed.tensor and is_possible(turned):
+    if turned != link.tensor and is_possible(turned):
         yield "has products of inertia with the opposite sign", turned
     for key in ("ixx", "iyy", "izz"):
-        tenth = weighed.tensor._replace(**{key: getattr(weighed.tensor, key) / 10})
+        tenth = link.tensor._replace(**{key: getattr(link.tensor, key) / 10})
         diagonal = (tenth.ixx, tenth.iyy, tenth.izz)
         if is_possible(tenth) and max(diagonal) <= 2 * min(diagonal):
             yield f"has {key} ten times too large", tenth
 
 
-def _symmetric_pairs(weighed: LinkInertia, masses: Masses) -> Iterator[LinkInertia]:
+def _symmetric_pairs(link: LinkInertia, masses: Masses) -> Iterator[LinkInertia]:
     for left, right in masses.symmetric_pairs:
-        if weighed in (left, right):
-            yield right if weighed is left else left
+        if link in (left, right):
+            yield right if link is left else left
 
 
 def is_possible(tensor: Tensor) -> bool:
@@ -235,16 +235,16 @@ def is_possible(tensor: Tensor) -> bool:
     return low > 0 and high <= (low + middle) * (1 + ROUNDING)
 
 
-def _shifted_from_origin(weighed: LinkInertia, mass: float) -> Tensor:
+def _shifted_from_origin(link: LinkInertia, mass: float) -> Tensor:
     """The tensor moved between the centre of mass and the origin of the link."""
-    origin = weighed.inertial.origin
+    origin = link.inertial.origin
     offset = rotate(transposed(origin.rotation), origin.position)
-    return inertia.shifted(weighed.tensor, mass, offset)
+    return inertia.shifted(link.tensor, mass, offset)
 
 
-def advice(weighed: LinkInertia, diagnosis: Diagnosis) -> str:
+def advice(link: LinkInertia, diagnosis: Diagnosis) -> str:
     """What to do about a tensor, in one line; empty if the help of the rule says it."""
-    if not from_macro(weighed.at):
+    if not from_macro(link.at):
         return str(diagnosis)
     return f"the tensor {diagnosis.cause}; compute it in the macro" if diagnosis.cause else ""
 
@@ -264,7 +264,7 @@ def _digits(tensor: Tensor) -> list[str]:
     ]
 
 
-def replacement(weighed: LinkInertia, tensor: Tensor | None) -> Fix | None:
+def replacement(link: LinkInertia, tensor: Tensor | None) -> Fix | None:
     """A fix that writes a tensor in the place of one that stands in the file as numbers.
 
     Entries that are right stay as they are written; one that stood elsewhere, or had the other
@@ -272,28 +272,26 @@ def replacement(weighed: LinkInertia, tensor: Tensor | None) -> Fix | None:
     """
     if tensor is None:
         return None
-    changed = _changed(weighed, tensor)
-    attributes = weighed.at.attributes
+    changed = _changed(link, tensor)
+    attributes = link.at.attributes
     edits = all_or_none(replace_value(attributes[key], text) for key, text in changed.items())
     title = " ".join(f'{key}="{text}"' for key, text in changed.items())
     return Fix.of(f"write {title}", edits)
 
 
-def _changed(weighed: LinkInertia, tensor: Tensor) -> dict[str, str]:
+def _changed(link: LinkInertia, tensor: Tensor) -> dict[str, str]:
     """The new texts of the entries that are wrong, by their names."""
-    texts = {key: weighed.at.attributes[key].value.strip() for key in Tensor._fields}
-    written_as = {-old: _negated(texts[key]) for key, old in weighed.tensor._asdict().items()}
-    written_as |= {old: texts[key] for key, old in weighed.tensor._asdict().items()}
+    texts = {key: link.at.attributes[key].value.strip() for key in Tensor._fields}
+    written_as = {-old: _negated(texts[key]) for key, old in link.tensor._asdict().items()}
+    written_as |= {old: texts[key] for key, old in link.tensor._asdict().items()}
     new = {
         key: (written_as.get(value) if value else None) or text
         for (key, value), text in zip(tensor._asdict().items(), _digits(tensor), strict=True)
     }
     wrong = [key for key in Tensor._fields if number(texts[key]) != number(new[key])]
-    worse = [
-        key for key in wrong if new[key] in written_as.values() or _differs(key, weighed, tensor)
-    ]
+    worse = [key for key in wrong if new[key] in written_as.values() or _differs(key, link, tensor)]
     mixed = tensor._replace(
-        **{key: old for key, old in weighed.tensor._asdict().items() if key not in worse}
+        **{key: old for key, old in link.tensor._asdict().items() if key not in worse}
     )
     return {key: new[key] for key in (worse if is_possible(mixed) else wrong)}
 
@@ -302,20 +300,20 @@ def _negated(text: str) -> str:
     return text[1:] if text.startswith("-") else f"-{text.removeprefix('+')}"
 
 
-def _differs(key: str, weighed: LinkInertia, tensor: Tensor) -> bool:
+def _differs(key: str, link: LinkInertia, tensor: Tensor) -> bool:
     """True if an entry differs from the one computed by more than its digits are worth."""
-    old, value, largest = getattr(weighed.tensor, key), getattr(tensor, key), max(map(abs, tensor))
-    bound = CLEAR * largest if key[1] != key[2] else (EXACT - 1) * abs(value)
+    old, value = getattr(link.tensor, key), getattr(tensor, key)
+    bound = CLEAR * max(map(abs, tensor)) if key[1] != key[2] else (EXACT - 1) * abs(value)
     return bool(abs(old - value) > bound)
 
 
-def as_solid(weighed: LinkInertia) -> str:
+def as_solid(link: LinkInertia) -> str:
     """What the shape of a link has, such as ``a solid sphere of radius 0.1 m has 0.004 ...``."""
-    expected = weighed.expected
+    expected = link.expected
     assert expected is not None
     moments = values((expected.ixx, expected.iyy, expected.izz))
-    article = "the" if weighed.solid and len(weighed.solid.parts) > 1 else "a"
-    return f"{article} solid {weighed.solid} has {moments}"
+    article = "the" if link.solid and len(link.solid.parts) > 1 else "a"
+    return f"{article} solid {link.solid} has {moments}"
 
 
 def values(numbers: Iterable[float]) -> str:

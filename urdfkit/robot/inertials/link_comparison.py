@@ -59,7 +59,7 @@ class LinkInertia:
         inertial: Inertial,
         tensor: Tensor,
         body: RigidBody,
-        lump: Callable[[Body], MeshSolid | None] | None = None,
+        mesh_solid: Callable[[Body], MeshSolid | None] | None = None,
     ) -> None:
         at = inertial.at.child("inertia")
         assert at is not None
@@ -69,7 +69,12 @@ class LinkInertia:
         self.tensor = tensor
         self.at = at
         self.body = body
-        self._lump = lump
+        self._mesh_solid = mesh_solid
+
+    @property
+    def name(self) -> str:
+        """Of the link."""
+        return self.link.name
 
     @cached_property
     def moments(self) -> Vector:
@@ -122,7 +127,7 @@ class LinkInertia:
     def solid(self) -> LinkSolid | None:
         """Its collisions, else its visuals; None unless all of them are measured."""
         if self.link.collisions and self.link.visuals:
-            return solid(self.link.collisions, self._lump)
+            return solid(self.link.collisions, self._mesh_solid)
         return self.solids[0] if self.solids else None
 
     @cached_property
@@ -155,16 +160,13 @@ class LinkInertia:
     @cached_property
     def solids(self) -> tuple[LinkSolid, ...]:
         """Its collisions and its visuals, as far as all of them are measured."""
-        found = (solid(self.link.collisions, self._lump), solid(self.link.visuals, self._lump))
-        return tuple(one for one in found if one)
+        shapes = (self.link.collisions, self.link.visuals)
+        return tuple(one for each in shapes if (one := solid(each, self._mesh_solid)))
 
     @cached_property
     def outline(self) -> BoundingBox:
         """The bounding box of its shapes along the axes of the link."""
-        boxes = [one.bounds for one in self.solids]
-        low = [min(box.low[i] for box in boxes) for i in range(3)]
-        high = [max(box.high[i] for box in boxes) for i in range(3)]
-        return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+        return BoundingBox.around(one.bounds for one in self.solids)
 
     @cached_property
     def reach(self) -> float:
@@ -235,9 +237,9 @@ class LinkInertia:
         return self.mass / most, self.mass / least if least else inf
 
 
-def by_tensor(weighed: Iterable[LinkInertia]) -> Iterator[list[LinkInertia]]:
+def by_tensor(inertias: Iterable[LinkInertia]) -> Iterator[list[LinkInertia]]:
     """Links in groups with the same tensor, in the order of the first of each."""
     groups: dict[Tensor, list[LinkInertia]] = {}
-    for one in weighed:
+    for one in inertias:
         groups.setdefault(one.tensor, []).append(one)
     yield from groups.values()

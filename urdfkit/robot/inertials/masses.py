@@ -16,7 +16,7 @@ from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.document import Element, Tag
 
 if TYPE_CHECKING:
-    from urdfkit.robot.inertials.diagnoses import InertiaDefect
+    from urdfkit.robot.inertials.defects import InertiaDefect
 
 #: Masses this close together may well share a tensor that a macro holds.
 SAME_MASS = 1.05
@@ -42,7 +42,7 @@ class Masses:
 
     Args:
         model, tree: of the robot.
-        lump: measures visuals and collisions that are meshes; without it they are left out.
+        mesh_solid: measures visuals and collisions that are meshes; without it they are left out.
 
     Attributes:
         model, tree: of the robot.
@@ -54,9 +54,9 @@ class Masses:
         self,
         model: RobotModel,
         tree: KinematicTree,
-        lump: Callable[[Body], MeshSolid | None] | None = None,
+        mesh_solid: Callable[[Body], MeshSolid | None] | None = None,
     ) -> None:
-        self._lump = lump
+        self._mesh_solid = mesh_solid
         self.model = model
         self.tree = tree
         self.bodies = rigid_bodies(tree)
@@ -69,32 +69,33 @@ class Masses:
         return {link.name: body for body in self.bodies for link, _ in body.links}
 
     @cached_property
-    def weighed(self) -> tuple[LinkInertia, ...]:
+    def inertias(self) -> tuple[LinkInertia, ...]:
         """The links with a positive mass and a tensor, in the order of the document."""
-        found: list[LinkInertia] = []
-        for link in self.model.links:
-            inertial, body = link.inertial, self.body_of.get(link.name)
-            if inertial and inertial.tensor and body and link.mass > 0:
-                weighed = LinkInertia(link, inertial, inertial.tensor.value, body, self._lump)
-                found.append(weighed)
-        return tuple(found)
+        return tuple(
+            LinkInertia(link, inertial, inertial.tensor.value, body, self._mesh_solid)
+            for link in self.model.links
+            if (inertial := link.inertial)
+            and inertial.tensor
+            and (body := self.body_of.get(link.name))
+            and link.mass > 0
+        )
 
     @cached_property
     def by_name(self) -> dict[str, LinkInertia]:
         """The same by the name of the link; the first of each name."""
-        return {weighed.link.name: weighed for weighed in reversed(self.weighed)}
+        return {one.name: one for one in reversed(self.inertias)}
 
     @cached_property
     def of_their_shape(self) -> dict[Tensor, LinkInertia]:
         """By each tensor that is that of the shape of some link, the first such link."""
-        return {one.tensor: one for one in reversed(self.weighed) if one.is_of_shape}
+        return {one.tensor: one for one in reversed(self.inertias) if one.is_of_shape}
 
     @cached_property
-    def diagnoses(self) -> dict[InertiaDefect, list[LinkInertia]]:
+    def defects(self) -> dict[InertiaDefect, list[LinkInertia]]:
         """The links with each defect of mass or inertia."""
-        from urdfkit.robot.inertials.diagnoses import diagnoses
+        from urdfkit.robot.inertials.defects import find_defects
 
-        return diagnoses(self)
+        return find_defects(self.inertias, self.matters, self._with_shared_tensor)
 
     @cached_property
     def consistently_wrong(self) -> list[LinkInertia]:
@@ -102,11 +103,11 @@ class Masses:
 
         One mistake caused them, such as a unit of the whole robot.
         """
-        from urdfkit.robot.inertials.diagnoses import HEAVIEST, InertiaDefect
+        from urdfkit.robot.inertials.defects import HEAVIEST, InertiaDefect
 
-        dense = self.diagnoses.get(InertiaDefect.DENSITY, [])
+        dense = self.defects.get(InertiaDefect.DENSITY, [])
         if len(dense) < COMMON_CAUSE or 2 * len(dense) <= sum(
-            bool(w.densities) for w in self.weighed
+            bool(w.densities) for w in self.inertias
         ):
             return []
         are_high = {bool(w.densities and w.densities[0] > HEAVIEST) for w in dense}
@@ -135,10 +136,10 @@ class Masses:
     @cached_property
     def singular(self) -> list[RigidBody]:
         """The bodies that joints move and that have no moment of inertia about some axis."""
-        from urdfkit.robot.inertials.diagnoses import InertiaDefect
+        from urdfkit.robot.inertials.defects import InertiaDefect
 
         impossible = (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY)
-        wrong = {one.body.top.name for key in impossible for one in self.diagnoses.get(key, ())}
+        wrong = {one.body.top.name for key in impossible for one in self.defects.get(key, ())}
         found = []
         for body in self.bodies:
             if body.joint and body.mass > 0 and body.top.name not in wrong:
@@ -186,19 +187,19 @@ class Masses:
     @property
     def _defective(self) -> list[LinkInertia]:
         """The links with a defect other than a tensor unlike that of their shape."""
-        from urdfkit.robot.inertials.diagnoses import InertiaDefect
+        from urdfkit.robot.inertials.defects import InertiaDefect
 
-        others = (key for key in self.diagnoses if key is not InertiaDefect.UNLIKE_SHAPE)
-        return [one for key in others for one in self.diagnoses[key]]
+        others = (key for key in self.defects if key is not InertiaDefect.UNLIKE_SHAPE)
+        return [one for key in others for one in self.defects[key]]
 
     @cached_property
     def asymmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
         """Pairs of which one has clearly more mass or larger moments, without another defect."""
-        wrong = {one.link.name for one in self._defective}
+        wrong = {one.name for one in self._defective}
         return [
             (left, right)
             for left, right in self.symmetric_pairs
-            if wrong.isdisjoint((left.link.name, right.link.name)) and unlike(left, right)
+            if wrong.isdisjoint((left.name, right.name)) and unlike(left, right)
         ]
 
     @cached_property
@@ -212,16 +213,20 @@ class Masses:
         return {tag: links for tag, links in groups.items() if _spread(links) > SAME_MASS}
 
     @cached_property
+    def _with_shared_tensor(self) -> set[str]:
+        """The names of the links with such a tensor."""
+        return {link.name for links in self.shared_by_macro.values() for link in links}
+
+    @cached_property
     def copies(self) -> list[list[LinkInertia]]:
         """The links of clearly different mass that have the same tensor, if no rule says so."""
         reported = {one.tensor for one in self._defective}
         reported.update(w.tensor for pair in self.asymmetric_pairs for w in pair)
-        by_macro = {link.name for links in self.shared_by_macro.values() for link in links}
         free = (
             w
-            for w in self.weighed
+            for w in self.inertias
             if w.tensor not in reported
-            and w.link.name not in by_macro
+            and w.name not in self._with_shared_tensor
             and not (w.is_noise or w.body.is_ground)
         )
         return [

@@ -52,13 +52,13 @@ class Setting(Record):
     Attributes:
         type: ``container``, ``float``, ``int``, ``uint``, ``bool``, ``string``, ``vector3``...
         words: the values that it may have; empty if any.
-        least, greatest: bounds of a number; None without one.
+        minimum, maximum: bounds of a number; None without one.
     """
 
     type: str
     words: tuple[str, ...] = ()
-    least: float | None = None
-    greatest: float | None = None
+    minimum: float | None = None
+    maximum: float | None = None
 
 
 @cache
@@ -69,13 +69,13 @@ def settings(block: str) -> dict[str, Setting]:
 
 
 def _setting(text: str) -> Setting:
-    """Read ``TYPE``, ``in WORDS``, ``>= LEAST``, ``<= GREATEST``."""
+    """Read ``TYPE``, ``in WORDS``, ``>= MINIMUM``, ``<= MAXIMUM``."""
     kind, _, words = text.partition(" in ")
-    kind, _, greatest = kind.partition(" <= ")
-    kind, _, least = kind.partition(" >= ")
+    kind, _, maximum = kind.partition(" <= ")
+    kind, _, minimum = kind.partition(" >= ")
     return Setting(
         kind,
         tuple(words.split()),
-        float(least) if least else None,
-        float(greatest) if greatest else None,
+        float(minimum) if minimum else None,
+        float(maximum) if maximum else None,
     )

@@ -1,4 +1,4 @@
-"""Drive plugins of Gazebo: which wheels they turn, and what they take the wheels for."""
+"""Drive plugins of Gazebo: which wheels they turn, and the dimensions that they are given."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ class DriveKind(Record):
         size: its parameter with the size of the wheels.
         diameter: True if that is the diameter, False if it is the radius.
         steered: True if wheels are steered, so that left and right say nothing about turning.
-        mistakes: True if turning makes the wheels slip, so that a larger separation is often given.
+        slips: True if turning makes the wheels slip, so that a larger separation is often given.
     """
 
     separation: str
     size: str
     diameter: bool
     steered: bool = False
-    mistakes: bool = False
+    slips: bool = False
 
 
 #: By the id in the catalogue of plugins.
@@ -40,13 +40,13 @@ KINDS = {
     "gazebo_ros_diff_drive@classic-ros1": DriveKind("wheelSeparation", "wheelDiameter", True),
     "gazebo_ros_diff_drive@classic-ros2": DriveKind("wheel_separation", "wheel_diameter", True),
     "gazebo_ros_skid_steer_drive@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, mistakes=True
+        "wheelSeparation", "wheelDiameter", True, slips=True
     ),
     "diffdrive_plugin_6w@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, mistakes=True
+        "wheelSeparation", "wheelDiameter", True, slips=True
     ),
     "diffdrive_plugin_multi_wheel@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, mistakes=True
+        "wheelSeparation", "wheelDiameter", True, slips=True
     ),
     "gz-sim-diff-drive-system@gz": DriveKind("wheel_separation", "wheel_radius", False),
     "gz-sim-mecanum-drive-system@gz": DriveKind("wheel_separation", "wheel_radius", False),
@@ -155,7 +155,7 @@ def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[Wheel]:
 
 
 def rolling(joint: Joint, tree: KinematicTree) -> DrivenWheel | None:
-    """What the model tells of the wheel that turns about a joint; None if it is nowhere."""
+    """The wheel that turns about a joint; None if the joint is not in the tree."""
     frame = tree.frames.get(joint.child.value) if joint.child else None
     axis = _unit(joint.axis.value if joint.axis else (1.0, 0.0, 0.0))
     if frame is None or axis is None or joint.child is None:
@@ -171,8 +171,8 @@ def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
     yield from zip(left, right, strict=False)
 
 
-def wrong_sides(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | None:
-    """Why a drive does not take a robot where it is told to, and the remedy; None if it does.
+def wrong_direction(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | None:
+    """Why a drive does not move a robot as commanded, and the remedy; None if it does.
 
     A drive rolls forwards by turning all wheels in the positive sense, and left is where the axis
     of a wheel points that rolls so.
@@ -186,13 +186,13 @@ def wrong_sides(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | None
         return None
     first, second = f"'{left.joint.name}'", f"'{right.joint.name}'"
     if dot(left.axis, right.axis) < 0:
-        message = f"the axes of {first} and {second} point in opposite directions, so that going "
-        return f"{message}straight turns the robot", "turn the axis of one of the joints"
+        message = f"the axes of {first} and {second} are opposite, so the robot spins instead of "
+        return f"{message}driving straight", "invert the <axis> of one of the joints"
     if to_left > 0:
         return None
-    message = f"the left joint {first} is {-to_left:.3g} m to the right of {second} as the robot "
-    remedy = "interchange the joints, or turn both axes"
-    return f"{message}rolls, so that it turns the wrong way", remedy
+    message = f"left joint {first} is {-to_left:.3g} m to the right of {second} when rolling "
+    remedy = "swap the joints, or invert both axes"
+    return f"{message}forwards, so the robot turns the wrong way", remedy
 
 
 def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:

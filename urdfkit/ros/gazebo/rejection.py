@@ -14,9 +14,9 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model"
 
 #: Rules whose findings reject the robot.
-ALWAYS = frozenset("JNT001 JNT002 NAM001 REF001 TRE001 TRE002 TRE003 TRE006 URD015".split())
+ALWAYS = frozenset("JNT001 JNT002 NAM001 REF001 TRE001 TRE002 TRE003 URD015".split())
 #: Rules with findings that reject the robot, as their messages say.
-SOMETIMES = frozenset("GAZ010 GAZ027 GAZ040 GAZ047".split())
+SOMETIMES = frozenset("GAZ004 GAZ010 GAZ040 GAZ047".split())
 #: Rules whose findings reject the robot where they are about a joint.
 IN_JOINTS = frozenset("URD003 URD004 URD005".split())
 #: Errors that reject the robot where they are about its root element.
@@ -24,7 +24,7 @@ OF_ROOT = frozenset("URD003 URD011".split())
 #: Rules that also report what rejects nothing: only their errors count.
 _ONLY_ERRORS = frozenset(("JNT002", "JNT006"))
 #: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
-BY_GZ = frozenset("GAZ057 JNT006".split())
+BY_GZ = frozenset(("JNT006",))
 
 CODES = ALWAYS | SOMETIMES | IN_JOINTS | OF_ROOT | BY_GZ
 

@@ -1,9 +1,11 @@
-"""Values of tags as Gazebo reads them."""
+"""Values of elements as Gazebo reads them."""
 
 from __future__ import annotations
 
 import re
 from typing import TYPE_CHECKING
+
+from urdfkit.robot.model import number
 
 if TYPE_CHECKING:
     from urdfkit.text.document import Element
@@ -12,7 +14,7 @@ if TYPE_CHECKING:
 _FLOAT = r"\s*([-+]?(?:0x[\da-f]+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|inf(?:inity)?|nan))"
 _INTEGER = r"\s*([-+]?(?:0x[\da-f]+|\d+))"
 
-#: Units that SDF means anyway: passing over them does no harm.
+#: Units that SDF has anyway: to ignore them does no harm.
 _UNITS = ("hz", "m", "s", "rad", "kg", "n", "nm", "n/m", "m/s", "rad/s", "px", "pixel", "pixels")
 
 
@@ -30,10 +32,10 @@ def is_true(tag: Element) -> bool:
 
 
 def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
-    """The number at the beginning of a text, which is read, and what behind it is lost.
+    """The number at the beginning of a text, which Gazebo reads, and the rest, which it ignores.
 
     Args:
-        text: the value of a tag.
+        text: the value of an element.
         whole: True where Gazebo reads an integer, which a point or an exponent ends.
 
     Returns:
@@ -58,3 +60,14 @@ def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
 def value(text: str) -> float:
     """The value of a number that ``leading`` has found."""
     return float(int(text, 16)) if "x" in text.lower() else float(text)
+
+
+def quoted(text: str) -> str:
+    """A value for a message."""
+    return f"'{text}'" if text else "empty"
+
+
+def corrected(text: str) -> str:
+    """What to write instead of a number with something behind it: the end of a help."""
+    right = text.replace(",", ".")
+    return right if number(right) is not None else "the number alone"

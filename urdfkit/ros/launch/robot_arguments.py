@@ -23,8 +23,6 @@ from urdfkit.workspace.resolve import Resolver
 
 #: Launch files of a package that are read, and folders in which they are looked for.
 MAX_FILES, MAX_FOLDERS = 200, 2000
-#: Sets of arguments that are taken of one robot; the UR arms have nine.
-MAX_GIVEN = 16
 
 
 class RobotArguments(Record):
@@ -70,7 +68,7 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
                 others.setdefault(tuple(chosen.values()), RobotArguments(chosen, launch, None))
         if own:
             break
-    return list(islice((own or others).values(), MAX_GIVEN))
+    return list((own or others).values())
 
 
 def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, list[str]]]]:

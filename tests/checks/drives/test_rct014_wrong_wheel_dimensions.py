@@ -1,0 +1,212 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.controllers.test_rct013_controllers_name_unknown_joint import controller
+from tests.controls import plugin
+from tests.gazebos import BASE, WHEELS
+from tests.gazebos import plugin as gazebo_plugin
+from tests.gazebos import wheel as tyre
+from tests.reported import messages, places
+from tests.reported import reported as reported_anywhere
+from urdfkit import Diagnostic, check
+from urdfkit.lint.rule_examples import whole_robot
+
+DIFF = "diff_drive_controller/DiffDriveController"
+ACKERMANN = "ackermann_steering_controller/AckermannSteeringController"
+MECANUM = "mecanum_drive_controller/MecanumDriveController"
+
+
+def wheel(name: str, x: float, y: float, radius: float = 0.1, shift: float = 0.0) -> str:
+    """A wheel about y; its tyre is ``shift`` to the left of its joint."""
+    return (
+        f'<link name="{name}_link"><collision><origin xyz="0 {shift} 0" rpy="1.5707963 0 0"/>'
+        f'<geometry><cylinder radius="{radius}" length="0.05"/></geometry></collision></link>'
+        f'<joint name="{name}" type="continuous"><parent link="base"/><child link="{name}_link"/>'
+        f'<origin xyz="{x} {y} 0"/><axis xyz="0 1 0"/></joint>'
+    )
+
+
+def robot(radius: float = 0.1, shift: float = 0.0) -> str:
+    return '<link name="base"/>' + "".join(
+        wheel(f"{end}{side}", x, sign * 0.2, radius, sign * shift)
+        for end, x in (("f", 0.3), ("r", -0.3))
+        for side, sign in (("l", 1), ("r", -1))
+    )
+
+
+def reported(folder: Path, text: str, model: str) -> list[Diagnostic]:
+    (folder / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
+    (folder / "r.urdf").write_text(whole_robot(model + names))
+    report = check(folder / "r.urdf", select=["RCT014"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+def drive(separation: float, radius: float) -> str:
+    return controller(
+        "d",
+        DIFF,
+        left_wheel_names="[fl, rl]",
+        right_wheel_names="[fr, rr]",
+        wheel_separation=str(separation),
+        wheel_radius=str(radius),
+    )
+
+
+def test_separation(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, drive(0.3, 0.1), robot())
+    assert found.message == (
+        "controller 'd': wheel_separation is 0.3 m, but the distance between the wheels is 0.4 m"
+    )
+    assert found.help == "write 0.4"
+    assert found.span.source.path == str(tmp_path / "c.yaml")
+    assert (found.span.line, found.span.text) == (6, "0.3")
+
+
+def test_radius(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, drive(0.4, 0.2), robot())
+    assert (
+        found.message
+        == "controller 'd': wheel_radius is 0.2 m, but the wheels have a radius of 0.1 m"
+    )
+
+
+@pytest.mark.parametrize(("separation", "radius"), [(0.4, 0.1), (0.419, 0.1049), (0.381, 0.0951)])
+def test_within_calibration(tmp_path: Path, separation: float, radius: float) -> None:
+    assert reported(tmp_path, drive(separation, radius), robot()) == []
+
+
+def test_tyres_beside_their_joints(tmp_path: Path) -> None:
+    model = robot(shift=0.05)
+    assert reported(tmp_path, drive(0.5, 0.1), model) == [], "between the tyres"
+    assert reported(tmp_path, drive(0.4, 0.1), model) == [], "between the joints"
+    (found,) = reported(tmp_path, drive(0.6, 0.1), model)
+    assert found.message.endswith("but the distance between the wheels is 0.5 m")
+
+
+def test_what_the_model_does_not_tell(tmp_path: Path) -> None:
+    mesh = robot().replace('<cylinder radius="0.1" length="0.05"/>', '<mesh filename="w.stl"/>')
+    assert reported(tmp_path, drive(0.4, 7), mesh) == []
+    assert reported(tmp_path, drive(0.4, 7), robot().replace('"0.1"', '"0.3"', 1)) == [], (
+        "two sizes"
+    )
+    assert reported(tmp_path, drive(9, 9).replace("fl", "xl"), robot()) == [], "RCT013"
+    assert reported(tmp_path, drive(9, 9).replace("9", "nine"), robot()) == []
+
+
+def test_a_steered_car(tmp_path: Path) -> None:
+    def car(wheelbase: float, track: float) -> str:
+        return controller(
+            "car",
+            ACKERMANN,
+            front_wheels_names="[fl, fr]",
+            rear_wheels_names="[rl, rr]",
+            wheelbase=str(wheelbase),
+            rear_wheel_track=str(track),
+        )
+
+    assert reported(tmp_path, car(0.6, 0.4), robot()) == []
+    found = reported(tmp_path, car(0.8, 0.5), robot())
+    assert [one.message for one in found] == [
+        "controller 'car': wheelbase is 0.8 m, but the distance between the axles is 0.6 m",
+        "controller 'car': rear_wheel_track is 0.5 m, but the distance between the wheels is 0.4 m",
+    ]
+
+
+def test_mecanum_wheels(tmp_path: Path) -> None:
+    text = controller("m", MECANUM, front_left_wheel_command_joint_name="fl", kinematics="")
+    (found,) = reported(tmp_path, text + "      wheels_radius: 0.3\n", robot())
+    assert found.message == (
+        "controller 'm': kinematics.wheels_radius is 0.3 m, but the wheels have a radius of 0.1 m"
+    )
+    assert reported(tmp_path, text + "      wheels_radius: 0.1\n", robot()) == []
+
+
+# --- drive plugins of Gazebo
+
+
+def of_plugin(text: str) -> list[Diagnostic]:
+    return reported_anywhere("RCT014", text)
+
+
+DRIVE = "libgazebo_ros_diff_drive.so"
+TAGS = "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>"
+
+
+def plugged(separation: str = "0.3", diameter: str = "0.2", robot: str = WHEELS) -> str:
+    tags = f"<wheelSeparation>{separation}</wheelSeparation>"
+    return robot + gazebo_plugin(DRIVE, f"{TAGS}{tags}<wheelDiameter>{diameter}</wheelDiameter>")
+
+
+def test_a_wrong_diameter() -> None:
+    assert messages("RCT014", plugged(diameter="0.1")) == [
+        f"plugin 'p' ({DRIVE}): <wheelDiameter> is 0.1 m, but the wheels have a diameter of 0.2 m"
+    ]
+    assert [text for _, text in places("RCT014", plugged(diameter="0.1"))] == ["<wheelDiameter>"]
+    assert [found.help for found in of_plugin(plugged(diameter="0.1"))] == ["write 0.2"]
+
+
+def test_a_wrong_separation() -> None:
+    (message,) = messages("RCT014", plugged("0.15"))
+    assert message == (
+        f"plugin 'p' ({DRIVE}): <wheelSeparation> is 0.15 m, but the distance between the "
+        "wheels is 0.3 m"
+    )
+
+
+@pytest.mark.parametrize(
+    ("separation", "diameter", "count"),
+    [("0.314", "0.209", 0), ("0.316", "0.2", 1), ("0.3", "0.211", 1), ("0.286", "0.191", 0)],
+)
+def test_the_bound_is_five_percent(separation: str, diameter: str, count: int) -> None:
+    assert len(of_plugin(plugged(separation, diameter))) == count
+
+
+def test_the_defaults_count() -> None:
+    heard = messages("RCT014", WHEELS + gazebo_plugin(DRIVE, TAGS))
+    assert [message.partition(": ")[2].partition(", but")[0] for message in heard] == [
+        "<wheelDiameter> is 0.15 m, the default",
+        "<wheelSeparation> is 0.34 m, the default",
+    ]
+
+
+def test_the_tyre_counts_where_it_is_not_on_the_joint() -> None:
+    robot = BASE + tyre("left", 0.15, at=0.05) + tyre("right", -0.15, at=-0.05)
+    assert of_plugin(plugged("0.4", robot=robot)) == []
+    assert of_plugin(plugged("0.3", robot=robot)) == [], "nor is the distance of the joints"
+    assert len(of_plugin(plugged("0.35", robot=robot))) == 1
+
+
+def test_a_radius_of_a_plugin() -> None:
+    joints = "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>"
+    tags = "<wheel_separation>0.3</wheel_separation><wheel_radius>0.2</wheel_radius>"
+    text = WHEELS + gazebo_plugin("gz-sim-diff-drive-system", joints + tags)
+    (message,) = messages("RCT014", text)
+    assert message.endswith(": <wheel_radius> is 0.2 m, but the wheels have a radius of 0.1 m")
+
+
+def test_wheels_that_slip_may_have_a_larger_separation() -> None:
+    names = [f"{side}{end}" for side in ("left", "right") for end in ("Front", "Rear")]
+    joints = "".join(f"<{n}Joint>{n[: -4 if n[-1] == 'r' else -5]}_joint</{n}Joint>" for n in names)
+    tags = "<wheelSeparation>{}</wheelSeparation><wheelDiameter>0.2</wheelDiameter>"
+    file = "libgazebo_ros_skid_steer_drive.so"
+    assert of_plugin(WHEELS + gazebo_plugin(file, joints + tags.format("0.5"))) == []
+    assert len(of_plugin(WHEELS + gazebo_plugin(file, joints + tags.format("0.2")))) == 1
+
+
+def test_a_mesh_tells_nothing() -> None:
+    robot = WHEELS.replace('<cylinder radius="0.1" length="0.04"/>', '<mesh filename="w.stl"/>')
+    assert of_plugin(plugged("5", "5", robot)) == []
+
+
+def test_a_wheel_that_stands_on_its_side_tells_nothing() -> None:
+    assert of_plugin(plugged("5", "5", WHEELS.replace("1.57079632679", "0"))) == []
+
+
+def test_wheels_of_different_size_tell_nothing_of_the_diameter() -> None:
+    robot = BASE + tyre("left", 0.15) + tyre("right", -0.15, radius=0.2)
+    assert of_plugin(plugged(diameter="1", robot=robot)) == []

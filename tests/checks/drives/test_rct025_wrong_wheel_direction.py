@@ -1,0 +1,177 @@
+"""RCT025: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.driving import DRIVE, place, reported
+from tests.gazebos import BASE, WHEELS, plugin, wheel
+from tests.jointed import joint, robot
+from tests.reported import messages, places
+from tests.reported import reported as reported_of
+
+
+def test_the_lists_are_interchanged(tmp_path: Path) -> None:
+    swapped = DRIVE.replace("left_joint", "?").replace("right_joint", "left_joint")
+    (found,) = reported(tmp_path, "RCT025", swapped.replace("?", "right_joint"))
+    assert found.message == (
+        "controller 'drive': left joint 'right_joint' is 0.3 m to the right of 'left_joint' "
+        "when rolling forwards, so the robot turns the wrong way"
+    )
+    assert place(found) == ("c.yaml", 7, "right_joint")
+
+
+def test_axes_that_point_at_each_other(tmp_path: Path) -> None:
+    crossed = BASE + wheel("left", 0.15) + wheel("right", -0.15, axis="0 -1 0")
+    (found,) = reported(tmp_path, "RCT025", DRIVE, crossed)
+    assert "are opposite" in found.message
+
+
+def test_sound_wheels_are_calm(tmp_path: Path) -> None:
+    assert reported(tmp_path, "RCT025", DRIVE) == []
+    unknown = DRIVE.replace("[left_joint]", "[elsewhere]")
+    assert reported(tmp_path, "RCT025", unknown) == []
+    one_behind_the_other = BASE + wheel("left", 0.15, axis="1 0 0") + wheel("right", -0.15)
+    assert reported(tmp_path, "RCT025", DRIVE, one_behind_the_other) == []
+
+
+# --- drive plugins of Gazebo
+
+LIBRARY = "libgazebo_ros_diff_drive.so"
+
+
+def drive(robot: str = WHEELS, left: str = "left", right: str = "right", more: str = "") -> str:
+    tags = f"<leftJoint>{left}_joint</leftJoint><rightJoint>{right}_joint</rightJoint>"
+    return robot + plugin(LIBRARY, tags + more)
+
+
+def wheels(left: str, right: str) -> str:
+    return BASE + wheel("left", 0.15, axis=left) + wheel("right", -0.15, axis=right)
+
+
+def test_sides_of_a_plugin_are_swapped() -> None:
+    (message,) = messages("RCT025", drive(left="right", right="left"))
+    assert message == (
+        f"plugin 'p' ({LIBRARY}): left joint 'right_joint' is 0.3 m to the right of "
+        "'left_joint' when rolling forwards, so the robot turns the wrong way"
+    )
+
+
+def test_both_axes_turned_reverse_the_robot() -> None:
+    assert len(reported_of("RCT025", drive(wheels("0 -1 0", "0 -1 0")))) == 1
+    backwards = drive(wheels("0 -1 0", "0 -1 0"), "right", "left")
+    assert reported_of("RCT025", backwards) == [], "it drives along -x, and left is left of that"
+
+
+def test_axes_against_each_other() -> None:
+    (message,) = messages("RCT025", drive(wheels("0 1 0", "0 -1 0")))
+    assert message == (
+        f"plugin 'p' ({LIBRARY}): the axes of 'left_joint' and 'right_joint' are opposite, "
+        "so the robot spins instead of driving straight"
+    )
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        drive(),
+        drive(wheels("1 0 0", "0 1 0")),  # no axle
+        drive(wheels("0 0 1", "0 0 1")),  # nothing to the left along z
+        drive(left="right", right="left", more="<legacyMode>true</legacyMode>"),
+        WHEELS + plugin("libvendor.so", "<leftJoint>right_joint</leftJoint>"),
+    ],
+)
+def test_no_drive_in_the_wrong_direction(text: str) -> None:
+    assert reported_of("RCT025", text) == []
+
+
+# --- wheels without a known drive
+
+NAMES = ("fl_wheel", "fr_wheel", "rl_wheel", "rr_wheel")
+
+
+def rover(*axes: str, names: tuple[str, ...] = NAMES, kind: str = "continuous") -> str:
+    return robot(
+        *(joint(n, kind, f'<axis xyz="{axis}"/>') for n, axis in zip(names, axes, strict=True))
+    )
+
+
+@pytest.mark.parametrize("odd", range(4))
+@pytest.mark.parametrize("way", [1, -1])
+def test_one_against_three(odd: int, way: int) -> None:
+    axes = [f"0 {way} 0"] * 4
+    axes[odd] = f"0 {-way} 0"
+    text = rover(*axes)
+    message = f"joint '{NAMES[odd]}': the wheel axis is opposite to those of the other 3 wheels"
+    assert messages("RCT025", text) == [message]
+    assert places("RCT025", text) == [(4 + 2 * odd, f'<axis xyz="0 {-way} 0"/>')]
+
+
+def test_the_frames_count() -> None:
+    turned = '<origin rpy="3.14159265 0 0"/><axis xyz="0 -1 0"/>'
+    wheels = [joint(name, "continuous", '<axis xyz="0 1 0"/>') for name in NAMES[:3]]
+    assert messages("RCT025", robot(*wheels, joint("rr_wheel", "continuous", turned))) == []
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        rover("0 1 0", "0 -1 0", "0 1 0", "0 -1 0"),  # side against side, as a Scout
+        rover("0 1 0", "0 1 0", "0 1 0", "0 1 0"),
+        rover("0 1 0", "0 1 0", "0 1 0", "1 0 0"),  # JNT033
+        rover("0 1 0", "0 1 0", "0 -1 0", names=NAMES[:3]),
+        rover("0 1 0", "0 1 0", "0 1 0", "0 -1 0", names=(*NAMES[:3], "caster_wheel")),
+        rover("0 1 0", "0 1 0", "0 1 0", "0 -1 0", kind="fixed"),
+    ],
+)
+def test_what_may_be_meant(other: str) -> None:
+    assert messages("RCT025", other) == []
+
+
+TO_LEFT = '<origin xyz="0 0.2 0"/><axis xyz="0 1 0"/>'
+TO_RIGHT = '<origin xyz="0 -0.2 0"/><axis xyz="0 {} 0"/>'
+
+
+def wheeled(name: str, inside: str, kind: str = "continuous") -> str:
+    return (
+        f'<link name="{name}_link"/>\n<joint name="{name}" type="{kind}"><parent link="base"/>'
+        f'<child link="{name}_link"/>{inside}</joint>\n'
+    )
+
+
+def cart(right: str, *more: str, names: str = "{}_wheel") -> str:
+    both = wheeled(names.format("left"), TO_LEFT) + wheeled(names.format("right"), right)
+    return f'<link name="base"/>\n{both}{"".join(more)}'
+
+
+def test_opposite_axes() -> None:
+    text = cart(TO_RIGHT.format(-1))
+    message = "joint 'right_wheel': the wheel axis is opposite to that of 'left_wheel'"
+    assert messages("RCT025", text) == [message]
+    assert places("RCT025", text) == [(6, '<axis xyz="0 -1 0"/>')]
+
+
+def test_the_frames_of_a_pair_count() -> None:
+    turned = TO_RIGHT.format(1).replace("/><axis", ' rpy="3.14159265 0 0"/><axis')
+    assert len(messages("RCT025", cart(turned))) == 1
+    assert messages("RCT025", cart(turned.replace("0 1 0", "0 -1 0"))) == []
+
+
+REAR = wheeled("rear_left_wheel", TO_LEFT) + wheeled("rear_right_wheel", TO_RIGHT.format(-1))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        cart(TO_RIGHT.format(1)),
+        cart(TO_RIGHT.format(-1), REAR),  # four wheels are compared
+        cart(TO_RIGHT.format(-1), names="{}_caster_wheel"),
+        cart(TO_RIGHT.format(-1), names="{}_arm"),
+        cart(TO_RIGHT.format(-1)).replace("continuous", "revolute"),
+        cart('<origin xyz="0 -0.2 0"/><axis xyz="1 0 0"/>'),  # JNT025
+    ],
+)
+def test_no_opposite_pair(text: str) -> None:
+    assert messages("RCT025", text) == []

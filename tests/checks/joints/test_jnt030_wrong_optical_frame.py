@@ -1,0 +1,135 @@
+"""JNT030: see the rule."""
+
+import pytest
+
+from tests.reported import fixed, messages, reported
+from tests.sensing import findings
+
+ROBOT = """\
+<link name="{camera}"/><link name="{optical}"/>
+<joint name="j" type="fixed"><parent link="{camera}"/><child link="{optical}"/>
+<origin rpy="{rpy}"/></joint>"""
+
+
+def robot(rpy: str, camera: str = "camera_link", optical: str = "camera_optical_frame") -> str:
+    return ROBOT.format(rpy=rpy, camera=camera, optical=optical)
+
+
+def test_a_camera_of_gazebo_is_not_turned_away() -> None:
+    camera = '<gazebo reference="camera_optical_frame"><sensor name="s" type="camera"/></gazebo>'
+    (found,) = reported("JNT030", robot("0 0 0") + camera)
+    assert found.fix is None
+
+
+@pytest.mark.parametrize(
+    ("rpy", "way"),
+    [
+        ("0 0 0", "up"),
+        ("1.5708 0 -1.5708", "backward"),
+        ("0 1.5708 0", "forward, but rotated,"),
+        ("-1.5708 0 0", "to the left"),
+    ],
+)
+def test_other_ways_are_told_and_mended(rpy: str, way: str) -> None:
+    (message,) = messages("JNT030", robot(rpy))
+    assert message.startswith(f"joint 'j': 'camera_optical_frame' looks {way} from 'camera_link'")
+    assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot(rpy))
+
+
+@pytest.mark.parametrize(
+    ("rpy", "camera", "optical"),
+    [
+        ("-1.57 0 -1.57", "camera_link", "camera_optical_frame"),
+        ("-1.2 0 -1.57", "camera_link", "camera_optical_frame"),  # tilted
+        ("0 0 0", "camera_optical_frame", "camera_optical_frame_2"),
+        ("0 0 0", "head", "camera_optical_frame"),  # the head may be turned as it likes
+    ],
+)
+def test_what_may_be_meant_is_calm(rpy: str, camera: str, optical: str) -> None:
+    assert messages("JNT030", robot(rpy, camera, optical)) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "rpy", "count"),
+    [
+        ("front_camera", "1.5707963 0 1.5707963", 0),  # in a vehicle whose z points down
+        ("down_camera", "0 0 1.5707963", 0),
+        ("downward_camera", "3.1415927 0 0", 0),
+        ("front_camera", "0 0 1.5707963", 1),
+        ("dome_camera", "0 0 1.5707963", 1),
+    ],
+)
+def test_vehicles_under_water(name: str, rpy: str, count: int) -> None:
+    text = (
+        f'<link name="{name}_link"/><link name="{name}_optical"/>'
+        f'<joint name="j" type="fixed"><parent link="{name}_link"/><child link="{name}_optical"/>'
+        f'<origin rpy="{rpy}"/></joint><link name="thruster_1"/>'
+        f'<joint name="t" type="fixed"><parent link="{name}_link"/>'
+        '<child link="thruster_1"/></joint>'
+    )
+    assert len(reported("JNT030", text)) == count
+
+
+def test_the_commonest_mistake_of_signs_turns_the_image_over() -> None:
+    (message,) = messages("JNT030", robot("1.5707963 0 1.5707963"))
+    assert message == (
+        "joint 'j': 'camera_optical_frame' looks forward, but upside down, from 'camera_link'; an "
+        "optical frame looks forward, its x to the right"
+    )
+    assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot("1.5707963 0 1.5707963"))
+
+
+@pytest.mark.parametrize(("roll", "count"), [("3.1415927", 0), ("0.3", 1)])
+def test_a_camera_mounted_head_down_has_its_image_upright(roll: str, count: int) -> None:
+    mount = (
+        '<link name="base"/><joint name="mount" type="fixed"><parent link="base"/>'
+        f'<child link="camera_link"/><origin rpy="{roll} 0 0"/></joint>'
+    )
+    assert len(messages("JNT030", mount + robot("1.5707963 0 1.5707963"))) == count
+
+
+CAMERA = """<link name="eye"/><link name="{link}"/>
+<joint name="j" type="fixed"><origin rpy="{rpy}"/><parent link="eye"/><child link="{link}"/></joint>
+<gazebo reference="{reference}">
+<sensor name="s" type="camera"><pose>{pose}</pose></sensor></gazebo>"""
+
+
+@pytest.mark.parametrize(
+    ("link", "rpy", "reference", "pose", "count"),
+    [
+        ("eye_optical", "-1.5708 0 -1.5708", "eye_optical", "0 0 0 0 0 0", 1),
+        ("eye_optical", "-1.5708 0 -1.5708", "eye_optical", "0 0 0 0 -1.57 1.57", 0),
+        ("eye_optical", "-1.5708 0 -1.5708", "eye", "0 0 0 0 0 0", 0),
+        ("eye_optical", "0.3 0 0", "eye_optical", "0 0 0 0 0 0", 0),
+        ("eye_frame", "-1.5708 0 -1.5708", "eye_frame", "0 0 0 0 0 0", 0),
+    ],
+)
+def test_a_camera_on_an_optical_frame(
+    link: str, rpy: str, reference: str, pose: str, count: int
+) -> None:
+    text = CAMERA.format(link=link, rpy=rpy, reference=reference, pose=pose)
+    assert len(reported("JNT030", text)) == count
+
+
+PLUGIN = '<plugin name="p" filename="libgazebo_ros_camera.so"><{0}>{1}</{0}></plugin>'
+
+
+@pytest.mark.parametrize(
+    ("inner", "count"),
+    [
+        (PLUGIN.format("frameName", "base"), 1),
+        (PLUGIN.format("frame_name", "base"), 1),
+        (PLUGIN.format("frame_name", "camera_optical_frame"), 0),
+        ("<gz_frame_id>base</gz_frame_id>", 1),
+        ("<gz_frame_id>tip</gz_frame_id>", 0),
+        ("", 0),
+    ],
+)
+def test_a_frame_that_is_the_cameras_own_link_looks_along_x(inner: str, count: int) -> None:
+    assert len(findings("JNT030", "camera", inner)) == count
+    assert findings("JNT030", "imu", inner) == []
+
+
+def test_a_link_that_is_called_optical_is_meant() -> None:
+    inner = PLUGIN.format("frameName", "base_optical")
+    assert findings("JNT030", "camera", inner, reference="base_optical") == []

@@ -1,0 +1,63 @@
+"""A drive plugin drives a joint that is not a wheel, or names one joint for two wheels.
+
+A drive sets a velocity and expects the joint to turn without end: a revolute joint stops at its
+limits, and a prismatic one slides. Make the wheel's joint `continuous`. Where two parameters name
+one joint, the other wheel is not driven: the robot drags it, turns when it should go straight, and
+its odometry is wrong. Usually a line was copied and not changed.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    gz-sim, DiffDrive.cc: https://github.com/gazebosim/gz-sim/blob/main/src/systems/diff_drive/DiffDrive.cc
+    gazebo_plugins, skid steer: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_skid_steer_drive.cpp
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.gazebo.drives import drive_of, driven
+from urdfkit.ros.gazebo.plugins import Reference
+from urdfkit.ros.gazebo.samples import WHEELED
+from urdfkit.text.diagnostic import Related, Severity
+
+GOOD = (
+    WHEELED
+    + """\
+<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+    <leftJoint>left_joint</leftJoint>
+    <rightJoint>right_joint</rightJoint>
+  </plugin>
+</gazebo>"""
+)
+BAD = GOOD.replace("continuous", "revolute").replace(
+    "</joint>", '  <limit lower="-3" upper="3" effort="10" velocity="10"/>\n</joint>'
+)
+
+
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
+    for use in subject.plugins:
+        if drive_of(use) is None:
+            continue
+        first: dict[str, Reference] = {}
+        for reference in driven(use):
+            at, name = reference.item.at, reference.parameter.name
+            joint = subject.model.joints_by_name.get(reference.name)
+            other = first.setdefault(reference.name, reference)
+            if other is not reference and other.parameter.name != name:
+                yield Finding(
+                    at,
+                    f"{use.title}: <{name}> and <{other.parameter.name}> both name "
+                    f"'{reference.name}'",
+                    "name the joint of the other wheel",
+                    related=(Related(other.item.at.span, "also named here"),),
+                )
+            elif joint is None or "steer" in name.lower():
+                continue
+            elif joint.kind in ("revolute", "prismatic", "floating", "planar"):
+                yield Finding(
+                    at,
+                    f"{use.title} drives joint '{joint.name}' as a wheel, but it is {joint.kind}",
+                    "make the joint continuous, or name the joint of the wheel",
+                )

@@ -1,0 +1,75 @@
+"""Two plugins drive the same joint.
+
+Both write its velocity or force in every step, and the last one wins or they fight. Usual pairs are
+a drive plugin beside ros2_control, or beside the transmissions of `libgazebo_ros_control.so`.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.gazebo.drives import driven
+from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.document import Element
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="rotor">
+  <inertial>
+    <mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="rotor_joint" type="continuous">
+  <parent link="base"/>
+  <child link="rotor"/>
+  <axis xyz="0 0 1"/>
+</joint>
+<gazebo>
+  <plugin name="gz::sim::systems::JointController" filename="gz-sim-joint-controller-system">
+    <joint_name>rotor_joint</joint_name>
+  </plugin>
+  <plugin name="gz::sim::systems::ApplyJointForce" filename="gz-sim-apply-joint-force-system">
+    <joint_name>rotor_joint</joint_name>
+  </plugin>
+</gazebo>"""
+GOOD = BAD[: BAD.index('  <plugin name="gz::sim::systems::ApplyJointForce"')] + "</gazebo>"
+
+
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="let one of them drive it")
+def check(subject: Subject) -> Findings:
+    drivers = _controlled(subject)
+    for use in subject.plugins:
+        for reference in driven(use):
+            title, at = drivers.setdefault(reference.name, (use.title, use.at))
+            if at is not use.at:
+                yield Finding(
+                    reference.item.at,
+                    f"joint '{reference.name}' is driven by {use.title} and by {title}",
+                    related=(Related(at.span, "also driven here"),),
+                )
+
+
+def _controlled(subject: Subject) -> dict[str, tuple[str, Element]]:
+    """The joints that ros2_control or gazebo_ros_control commands, each with what does."""
+    found: dict[str, tuple[str, Element]] = {}
+    names = " ".join(use.filename for use in subject.plugins)
+    if "ros2_control" in names:
+        for control in subject.model.ros2_controls:
+            for joint in control.all("joint"):
+                if joint.child("command_interface"):
+                    found[joint.get("name") or ""] = ("<ros2_control>", joint)
+    if "gazebo_ros_control" in names:
+        for transmission in subject.model.transmissions:
+            for joint in transmission.all("joint"):
+                found[joint.get("name") or ""] = ("a <transmission>", transmission)
+    return found

@@ -1,0 +1,88 @@
+"""No plugin, transmission or ros2_control drives a joint of a robot that has Gazebo plugins.
+
+In Gazebo a joint that nothing drives swings or rolls freely. That may be meant, as with a plugin
+that slides the whole robot over the ground; the wheels then turn only as friction turns them.
+
+Sources:
+    gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
+    Gazebo Classic, plugins: https://classic.gazebosim.org/tutorials?tut=ros_gzplugins
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.ros.gazebo.drives import driven
+from urdfkit.text.diagnostic import Related, Severity
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="wheel">
+  <inertial>
+    <mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="wheel_joint" type="continuous">
+  <parent link="base"/>
+  <child link="wheel"/>
+  <axis xyz="0 1 0"/>
+</joint>
+<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
+    <robotBaseFrame>base</robotBaseFrame>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace(
+    "<gazebo>",
+    """\
+<transmission name="wheel_transmission">
+  <type>transmission_interface/SimpleTransmission</type>
+  <joint name="wheel_joint">
+    <hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface>
+  </joint>
+  <actuator name="wheel_motor"/>
+</transmission>
+<gazebo>""",
+)
+
+#: Names in a message; the others are counted.
+_MOST = 4
+
+
+@rule(
+    Severity.INFO,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="add a drive plugin or ros2_control, unless they are meant to turn freely",
+)
+def check(subject: Subject) -> Findings:
+    model = subject.model
+    if model.transmissions or model.ros2_controls or not subject.plugins or subject.is_part:
+        return
+    if any(use.plugin is None or _moves_joints(use.plugin.id) for use in subject.plugins):
+        return  # a vendor's plugin may drive them
+    if any(driven(use) for use in subject.plugins):
+        return
+    wheels = [joint for joint in model.joints if joint.kind == "continuous" and not joint.mimic]
+    if not wheels:
+        return
+    names = ", ".join(f"'{joint.name}'" for joint in wheels[:_MOST])
+    more = f" and {len(wheels) - _MOST} more" if len(wheels) > _MOST else ""
+    who, verb, them = ("joints", "are", "them") if len(wheels) > 1 else ("joint", "is", "it")
+    yield Finding(
+        wheels[0].at,
+        f"{who} {names}{more} {verb} not actuated in Gazebo: no transmission, ros2_control or "
+        f"plugin names {them}",
+        related=tuple(Related(joint.at.span, "not actuated either") for joint in wheels[1:_MOST]),
+    )
+
+
+def _moves_joints(identity: str) -> bool:
+    """True for a plugin that moves joints without naming them."""
+    words = ("control", "Drive", "trajectory", "mavlink", "elevator", "gripper", "Tracked")
+    return any(word in identity for word in words)

@@ -1,0 +1,153 @@
+"""The wheel radius or separation of a drive plugin or controller differs from the model.
+
+The drive computes wheel speeds and odometry from its own numbers. With a wrong radius the robot
+drives too fast or too slow, and measures too little or too much; with a wrong separation it turns
+by the wrong angle. The model says where the wheels are and, if their collision is a cylinder or a
+sphere, how large. Write its values into the plugin or the parameter file, corrections into
+multipliers. A separation larger than the track is not reported where wheels slip in turns.
+
+Sources:
+    diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    AutonomyLab/create_robot#77: https://github.com/AutonomyLab/create_robot/issues/77
+    ros-simulation/gazebo_ros_pkgs#317: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/317
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.core.spatial import Vector, dot, length, minus
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.robot.model import number
+from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.gazebo.drives import DrivenWheel, drive_of, given, pairs, rolling, wheels
+from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
+from urdfkit.text.diagnostic import Severity
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.ros_control import Measure
+    from urdfkit.ros.controllers import Controller
+    from urdfkit.ros.gazebo.drives import DriveKind
+    from urdfkit.ros.gazebo.plugins import PluginUse
+
+#: Relative difference; real robots are calibrated within this.
+TOLERANCE = 0.05
+
+BAD = DRIVEN
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+FILES = {
+    "config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"),
+    "config/good.yaml": DRIVE,
+}
+
+_MEASURED = {
+    "diameter": "the wheels have a diameter of",
+    "radius": "the wheels have a radius of",
+    "separation": "the distance between the wheels is",
+    "track": "the distance between the wheels is",
+    "wheelbase": "the distance between the axles is",
+}
+
+
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
+    for use in subject.plugins:
+        if kind := drive_of(use):
+            yield from _of_plugin(use, kind, subject)
+    for file, found in subject.controllers:
+        for controller in found:
+            for finding in _of_controller(controller, subject):
+                yield finding._replace(related=(file.note,))
+
+
+def _of_plugin(use: PluginUse, kind: DriveKind, subject: Subject) -> Findings:
+    driven = list(wheels(use, subject.tree))
+    size = "diameter" if kind.diameter else "radius"
+    radius = _radius([wheel.rolling for wheel in driven])
+    sides = ((left.rolling, right.rolling) for left, right in pairs(driven))
+    left, right = next((pair for pair in sides if pair[0].is_parallel(pair[1])), (None, None))
+    apart: list[float] = []
+    if left and right and left.hub and right.hub:
+        apart = _distances(left, right, left.axis)
+    sizes = [2 * one if kind.diameter else one for one in radius]
+    for name, measured, real in ((kind.size, size, sizes), (kind.separation, "separation", apart)):
+        found = given(use, name) if name else None
+        if found is None or not real:
+            continue
+        at, value = found
+        may_slip = kind.slips and measured == "separation" and value > real[0]
+        if not may_slip and _differs(value, real):
+            default = ", the default" if at is use.at else ""
+            yield Finding(
+                at,
+                f"{use.title}: <{name}> is {value:g} m{default}, but {_MEASURED[measured]} "
+                f"{real[0]:.4g} m",
+                f"write {real[0]:.4g}",
+                weight=abs(value - real[0]),
+            )
+
+
+def _of_controller(controller: Controller, subject: Subject) -> Findings:
+    kind = catalogue().get(controller.type)
+    for measure in kind.measures if kind else ():
+        written = controller.values([measure.parameter])
+        value = number(written[0].text) if written else None
+        real = _real(measure, controller, subject)
+        if value is not None and real and _differs(value, real):
+            yield Finding(
+                Location(written[0].span),
+                f"controller '{controller.name}': {measure.parameter} is {value:g} m, but "
+                f"{_MEASURED[measure.kind]} {real[0]:.4g} m",
+                f"write {real[0]:.4g}",
+                weight=abs(value - real[0]),
+            )
+
+
+def _differs(value: float, real: list[float]) -> bool:
+    return all(abs(value - one) > TOLERANCE * one for one in real)
+
+
+def _real(measure: Measure, controller: Controller, subject: Subject) -> list[float]:
+    """What the model says, in m: from the tyres and from the joints. Empty if it says nothing."""
+    sides = [_wheels(controller, names, subject) for names in measure.sides]
+    if not all(sides):
+        return []
+    if measure.kind == "radius":
+        return _radius(sides[0])
+    if measure.kind == "wheelbase":
+        x, y, _ = minus(_centre(sides[0]), _centre(sides[1]))
+        return [length((x, y, 0.0))]
+    if measure.kind == "track":
+        return _distances(sides[0][0], sides[0][1]) if len(sides[0]) == 2 else []
+    left, right = sides[0][0], sides[1][0]
+    return _distances(left, right, left.axis) if left.is_parallel(right) else []
+
+
+def _wheels(controller: Controller, names: tuple[str, ...], subject: Subject) -> list[DrivenWheel]:
+    """The wheels that some parameters name; empty if one of them is unknown."""
+    joints = (subject.model.joints_by_name.get(name.text) for name in controller.values(names))
+    found = [rolling(joint, subject.tree) if joint else None for joint in joints]
+    known = [wheel for wheel in found if wheel]
+    return known if len(known) == len(found) else []
+
+
+def _radius(found: list[DrivenWheel]) -> list[float]:
+    """The radius of some wheels in m; empty if they have several, or if it is unknown."""
+    radii = [wheel.radius for wheel in found if wheel.radius is not None]
+    is_one = radii and max(radii) <= (1 + TOLERANCE) * min(radii)
+    return radii[:1] if is_one else []
+
+
+def _centre(found: list[DrivenWheel]) -> Vector:
+    x, y, z = (sum(part) / len(found) for part in zip(*(w.origin for w in found), strict=True))
+    return x, y, z
+
+
+def _distances(a: DrivenWheel, b: DrivenWheel, along: Vector | None = None) -> list[float]:
+    """Between the tyres and between the joints of two wheels; along a direction if there is one."""
+    apart = [minus(a.origin, b.origin)]
+    if a.hub and b.hub:
+        apart.insert(0, minus(a.hub, b.hub))
+    return [abs(dot(way, along)) if along else length(way) for way in apart]

@@ -1,0 +1,132 @@
+"""The robot frame of a drive's odometry is not the root link of the robot.
+
+A drive plugin or wheel controller sends the transform from its odometry frame to this link, and
+robot_state_publisher sends one from the link's parent: a frame has one parent in tf, and the robot
+jumps between the two. A name that is not a link leaves the robot without a way to `odom` ("no
+transform from [base_link] to [odom]"). Name the root link, or remove the links above it.
+
+Sources:
+    diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    REP 105, frames of mobile robots: http://www.ros.org/reps/rep-0105.html
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.grammar import is_expression
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.controllers import Controller
+    from urdfkit.ros.gazebo.plugins import PluginUse
+    from urdfkit.text.located_yaml import Value
+
+BAD = """\
+<link name="base_footprint">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="base_link">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<joint name="base_joint" type="fixed">
+  <parent link="base_footprint"/>
+  <child link="base_link"/>
+</joint>
+<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
+    <robotBaseFrame>base_link</robotBaseFrame>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("Frame>base_link<", "Frame>base_footprint<")
+FIXED = GOOD
+
+#: Parameters of plugins: the frame of the robot, and that of the odometry.
+_FRAMES = ("robotBaseFrame", "robot_base_frame")
+_ODOMETRY = ("odometryFrame", "odometry_frame")
+#: What switches the transform off; the names in the catalogue give the defaults.
+_SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf")
+
+
+@rule(
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.GAZEBO),
+)
+def check(subject: Subject) -> Findings:
+    for use in subject.plugins:
+        yield from _of_plugin(use, subject)
+    if subject.is_part or len(subject.tree.roots) != 1:
+        return
+    for file, found in subject.controllers:
+        for controller in found:
+            if frame := _frame(controller):
+                for finding in _of_controller(controller, frame, subject):
+                    yield finding._replace(related=(file.note,))
+
+
+def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
+    parameters = use.plugin.parameters if use.plugin and use.plugin.generation != "gz" else {}
+    parameter = next((name for name in _FRAMES if name in parameters), None)
+    odometry = next((name for name in _ODOMETRY if name in parameters), None)
+    switches = [use.value(name) for name in _SWITCHES if name in parameters]
+    is_sent = all(value.lower() in ("true", "1") for value in switches)
+    if parameter is None or odometry is None or not is_sent:
+        return
+    written, name = use.values(parameter), use.value(parameter)
+    above = subject.tree.parents.get(name.lstrip("/"), [])
+    if len(above) != 1 or above[0].parent is None:
+        return
+    parent, frame = above[0].parent.value, use.value(odometry) or "odom"
+    if parent == frame.lstrip("/"):
+        return
+    roots = subject.tree.roots
+    root = roots[0].name if len(roots) == 1 else parent
+    edits = rewrite(written[0].at, root) if written and len(roots) == 1 else None
+    yield Finding(
+        written[0].at if written else use.at,
+        f"{use.title} sends the transform {frame} -> {name}, and robot_state_publisher "
+        f"{parent} -> {name}: a frame has one parent",
+        f"name the root link '{root}', or remove the links above '{name}'",
+        Fix.of(f"name the root link '{root}'", edits),
+    )
+
+
+def _of_controller(controller: Controller, frame: Value, subject: Subject) -> Findings:
+    root, name = subject.tree.roots[0].name, frame.text.strip("/")
+    links = subject.model.links_by_name
+    if name == root:
+        return
+    if name not in links:
+        message = f"the robot has no link '{name}'{did_you_mean(name, links)}"
+    else:
+        above = subject.tree.parents[name][0].parent
+        parent = above.value if above else root
+        message = f"'{name}' is a child of '{parent}'; a frame has one parent"
+    yield Finding(
+        Location(frame.span),
+        f"controller '{controller.name}' publishes the transform to '{name}': {message}",
+        f"name the root link '{root}'",
+    )
+
+
+def _frame(controller: Controller) -> Value | None:
+    """The frame whose pose it sends, if it sends one and says which."""
+    if "drive" not in controller.type and "steering" not in controller.type:
+        return None
+    sends = controller.values(["enable_odom_tf"])
+    prefixed = controller.values(["tf_frame_prefix"])
+    frame = controller.values(["base_frame_id"])
+    if not frame or (sends and sends[0].text.lower() == "false") or prefixed:
+        return None
+    return None if is_expression(frame[0].text) or not frame[0].text else frame[0]

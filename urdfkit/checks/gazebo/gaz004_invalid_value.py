@@ -1,0 +1,117 @@
+"""A value in a `<gazebo>` block has a type or range that Gazebo does not read.
+
+- Tags of the block: where Gazebo's converter wants a number, other text ends the whole conversion
+  with an exception, and a decimal comma, as anything else behind a number, ends the number. Where
+  it wants a boolean, it looks for `true`, `yes` and `1` (for `turnGravityOff`: `false`, `no` and
+  `0`) and takes everything else for the opposite.
+- Plugins: where a number is wanted, text reads as 0 or as the default. Where a boolean is wanted,
+  only `true` and `1` are true: `yes` and `on` read as false. An unknown word is ignored or ends the
+  plugin.
+- Sensors: gz-sim rejects the model or takes a default, and Gazebo Classic takes a default or
+  creates no sensor. A number ends where its characters end: `50 cm` is 50 m, and an image `1e3`
+  pixels wide has one; that 666.5 beams are taken for 666 is not reported.
+- Bounds of sensors that are swapped: a lidar whose minimum range or angle is not below the maximum,
+  and a camera whose near clipping distance is not below the far one, see nothing. Both ranges of a
+  lidar are 0 if they are not written. The rays of Gazebo Classic may sweep backwards.
+
+Angles in degrees have a rule of their own (GAZ047).
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
+    sdformat, Camera.cc: https://github.com/gazebosim/sdformat/blob/main/src/Camera.cc
+    sdformat, Param.cc: https://github.com/gazebosim/sdformat/blob/main/src/Param.cc
+    gz-sensors, Lidar.cc: https://github.com/gazebosim/gz-sensors/blob/main/src/Lidar.cc
+    measured: what libsdformat 12.3 rejects
+"""
+
+from __future__ import annotations
+
+from math import isnan
+
+from urdfkit.checks.gazebo.plugin_values import invalid_in_plugins
+from urdfkit.checks.gazebo.sensor_values import invalid_in_sensors
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.model import RobotModel, number
+from urdfkit.ros.catalog.extensions import Extension, extensions
+from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
+from urdfkit.ros.gazebo.values import corrected, leading, quoted, text_of, value
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import replace_text
+
+BAD = """\
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="wheel">
+  <mu1>0,8</mu1>
+</gazebo>"""
+GOOD = BAD.replace("0,8", "0.8")
+FIXED = GOOD
+
+_WORDS = ("true", "yes", "1", "false", "no", "0")
+#: Friction and stiffness.
+_NOT_NEGATIVE = ("mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "maxContacts")
+#: Booleans of SDF that the converter copies as they are.
+_COPIED = ("gravity", "self_collide", "kinematic", "enable_wind", "must_be_base_link")
+
+
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Findings:
+    handled = extensions()
+    for block in subject.model.gazebo:
+        for child in block.children:
+            text = text_of(child)
+            if extension := handled.get(child.tag):
+                if extension.type != "bool" or _is_read(subject.model, block, extension):
+                    yield from _handled(child, extension, text)
+            elif child.tag in _COPIED and text.lower() not in ("true", "false", "1", "0"):
+                message = (
+                    f"<{child.tag}> is {quoted(text)}, must be true or false: {REJECTED_BY_GZ}"
+                )
+                yield Finding(child, message, "write true or false")
+    yield from invalid_in_plugins(subject.plugins)
+    yield from invalid_in_sensors(subject)
+
+
+def _is_read(model: RobotModel, block: Element, extension: Extension) -> bool:
+    """True unless a tag for links is in the block of a joint, or the other way round (GAZ005)."""
+    name = block.get("reference")
+    is_link, is_joint = name in model.links_by_name, name in model.joints_by_name
+    return is_link == is_joint or extension.on != ("joint" if is_link else "link")
+
+
+def _handled(child: Element, extension: Extension, text: str) -> Findings:
+    found = f"<{child.tag}> is {quoted(text)}"
+    if extension.type in ("float", "int"):
+        yield from _number(child, text, found)
+    elif extension.type == "vector3":
+        parts = [number(part) for part in text.split()]
+        if len(parts) != 3 or None in parts:
+            yield Finding(child, f"{found}, not 3 numbers", "write 3 numbers with spaces between")
+    elif extension.type == "bool" and text.lower() not in _WORDS:
+        read = "false" if extension.words == "yes" else "true"
+        yield Finding(child, f"{found}, which Gazebo reads as {read}", "write true or false")
+
+
+def _number(child: Element, text: str, found: str) -> Findings:
+    read, rest = leading(text)
+    if not read:
+        message = f"{found}, not a number: Gazebo's URDF converter ends with an exception"
+        yield Finding(child, message, "write a number")
+    elif rest:
+        right = corrected(text)
+        is_written = rest.startswith(",") and child.text.strip() == text
+        fix = Fix.of(f"write {right}", replace_text(child, right) if is_written else None)
+        yield Finding(child, f"{found}, which Gazebo reads as {read}", f"write {right}", fix)
+    elif isnan(value(read)):
+        yield Finding(child, f"{found}: the simulation spreads it to all links", "write a number")
+    elif child.tag in _NOT_NEGATIVE and value(read) < 0:
+        message = f"{found}, must be >= 0: contacts pull or the simulation becomes unstable"
+        yield Finding(child, message, "write 0 or more")

@@ -1,0 +1,114 @@
+"""The uses of mesh files in the visuals and collisions of a model."""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Vector
+from urdfkit.mesh.measures import Measures
+from urdfkit.robot.inertia import MassProperties, rotated
+from urdfkit.robot.inertials.shape_mass import stretched
+from urdfkit.robot.model import Body, Link, Placed, Shape
+from urdfkit.robot.shapes import BoundingBox, MeshSolid
+from urdfkit.text.document import Attribute
+
+
+class MeshUse(Record):
+    """A mesh file in a visual or a collision of a link.
+
+    Attributes:
+        at: the file name as it is after expansion.
+        link: the link.
+        role: ``visual`` or ``collision``.
+        body: the visual or collision.
+        shape: the mesh in it.
+        path: of the file.
+        measures: of its triangles.
+    """
+
+    at: Placed[str]
+    link: Link
+    role: str
+    body: Body
+    shape: Shape
+    path: str
+    measures: Measures
+
+    @property
+    def who(self) -> str:
+        """The subject of a message."""
+        return f"link '{self.link.name}': the {self.role} mesh '{self.at.value}'"
+
+    @property
+    def factors(self) -> Vector:
+        """From coordinates of the file to m along x, y and z, as RViz and Gazebo multiply."""
+        x, y, z = self.shape.scale
+        unit = self.measures.unit
+        return (x * unit, y * unit, z * unit)
+
+    @property
+    def edges(self) -> Vector:
+        """Of the bounding box along the axes of the file, in m."""
+        x, y, z = (abs(f) * e for f, e in zip(self.factors, self.measures.edges, strict=True))
+        return (x, y, z)
+
+    @property
+    def longest(self) -> float:
+        """The longest edge of that box, in m."""
+        return max(self.edges)
+
+    @property
+    def points(self) -> tuple[Vector, ...]:
+        """The extreme vertices in m, in the frame of the link."""
+        x, y, z = self.factors
+        apply = self.body.origin.apply
+        return tuple(apply((a * x, b * y, c * z)) for a, b, c in self.measures.points)
+
+    @property
+    def box(self) -> BoundingBox:
+        """The bounding box along the axes of the link, in m."""
+        return BoundingBox.of(self.points)
+
+    @property
+    def solid(self) -> MeshSolid | None:
+        """The mesh as a solid in the frame of the link; None if it is flat."""
+        measures = self.measures
+        uniform, hull = measures.solid or measures.hull, measures.hull
+        if uniform is None or hull is None:
+            return None
+        whole = stretched(uniform, self.shape, measures.unit)
+        around = stretched(hull, self.shape, measures.unit)
+        if whole is None or around is None:
+            return None
+        mass, center, tensor = whole
+        origin = self.body.origin
+        shape_mass = MassProperties(mass, origin.apply(center), rotated(tensor, origin.rotation))
+        name = os.path.basename(self.path)
+        return MeshSolid(name, shape_mass, around.mass, measures.solid is not None, self.points)
+
+    @property
+    def scale_at(self) -> Attribute | None:
+        """The attribute ``scale``, if there is one."""
+        return self.shape.at.attributes.get("scale")
+
+
+class UnmeasuredMesh(Record):
+    """A mesh file that looks whole and gives no triangles.
+
+    Attributes:
+        at: the file name as it is after expansion.
+        link: name of the link.
+        role: ``visual`` or ``collision``.
+        reason: a predicate whose subject is the file.
+    """
+
+    at: Placed[str]
+    link: str
+    role: str
+    reason: str
+
+    @property
+    def who(self) -> str:
+        """The subject of a message."""
+        return f"link '{self.link}': the {self.role} mesh '{self.at.value}'"
