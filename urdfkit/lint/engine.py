@@ -386,7 +386,11 @@ def _verdict(job: Job, subject: Subject, settings: Settings) -> FileResult:
 
 def _skipped_as_one(verdict: FileResult, subject: Subject) -> FileResult:
     """A description that cannot be read, of which no error says so, is skipped as a whole."""
-    errors = {d.code for d in verdict.diagnostics if d.severity is Severity.ERROR}
+    errors = {
+        d.code
+        for d in verdict.diagnostics
+        if d.severity is Severity.ERROR or d.code in catalogue.NOT_EXPANDED
+    }
     if subject.is_readable or subject.is_fragment or not errors <= {catalogue.NOT_CHECKED}:
         return verdict
     from urdfkit.lint.unchecked import why_unchecked

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 #: it is ignored by name.
 NOT_CHECKED = "CFG003"
 
+#: The rules that say why a robot does not expand, whatever their severity.
+NOT_EXPANDED = frozenset(("XAC001", "XAC011"))
+
 #: The version of urdfkit that brought every rule that names no other.
 FIRST_VERSION = "0.1"
 

@@ -93,8 +93,7 @@ def judge(
     if rules.NOT_CHECKED in own:
         own.remove(rules.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
-        is_explained = run.has_errors() or any(one.code == "XAC011" for one in run.diagnostics)
-        is_unexplained = wants_arguments or not is_explained
+        is_unexplained = wants_arguments or not run.says_why()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
             run.rules([rules.NOT_CHECKED])
@@ -204,9 +203,12 @@ class _Run:
         severity = self.config.severities.get(diagnostic.code) if self.config else None
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
-    def has_errors(self) -> bool:
-        """True if there is an error that nothing suppresses."""
-        return any(found.severity is Severity.ERROR for found in self._kept())
+    def says_why(self) -> bool:
+        """True if an error that nothing suppresses says why the robot is not read."""
+        return any(
+            found.severity is Severity.ERROR or found.code in rules.NOT_EXPANDED
+            for found in self._kept()
+        )
 
     def _kept(self) -> tuple[Diagnostic, ...]:
         """The findings that neither the configuration nor a comment suppresses."""
