@@ -11,7 +11,7 @@ import pytest
 from tests.conftest import CORPUS, needs_corpus
 from urdfkit import check
 from urdfkit.cli import main
-from urdfkit.lint.config import load
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.fix import fix
 from urdfkit.ros.launch.robot_arguments import given
 from urdfkit.workspace.resolve import Resolver
