@@ -17,7 +17,7 @@ from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.suppress import Ignore
+    from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
@@ -111,7 +111,7 @@ class Subject:
         cache: True if measures of meshes may be kept for the next run.
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
-        options: values of options of rules, by code and name, as configured; set by the runner.
+        rule_options: configured options of rules, by code and name; set by the runner.
         unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
@@ -134,7 +134,7 @@ class Subject:
         self.progress = progress
         self._given_targets = targets
         self.outcome = Outcome()
-        self.options: Mapping[str, Mapping[str, float]] = {}
+        self.rule_options: Mapping[str, Mapping[str, float]] = {}
         self.unchecked: tuple[UncheckedValues, ...] = ()
         self.source = source
         self.resolver = resolver
@@ -312,7 +312,7 @@ class Subject:
             sources = self.reading.xacro.sources
         if not any(b"urdfkit" in source.data for source in sources):
             return ()
-        from urdfkit.lint.suppress import ignores
+        from urdfkit.lint.ignore_comments import ignores
 
         return tuple(ignore for source in sources for ignore in ignores(source))
 
