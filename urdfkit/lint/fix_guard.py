@@ -11,18 +11,18 @@ from itertools import chain, zip_longest
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint import rules
-from urdfkit.lint.config import Config
+from urdfkit.lint import rule_index
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import affected
-from urdfkit.lint.engine import check, subjects
+from urdfkit.lint.engine import check_with, subjects
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
-from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
+from urdfkit.lint.rules import Need
+from urdfkit.text.diagnostic import Diagnostic, Edit
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.lint.engine import Options
     from urdfkit.text.document import Element
 
 #: A finding in any round: its code, its file and its message, since places move.
@@ -34,8 +34,8 @@ Place = tuple[str, int, int, str]
 #: Reads the robots of a report, in its order.
 Robots = Callable[[], Iterable[Subject | None]]
 
-#: Rules that simulate the robot and so take long; they know no error, and have no fix.
-SLOW = rules.of_family("collision") | frozenset("SRD009 SRD010 DYN003 DYN004 DYN005".split())
+#: What takes long to compute. The rules that need it have no fix.
+SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
 
 
 def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
@@ -131,19 +131,16 @@ class Look:
         self._files = tuple(files)
         self._options = options
         self._codes = frozenset(codes)
-        self.config = options.get("config") or Config()
-        packages = {**self.config.packages, **(options.get("packages") or {})}
-        self.resolver = Resolver(packages, texts=self._texts({}))
+        self.config = options.config
+        self.resolver = Resolver(options.with_config().packages, texts=options.texts)
 
     def report(self, texts: Mapping[str, bytes]) -> Report:
         """What is reported to people: the rules that they asked for."""
-        now: Options = {**self._options, "texts": self._texts(texts)}
-        return check(*self._files, resolver=self.resolver, **now)
+        return check_with(self._with_texts(texts), self._files, self.resolver)
 
     def guard(self, texts: Mapping[str, bytes]) -> Report:
         """What fixes start from and are judged by, without the rules that cannot matter."""
-        raised = {code for code, one in self.config.severities.items() if one is Severity.ERROR}
-        return self._check(self._files, texts, self._codes - (SLOW - raised))
+        return self._check(self._files, texts, self._codes, only_errors=SLOW)
 
     def guard_others(self, texts: Mapping[str, bytes], files: Iterable[str]) -> Report:
         """Whether robots that were not asked for have errors."""
@@ -159,53 +156,30 @@ class Look:
         self, texts: Mapping[str, bytes], files: Iterable[str] | None = None
     ) -> Iterator[Subject | None]:
         """The robots of a check, in its order."""
-        now: Options = {**self._options, "texts": self._texts(texts)}
-        return subjects_of(self._files if files is None else files, now)
+        return subjects(self._with_texts(texts), self._files if files is None else files)
 
     def _check(
         self,
         files: Iterable[str | os.PathLike[str]],
         texts: Mapping[str, bytes],
         codes: Iterable[str],
+        *,
+        only_errors: frozenset[Need] = frozenset(),
     ) -> Report:
-        now: Options = {
-            **self._options,
-            "texts": self._texts(texts),
-            "select": tuple(codes),
-            # The others are not among the codes; of these the errors are.
-            "ignore": tuple(filter(rules.redirect, self._options.get("ignore", ()))),
-        }
-        return check(*files, resolver=self.resolver, **now)
+        # The others are not among the codes; of these the errors are.
+        former = tuple(filter(rule_index.redirect, self._options.ignore))
+        now = self._with_texts(texts)._replace(select=tuple(codes), ignore=former)
+        return check_with(now._replace(only_errors=only_errors), files, self.resolver)
 
-    def _texts(self, texts: Mapping[str, bytes]) -> dict[str, bytes]:
-        return {**(self._options.get("texts") or {}), **texts}
+    def _with_texts(self, texts: Mapping[str, bytes]) -> Options:
+        return self._options._replace(texts={**self._options.texts, **texts})
 
     @cached_property
     def _errors(self) -> list[str]:
-        """The rules that may find errors."""
-
-        def severities(rule: rules.Rule) -> Iterable[Severity]:
-            configured = self.config.severities.get(rule.code)
-            return (configured,) if configured else (rule.severity, *rule.by_target.values())
-
-        found = map(rules.get, self._codes)
-        return [rule.code for rule in found if Severity.ERROR in severities(rule)]
-
-
-def subjects_of(
-    files: Iterable[str | os.PathLike[str]], options: Options
-) -> Iterator[Subject | None]:
-    """The descriptions that a check with some options looks at, in its order."""
-    return subjects(
-        *files,
-        arguments=options.get("arguments"),
-        packages=options.get("packages"),
-        trust=options.get("trust", False),
-        config=options.get("config"),
-        variant=options.get("variant", ""),
-        changed=options.get("changed", False),
-        texts=options.get("texts"),
-    )
+        """The rules that may report errors."""
+        severities = self.config.severities
+        found = map(rule_index.get, self._codes)
+        return [rule.code for rule in found if rule.may_report_errors(severities.get(rule.code))]
 
 
 class RegressionGuard:

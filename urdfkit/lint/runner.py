@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
@@ -16,20 +17,10 @@ from urdfkit.text.source import Span, shown_text
 from urdfkit.text.xml_reader import is_launch
 
 if TYPE_CHECKING:
-    from urdfkit.lint.config import Config
-    from urdfkit.lint.suppress import Ignore
+    from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.ros.targets import Targets
 
 T = TypeVar("T")
-
-#: A macro that is not called makes no link, and a name that is not expanded is none: what then says
-#: that something is missing is the same defect again.
-_UNEXPANDED = frozenset(("XAC002", "XAC003", "XAC021"))
-_NAMES = frozenset(("name", "link", "joint", "reference"))
-_OF_HIDDEN_PARTS = frozenset(
-    "GAZ001 GAZ021 GAZ058 GEO002 INE004 RCT001 RCT013 RCT029 REF001 REF003 SRD001 SRD003 SRD025 "
-    "TRE001 TRE002".split()
-)
 
 #: The family of the rules about the checking itself.
 OWN_FAMILY = "checking"
@@ -71,32 +62,30 @@ class FileResult(Record):
 def judge(
     subject: Subject,
     chosen: Sequence[str],
-    config: Config | None = None,
-    previews: Container[str] | None = None,
+    options: Options = Options(preview=True),
 ) -> FileResult:
     """Run rules over a description.
 
     Args:
         subject: the description.
         chosen: codes of the rules.
-        config: changes severities and options of rules, and leaves findings out.
-        previews: codes of the preview rules that run; all if None.
+        options: whose configuration changes severities and options of rules, and leaves findings
+            out; resolved.
     """
-    if config is not None:
-        subject.options = config.options
-    run = _Run(subject, config, previews)
+    subject.rule_options = options.config.options
+    run = _Run(subject, options)
     # The rules about the checking itself look at what the others found.
-    own = [code for code in chosen if rules.family_of(code) == OWN_FAMILY]
+    own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
     subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
     run.ignores = run.guarded(lambda: subject.ignores, ())
-    if rules.NOT_CHECKED in own:
-        own.remove(rules.NOT_CHECKED)
+    if rule_index.NOT_CHECKED in own:
+        own.remove(rule_index.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
-        is_unexplained = wants_arguments or not run.has_errors()
+        is_unexplained = wants_arguments or not run.says_why()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
-            run.rules([rules.NOT_CHECKED])
+            run.rules([rule_index.NOT_CHECKED])
             subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules(own)
@@ -106,16 +95,15 @@ def judge(
 class _Run:
     """Gathers what the rules say about one subject."""
 
-    def __init__(
-        self, subject: Subject, config: Config | None, previews: Container[str] | None
-    ) -> None:
+    def __init__(self, subject: Subject, options: Options) -> None:
         self.subject = subject
-        self.config = config
-        self.previews = previews
+        self.options = options
+        self.config = options.config
         self.diagnostics: list[Diagnostic] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
         self.ran: set[str] = set()
+        self._asked: dict[str, Rule] = {}
         self.ignores: tuple[Ignore, ...] = ()
 
     def guarded(self, look: Callable[[], T], otherwise: T) -> T:
@@ -130,14 +118,22 @@ class _Run:
         """Run those of some rules whose family applies to the subject."""
         families: dict[str, list[str]] = {}
         for code in chosen:
-            families.setdefault(rules.family_of(code), []).append(code)
+            families.setdefault(rule_index.family_of(code), []).append(code)
         for family, codes in families.items():
             if self._applies(family, codes):
-                for rule in map(rules.get, codes):
-                    if not rule.preview or self.previews is None or rule.code in self.previews:
-                        self._rule(rule)
+                for rule in filter(self._is_chosen, map(rule_index.get, codes)):
+                    self._rule(rule)
+
+    def _is_chosen(self, rule: Rule) -> bool:
+        """False for a preview rule that nobody asked for, and for one that takes too long."""
+        if rule.preview and not self.options.previews(rule.code):
+            return False
+        configured = self.config.severities.get(rule.code)
+        is_skipped = bool(rule.needs & self.options.only_errors)
+        return not is_skipped or rule.may_report_errors(configured)
 
     def _rule(self, rule: Rule) -> None:
+        self._asked[rule.code] = rule
         findings = self._findings(rule)
         try:
             findings = self._undisputed(findings)
@@ -153,7 +149,7 @@ class _Run:
         if is_launch(path) and family not in LAUNCH_FAMILIES:
             return False
         try:
-            return rules.applies(family, self.subject)
+            return rule_index.applies(family, self.subject)
         except NotApplicable:
             return False
         except Unavailable as reason:
@@ -200,12 +196,15 @@ class _Run:
         return without_disputed_fixes(findings, self.subject.uses)
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
-        severity = self.config.severities.get(diagnostic.code) if self.config else None
+        severity = self.config.severities.get(diagnostic.code)
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
-    def has_errors(self) -> bool:
-        """True if there is an error that nothing suppresses."""
-        return any(found.severity is Severity.ERROR for found in self._kept())
+    def says_why(self) -> bool:
+        """True if an error that nothing suppresses says why the robot is not read."""
+        return any(
+            found.severity is Severity.ERROR or found.code in rule_index.NOT_EXPANDED
+            for found in self._kept()
+        )
 
     def _kept(self) -> tuple[Diagnostic, ...]:
         """The findings that neither the configuration nor a comment suppresses."""
@@ -219,7 +218,7 @@ class _Run:
     def verdict(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
-        diagnostics, consequences = _without_consequences(diagnostics)
+        diagnostics, consequences = _without_consequences(diagnostics, self._asked)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return FileResult(
             diagnostics,
@@ -242,33 +241,39 @@ class _Run:
 
     def _left_out(self, diagnostic: Diagnostic) -> bool:
         config = self.config
-        return config is not None and (
-            diagnostic.confidence.rank > config.min_confidence.rank
-            or config.ignores(diagnostic.code, diagnostic.span.source.path, diagnostic.severity)
-        )
+        is_unsure = diagnostic.confidence.rank > config.min_confidence.rank
+        path = diagnostic.span.source.path
+        return is_unsure or config.ignores(diagnostic.code, path, diagnostic.severity)
 
 
 def _without_consequences(
-    diagnostics: tuple[Diagnostic, ...],
+    diagnostics: tuple[Diagnostic, ...], rules: Mapping[str, Rule]
 ) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
     """Findings without what follows from others, which are then as severe as that; and that."""
-    if not any(map(_hides_parts, diagnostics)):
+    causes = [one for one in diagnostics if _hides_parts(one, rules[one.code])]
+    if not causes:
         return diagnostics, ()
-    hidden = tuple(d for d in diagnostics if d.code in _OF_HIDDEN_PARTS)
-    kept = [d for d in diagnostics if d.code not in _OF_HIDDEN_PARTS]
+    kept: list[Diagnostic] = []
+    hidden: list[Diagnostic] = []
+    for one in diagnostics:
+        (hidden if rules[one.code].reports_missing else kept).append(one)
     for place, found in enumerate(kept):
-        if _hides_parts(found):
+        if found in causes:
             worst = min((found, *hidden), key=lambda one: one.severity.rank)
             kept[place] = found._replace(severity=worst.severity)
-    return tuple(kept), hidden
+    return tuple(kept), tuple(hidden)
 
 
-def _hides_parts(diagnostic: Diagnostic) -> bool:
-    """True if the robot lacks parts for a tag or a name that xacro did not expand."""
-    if diagnostic.code not in _UNEXPANDED or diagnostic.code == "XAC002":
-        return diagnostic.code == "XAC002"
+def _hides_parts(diagnostic: Diagnostic, rule: Rule) -> bool:
+    """True if the robot lacks parts for a tag or a name that xacro did not expand.
+
+    A macro that is not called makes no link, and a name that is not expanded is none: what then
+    says that something is missing is the same defect again.
+    """
+    if not rule.hides_parts or "" in rule.hides_parts:
+        return bool(rule.hides_parts)
     places = [call.element for call in diagnostic.calls]
-    return any(not place or place.rpartition("@")[2] in _NAMES for place in places)
+    return any(not place or place.rpartition("@")[2] in rule.hides_parts for place in places)
 
 
 def _bounded(finding: Finding) -> Finding:

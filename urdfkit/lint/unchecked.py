@@ -6,14 +6,14 @@ import os
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.argument_values import found_values, missing_argument, reported
-from urdfkit.lint.rules import get
+from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.lint.reading import Reading
+    from urdfkit.lint.description_file import Reading
 
 
 def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:

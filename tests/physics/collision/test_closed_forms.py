@@ -133,3 +133,10 @@ def test_points() -> None:
     assert point_distance("cylinder", (1, 2), (0, 0.5, 0.9)) == pytest.approx(-0.1)
     assert point_distance("capsule", (1, 2), (0, 0, 1.5)) == pytest.approx(-0.5)
     assert point_distance("sphere", (1,), (0, 0, 3)) == pytest.approx(2)
+
+
+@pytest.mark.parametrize("kind", ["box", "sphere", "cylinder", "capsule"])
+def test_a_mesh_has_no_closed_form(kind: str) -> None:
+    size, at = (0.1, 0.1, 0.1), Transform()
+    assert signed_distance("mesh", (), kind, size, at) is None
+    assert signed_distance(kind, size, "mesh", (), at) is None

@@ -63,7 +63,12 @@ FIXED = GOOD
 _STATES = "gazebo_ros_joint_state_publisher@classic-ros2"
 
 
-@rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO), help="name a link or joint of this robot")
+@rule(
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="name a link or joint of this robot",
+    reports_missing=True,
+)
 def check(subject: Subject) -> Findings:
     conversion = subject.gazebo
     suggesters = {
@@ -90,7 +95,7 @@ def _unknown(use: PluginUse, reference: Reference, suggester: Suggester) -> Find
         fix = Fix.of(f"rename '{name}' to '{suggested}'", rewrite(item.at, suggested))
     return Finding(
         item.at,
-        f"{use.title} refers to {reference.kind} '{name}', which does not exist{use.outcome}",
+        f"{use.title} refers to unknown {reference.kind} '{name}'{use.outcome}",
         f"did you mean '{suggested}'?" if suggested else f"name a {reference.kind} of this robot",
         fix,
     )

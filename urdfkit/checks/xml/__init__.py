@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 
-REDIRECTS = {"XML006": "XML001", "trailing-content": "XML001"}
+#: Former codes and names, and the rules that report their findings now.
+REDIRECTS = {
+    "XML006": "XML001", "trailing-content": "XML001",
+    "XML004": "XML007", "namespace-unbound": "XML007",
+}  # fmt: skip
 
 
 def applies(subject: Subject) -> bool:

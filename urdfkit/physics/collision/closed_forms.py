@@ -24,17 +24,20 @@ def signed_distance(
     other_size: tuple[float, ...],
     at: Transform,
 ) -> float | None:
-    """The signed distance of two primitives; None for a pair without a closed form.
+    """The signed distance of two bodies; None for a pair without a closed form, such as a mesh.
 
     Exact where they overlap; of two boxes apart a lower bound, more than 0.
 
     Args:
-        kind: ``box``, ``sphere``, ``cylinder`` or ``capsule``, about its origin, its axis along z.
+        kind: ``box``, ``sphere``, ``cylinder`` or ``capsule``, about its origin, its axis along z,
+            or ``mesh``.
         size: the sides of a box; the radius, and the length of what has one.
         other_kind: of the other primitive.
         other_size: likewise.
         at: the frame of the other one in that of the first.
     """
+    if "mesh" in (kind, other_kind):
+        return None
     if other_kind == "sphere":
         return point_distance(kind, size, at.position) - other_size[0]
     if kind == "sphere" or (kind == "cylinder" and other_kind == "box"):

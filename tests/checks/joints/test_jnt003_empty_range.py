@@ -1,0 +1,54 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, limit, robot
+from tests.reported import fixed, messages, places, reported
+
+
+@pytest.mark.parametrize(("kind", "unit"), [("revolute", "rad"), ("prismatic", "m")])
+def test_a_lower_limit_above_the_upper_one(kind: str, unit: str) -> None:
+    text = robot(joint("j", kind, limit("2.5", "-1.5")))
+    assert messages("JNT003", text) == [
+        f"joint 'j': lower limit 2.5 {unit} is above upper limit -1.5 {unit}"
+    ]
+    assert places("JNT003", text) == [(4, limit("2.5", "-1.5"))]
+    assert limit("-1.5", "2.5") in fixed("JNT003", text)
+
+
+@pytest.mark.parametrize(
+    ("written", "ends", "missing"),
+    [('lower="0.5"', ("0.5", "0"), "upper"), ('upper="-0.5"', ("0", "-0.5"), "lower")],
+)
+def test_what_is_not_written_is_0(written: str, ends: tuple[str, str], missing: str) -> None:
+    content = f'<limit {written} effort="1" velocity="1"/>'
+    (found,) = reported("JNT003", robot(joint("j", "revolute", content)))
+    assert found.message == (
+        f"joint 'j': lower limit {ends[0]} rad is above upper limit {ends[1]} rad "
+        f"({missing} is not written, so it is 0)"
+    )
+    assert found.fix is None
+
+
+@pytest.mark.parametrize(("lower", "upper"), [("1", "-1"), ("1", "0"), ("0", "-1")])
+def test_a_joint_that_is_free_in_pybullet_is_not_turned_into_one_that_is_not(
+    lower: str, upper: str
+) -> None:
+    for kind, remedy in (("revolute", "make it continuous"), ("prismatic", "set them far apart")):
+        (found,) = reported("JNT003", robot(joint("j", kind, limit(lower, upper))))
+        assert found.fix is None
+        assert found.help == f"swap them; if the joint is to be free, {remedy}"
+
+
+@pytest.mark.parametrize(
+    ("kind", "content"),
+    [
+        ("revolute", limit("-1", "1")),
+        ("revolute", limit("1", "x")),  # URD005
+        ("continuous", limit("1", "-1")),  # JNT013
+        ("fixed", limit("1", "-1")),
+        ("revolute", ""),
+    ],
+)
+def test_no_finding(kind: str, content: str) -> None:
+    assert reported("JNT003", robot(joint("j", kind, content))) == []

@@ -1,0 +1,53 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, limit, robot
+from tests.reported import messages, places, reported
+
+
+@pytest.mark.parametrize(
+    ("content", "why"),
+    [
+        (limit("0", "0"), "lower and upper limit are both 0 rad"),
+        (limit("1.5", "1.5"), "lower and upper limit are both 1.5 rad"),
+        (
+            '<limit effort="1" velocity="1"/>',
+            "lower and upper limit are not written, so both are 0",
+        ),
+        (
+            '<limit lower="0" effort="1" velocity="1"/>',
+            "its lower limit is 0, and so is the one that is not written",
+        ),
+    ],
+)
+def test_a_joint_that_cannot_move(content: str, why: str) -> None:
+    text = robot(joint("j", "revolute", content))
+    assert messages("JNT003", text) == [f"joint 'j' is revolute but cannot move: {why}"]
+    assert places("JNT003", text) == [(4, content)]
+
+
+def test_what_to_do_depends_on_the_type() -> None:
+    helps = {
+        kind: reported("JNT003", robot(joint("j", kind, limit("1", "1"))))[0].help
+        for kind in ("revolute", "prismatic")
+    }
+    assert helps == {
+        "revolute": "set lower and upper, make it continuous if it has no end, or make it fixed",
+        "prismatic": "set lower and upper, or make it fixed",
+    }
+
+
+@pytest.mark.parametrize(
+    ("kind", "content"),
+    [
+        ("revolute", limit("0", "0.001")),
+        ("revolute", '<limit upper="1" effort="1" velocity="1"/>'),
+        ("revolute", limit("x", "0")),  # URD005
+        ("continuous", limit("0", "0")),  # JNT013
+        ("continuous", '<limit effort="1" velocity="1"/>'),
+        ("fixed", limit("0", "0")),
+    ],
+)
+def test_no_finding(kind: str, content: str) -> None:
+    assert reported("JNT003", robot(joint("j", kind, content))) == []

@@ -1,0 +1,100 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, limit, mimic, robot
+from tests.reported import messages, places, reported
+from urdfkit.text.diagnostic import Severity
+
+UNITS = [
+    ("revolute", "effort", "N m"),
+    ("continuous", "effort", "N m"),
+    ("prismatic", "effort", "N"),
+    ("revolute", "velocity", "rad/s"),
+    ("continuous", "velocity", "rad/s"),
+    ("prismatic", "velocity", "m/s"),
+]
+
+
+def limited(key: str, value: str) -> str:
+    return limit("-1", "1", **{key: value})
+
+
+@pytest.mark.parametrize(("kind", "key", "unit"), UNITS)
+@pytest.mark.parametrize(("value", "severity"), [("0", Severity.WARNING), ("-0.5", Severity.ERROR)])
+def test_one_joint(kind: str, key: str, unit: str, value: str, severity: Severity) -> None:
+    text = robot(joint("a", kind, limited(key, value)), joint("b", "revolute", limit("-1", "1")))
+    (found,) = reported("JNT008", text)
+    assert found.message.startswith(f"joint 'a': {key} limit is {value} {unit}")
+    assert found.severity is severity
+    assert places("JNT008", text) == [(4, value)]
+
+
+def test_all_joints_of_a_robot_are_one_finding() -> None:
+    text = robot(*(joint(f"j{n}", "revolute", limited("effort", "0")) for n in range(60)))
+    (found,) = reported("JNT008", text)
+    assert found.message.startswith("joints 'j0', 'j1' and 58 more:")
+    lines = [(other.span.line, other.message) for other in found.related]
+    assert lines[:2] == [(6, "joint 'j1'"), (8, "joint 'j2'")]
+    assert len(lines) == 20, "not all are listed"
+
+
+def test_effort_and_velocity_and_both_signs_are_apart() -> None:
+    limits = [limit("-1", "1", *pair) for pair in (("0", "0"), ("-1", "-2"))]
+    text = robot(*(joint(f"j{n}", "revolute", one) for n, one in enumerate(limits)))
+    assert places("JNT008", text) == [(4, "0"), (4, "0"), (6, "-1"), (6, "-2")]
+
+
+def test_a_macro_is_one_place() -> None:
+    macro = joint("${name}", "revolute", limited("effort", "0"))
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="base"/>'
+        f'<xacro:macro name="arm" params="name">{macro}</xacro:macro>'
+        '<xacro:arm name="a"/><xacro:arm name="b"/></robot>'
+    )
+    (found,) = reported("JNT008", text, "robot.xacro")
+    assert found.message.startswith("joints 'a' and 'b':")
+    assert found.related == ()
+
+
+@pytest.mark.parametrize("key", ["effort", "velocity"])
+@pytest.mark.parametrize(
+    ("kind", "content", "value"),
+    [
+        ("revolute", "", "5"),
+        ("revolute", "", "x"),  # URD005
+        ("fixed", "", "0"),
+        ("fixed", "", "-1"),
+        ("revolute", mimic("b"), "0"),  # no motor of its own
+    ],
+)
+def test_no_finding(key: str, kind: str, content: str, value: str) -> None:
+    text = robot(
+        joint("a", kind, limited(key, value) + content), joint("b", "revolute", limit("-1", "1"))
+    )
+    assert reported("JNT008", text) == []
+
+
+@pytest.mark.parametrize("ends", [("0", "0"), ("0.3", "0.3")])
+@pytest.mark.parametrize("key", ["effort", "velocity"])
+def test_a_joint_that_cannot_move_needs_none(key: str, ends: tuple[str, str]) -> None:
+    text = robot(joint("a", "revolute", limit(*ends, **{key: "0"})))
+    assert messages("JNT008", text) == []
+    assert len(messages("JNT003", text)) == 1
+
+
+TRANSMISSION = '<transmission name="t"><joint name="{}"/></transmission>'
+CONTROL = (
+    '<ros2_control name="c" type="system"><joint name="{}">'
+    '<command_interface name="position"/></joint>'
+    '<joint name="a"><state_interface name="position"/></joint></ros2_control>'
+)
+
+
+@pytest.mark.parametrize("key", ["effort", "velocity"])
+@pytest.mark.parametrize("drive", [TRANSMISSION, CONTROL])
+def test_a_joint_without_a_drive_is_passive_where_others_have_one(key: str, drive: str) -> None:
+    pair = robot(joint("a", "continuous", limited(key, "0")), joint("b", "continuous"))
+    assert len(reported("JNT008", pair)) == 1
+    assert reported("JNT008", pair + drive.format("b")) == []
+    assert len(reported("JNT008", pair + drive.format("a"))) == 1

@@ -1,0 +1,101 @@
+"""A colour has a component outside 0 to 1, or is invisible.
+
+URDF's colours go from 0 to 1. urdfdom rejects any other with an error, and the part is drawn in
+the default colour (red in RViz). Values up to 255 come from a colour picker: divide them by 255.
+
+An alpha of 0, the fourth number, is transparent: RViz shows nothing. An info. Write 1; or, if the
+link should be invisible, remove the `<visual>`, or call the material `invisible`.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
+"""
+
+from __future__ import annotations
+
+import re
+from itertools import chain
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.model import Material, RobotModel
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+
+BAD = """\
+<material name="orange">
+  <color rgba="255 140 0 1"/>
+</material>
+<link name="base">
+  <visual>
+    <geometry><box size="0.1 0.1 0.1"/></geometry>
+    <material name="orange"/>
+  </visual>
+</link>"""
+FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
+
+#: Components up to this are 1 with an error, not values up to 255.
+_SLIGHTLY = 2.0
+
+#: Names of materials that are invisible on purpose.
+_INTENDED = re.compile(r"invisible|transparent|hidden|none|clear|glass", re.IGNORECASE)
+
+
+@rule(Severity.ERROR, help="write red, green, blue and alpha from 0 to 1")
+def check(subject: Subject) -> Findings:
+    model = subject.model
+    in_visuals = (body.material for link in model.links for body in link.visuals)
+    for material in chain(model.materials, in_visuals):
+        if material and material.rgba and not all(0 <= v <= 1 for v in material.rgba.value):
+            yield _finding(material, material.rgba.value)
+    yield from _invisible(model)
+
+
+def _invisible(model: RobotModel) -> Findings:
+    reported: set[object] = set()
+    for link, _, material in Colours(model).visuals():
+        rgba, name = material.rgba, material.name.value if material.name else ""
+        if rgba is None or material.texture or len(rgba.value) != 4 or rgba.value[3] != 0:
+            continue
+        if rgba.at not in reported and not _INTENDED.search(name):
+            reported.add(rgba.at)
+            called = f" '{name}'" if name else ""
+            yield Finding(
+                rgba,
+                f"link '{link.name}': the material{called} of a visual has an alpha of 0",
+                "write 1 as the fourth number of rgba",
+                severity=Severity.INFO,
+            )
+
+
+def _finding(material: Material, values: tuple[float, ...]) -> Finding:
+    assert material.rgba is not None
+    name = f"material '{material.name.value}'" if material.name else "the material"
+    wrong = [f"{value:g}" for value in values if not 0 <= value <= 1]
+    verb = "is" if len(wrong) == 1 else "are"
+    better = _fixed(values)
+    title = f'write rgba="{better}"' if better else ""
+    attribute = material.at.child("color")
+    assert attribute is not None
+    edits = replace_value(attribute.attributes["rgba"], better) if better else None
+    return Finding(
+        material.rgba,
+        f"{name}: {', '.join(wrong)} {verb} not between 0 and 1",
+        title,
+        Fix.of(title, edits),
+    )
+
+
+def _fixed(values: tuple[float, ...]) -> str:
+    """The colour from 0 to 1; empty if it is unknown."""
+    if min(values) < 0 or max(values) > 255:
+        return ""
+    if max(values) <= _SLIGHTLY:
+        return " ".join(f"{min(value, 1.0):g}" for value in values)
+    *color, alpha = values if len(values) == 4 else (*values, 0)
+    parts = [value / 255 for value in color]
+    if len(values) == 4:
+        parts.append(alpha / 255 if alpha > 1 else alpha)
+    return " ".join(f"{round(part, 3):g}" for part in parts)

@@ -1,0 +1,103 @@
+"""An effort or velocity limit is zero or negative, or damping or friction is negative.
+
+A limit of 0 is a limit. Gazebo and ros2_control cut every effort command to 0, and PyBullet's usual
+call with the URDF's limit leaves the robot limp. ros2_control and DART, Gazebo's default physics,
+hold a joint with a velocity limit of 0 where it is, even against gravity; MoveIt reads it as "no
+limit" and then cannot time a trajectory. CAD exporters write 0 for "unknown". Joints without a
+transmission or ros2_control are passive where others have one, and are not reported.
+
+A negative limit is an error: Pinocchio rejects the robot, Drake aborts on a negative velocity,
+Gazebo reads it as "no limit", ros2_control and MoveIt drop the sign. Write what the motor can
+deliver, or a generous limit if you do not know it.
+
+Damping and friction take energy out of the motion; negative, they add energy, and the joint speeds
+up by itself. Drake rejects a negative damping, Pinocchio a negative friction.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    unitreerobotics/unitree_ros#154: https://github.com/unitreerobotics/unitree_ros/issues/154
+    agilexrobotics/ugv_gazebo_sim#47: https://github.com/agilexrobotics/ugv_gazebo_sim/issues/47
+    ros2_control, joint limiting: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/joint_limiting.rst
+    MoveIt, time parameterization: https://github.com/moveit/moveit2/blob/main/moveit_core/trajectory_processing/src/time_optimal_trajectory_generation.cpp
+    Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    Pinocchio, URDF model: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/model.cpp
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.joints import (
+    MOVING,
+    can_move,
+    driven,
+    effort_unit,
+    limits_of,
+    related,
+    several,
+    unit,
+)
+from urdfkit.robot.model import Joint, Placed, number
+from urdfkit.robot.samples import arm_xml
+from urdfkit.text.diagnostic import Severity
+
+BAD = arm_xml("revolute", '<limit lower="0" upper="1.7453" effort="0" velocity="2"/>')
+GOOD = BAD.replace('effort="0"', 'effort="1.2"')
+
+_HELP = {
+    "effort": "write the force or torque that the motor can deliver",
+    "velocity": "write the maximum speed of the joint",
+}
+
+
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
+    """One finding for each limit: exporters write the same number for every joint."""
+    joints = [joint for joint in subject.model.joints if joint.kind in MOVING]
+    active = driven(subject.model)
+    for key in _HELP:
+        limits = limits_of(joints, key)
+        zero = [
+            (joint, limit)
+            for joint, limit in limits
+            if limit.value == 0 and can_move(joint) and joint.mimic is None
+            if not active or joint.name in active
+        ]
+        if zero:
+            yield _finding(zero, key, "0", Severity.WARNING)
+        negative = [(joint, limit) for joint, limit in limits if limit.value < 0]
+        if negative:
+            yield _finding(negative, key, f"{negative[0][1].value:g}", Severity.ERROR)
+    for joint in subject.model.joints:
+        yield from _of_dynamics(joint)
+
+
+def _finding(
+    found: list[tuple[Joint, Placed[float]]], key: str, value: str, severity: Severity
+) -> Finding:
+    first, limit = found[0]
+    in_unit = effort_unit(first) if key == "effort" else f"{unit(first)}/s"
+    sign = ", below 0" if severity is Severity.ERROR else ""
+    return Finding(
+        limit,
+        f"{several([joint for joint, _ in found])}: {key} limit is {value} {in_unit}{sign}",
+        _HELP[key],
+        related=related((joint, limit.span) for joint, limit in found),
+        severity=severity,
+    )
+
+
+def _of_dynamics(joint: Joint) -> Findings:
+    dynamics = joint.at.child("dynamics")
+    effort = effort_unit(joint)
+    for key, in_unit in (("damping", f"{effort} s/{unit(joint)}"), ("friction", effort)):
+        value = number(dynamics.get(key)) if dynamics else None
+        if dynamics and value is not None and value < 0:
+            yield Finding(
+                dynamics.attributes[key],
+                f"joint '{joint.name}': the {key} is {value:g} {in_unit}, below 0",
+                "write a positive number, or 0 for none",
+                severity=Severity.ERROR,
+            )
