@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from urdfkit.mesh.edges import three_cornered
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.health import examine
 from urdfkit.mesh.repair.soup import TriangleSoup, soup_of
@@ -151,8 +152,7 @@ def _coarser_cells(soup: TriangleSoup) -> _Coarser:
         np.add.at(sums, places, points)
         means = sums / np.bincount(places)[:, None]
         faces = places[corners]
-        a, b, c = faces.T
-        faces = faces[(a != b) & (b != c) & (c != a)]
+        faces = faces[three_cornered(faces)]
         _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
         return [(number, means, faces[np.sort(first)].astype(np.int64))]
 

@@ -6,10 +6,10 @@ Positions are in rad or m, by the name of the joint.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import cos, isfinite, sin
+from math import isfinite
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Transform, Vector, unit
+from urdfkit.core.spatial import Transform, Vector, rotation_about, unit
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.model import Joint, Mimic
@@ -146,22 +146,10 @@ def motion(joint: Joint, position: float) -> Transform:
     if joint.kind in SLIDING:
         return Transform(position=(axis[0] * position, axis[1] * position, axis[2] * position))
     if joint.kind in TURNING:
-        return Transform(about(axis, position))
+        return Transform(rotation_about(axis, position))
     return Transform()
 
 
 def direction(joint: Joint) -> Vector:
     """The unit vector of the axis; x where none is written or it has no direction."""
     return unit(joint.axis.value) if joint.axis and any(joint.axis.value) else (1.0, 0.0, 0.0)
-
-
-def about(axis: Vector, angle: float) -> Rotation:
-    """Rotation about a unit vector (Rodrigues' formula)."""
-    x, y, z = axis
-    c, s = cos(angle), sin(angle)
-    t = 1 - c
-    return (
-        (t * x * x + c, t * x * y - s * z, t * x * z + s * y),
-        (t * x * y + s * z, t * y * y + c, t * y * z - s * x),
-        (t * x * z - s * y, t * y * z + s * x, t * z * z + c),
-    )

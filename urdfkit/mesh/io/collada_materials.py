@@ -11,7 +11,7 @@ from urdfkit.mesh.geometry import MeshMaterial
 from urdfkit.mesh.io.assemble import LostData
 from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
 from urdfkit.mesh.io.numbers import floats
-from urdfkit.mesh.io.referenced_files import find_image, place
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 Colour = tuple[float, float, float, float]
 
@@ -32,31 +32,24 @@ class ColladaMaterials:
     """The materials of one file.
 
     Args:
-        folder: that the file is in; textures are named relative to it.
-
-    Attributes:
-        textures: the names of images that are used, as written.
-        missing: those of them that are not there.
-        files: where they lie, or would.
+        files: finds the images that they name.
+        losses: gets what cannot be read.
     """
 
-    def __init__(self, tree: Tree, folder: str, losses: LostData) -> None:
+    def __init__(self, tree: Tree, files: ReferencedFiles, losses: LostData) -> None:
         self._tree = tree
-        self._folder = folder
+        self._files = files
         self._losses = losses
-        self._looks: dict[Element, TexturedMaterial] = {}
-        self.textures: list[str] = []
-        self.missing: list[str] = []
-        self.files: list[str] = []
+        self._known: dict[Element, TexturedMaterial] = {}
 
-    def look(self, reference: str) -> TexturedMaterial | None:
-        """The look of ``#material``; None if there is no such material."""
+    def material(self, reference: str) -> TexturedMaterial | None:
+        """What ``#material`` refers to; None if there is no such material."""
         material = self._tree.named(reference, "material")
         if material is None:
             return None
-        if material not in self._looks:
-            self._looks[material] = self._read(material)
-        return self._looks[material]
+        if material not in self._known:
+            self._known[material] = self._read(material)
+        return self._known[material]
 
     def _read(self, material: Element) -> TexturedMaterial:
         name = material.get("name") or material.get("id", "")
@@ -71,20 +64,14 @@ class ColladaMaterials:
         base = child(shader, "emission" if tag(shader) == "constant" else "diffuse")
         rgba = self._colour(base) or _DEFAULT.rgba
         texture = child(base, "texture")
-        image = ""
-        if texture is not None:
-            image = self._image(texture.get("texture", ""), effect)
-            self.textures.append(image)
-            rgba = (1.0, 1.0, 1.0, 1.0)
-        opacity = self._opacity(shader, rgba[3])
-        path = find_image(image, self._folder) if image else None
-        if image:
-            self.files.append(path or place(image, self._folder))
-        if texture is not None and path is None:
-            rgba = _DEFAULT.rgba
-            self.missing.append(image)
-        found = MeshMaterial(name, (*rgba[:3], opacity), path)
-        return TexturedMaterial(found, texture.get("texcoord", "") if texture is not None else "")
+        if texture is None:
+            opacity = self._opacity(shader, rgba[3])
+            return TexturedMaterial(MeshMaterial(name, (*rgba[:3], opacity)))
+        image = self._image(texture.get("texture", ""), effect)
+        path = self._files.image(image) if image else None
+        rgb = (1.0, 1.0, 1.0) if path else _DEFAULT.rgba[:3]
+        found = MeshMaterial(name, (*rgb, self._opacity(shader, 1.0)), path)
+        return TexturedMaterial(found, texture.get("texcoord", ""))
 
     def _colour(self, element: Element | None) -> Colour | None:
         """The ``<color>`` in an element; None if it has none that can be read."""
