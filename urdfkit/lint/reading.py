@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 
 if TYPE_CHECKING:
+    from urdfkit.text.diagnostic import Problem
     from urdfkit.text.document import Document
-    from urdfkit.text.xml_reader import Problem
     from urdfkit.xacro import Xacro
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 
 from urdfkit.core.record import Record
-from urdfkit.text.document import Step
+from urdfkit.text.document import CallFrame, Step
 from urdfkit.text.source import Span
 
 
@@ -67,6 +67,30 @@ class Related(Record):
 
     span: Span
     message: str
+
+
+class Problem(Record):
+    """Something wrong with the text of a description.
+
+    Attributes:
+        code: the rule that explains it.
+        span: where.
+        message: what.
+        help: what to do; the rule's own help if empty.
+        frame: the macro calls and includes that led there.
+        related: other places that explain it.
+        fix: as text edits.
+        severity: if it is not that of the rule.
+    """
+
+    code: str
+    span: Span
+    message: str
+    help: str = ""
+    frame: CallFrame | None = None
+    related: tuple[Related, ...] = ()
+    fix: Fix | None = None
+    severity: Severity | None = None
 
 
 class Call(Record):

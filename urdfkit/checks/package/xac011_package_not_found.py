@@ -21,7 +21,7 @@ from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.rules import Finding, Findings, Location, reported, rule
 from urdfkit.robot.assets.mesh_files import MeshReference, is_typo
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.xml_reader import is_launch
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
 

@@ -12,8 +12,8 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import described
 from urdfkit.lint.report import Report
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import locate
 from urdfkit.workspace.snapshots import OldFile, as_it_was

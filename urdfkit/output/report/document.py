@@ -29,8 +29,8 @@ from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.ros.gazebo.rejection import rejecting
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, shown, without_folder
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 
 #: Of the document; a change that could break a reader counts it up.

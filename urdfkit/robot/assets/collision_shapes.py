@@ -16,7 +16,6 @@ from urdfkit.robot.model import Body, Link
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import rewriting
-from urdfkit.text.editing.apply import apply_edits, encoded
 from urdfkit.text.editing.edits import from_macro, insert_after, remove_elements
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 
@@ -24,7 +23,6 @@ if TYPE_CHECKING:
     from urdfkit.mesh.fitting import Fits
     from urdfkit.mesh.geometry import Mesh
     from urdfkit.robot import Robot
-    from urdfkit.text.source import Source
 
 #: How far a shape may stick out, as a part of the diagonal of the mesh.
 RELATIVE = 0.05
@@ -172,7 +170,7 @@ def _axle(robot: Robot, link: Link, body: Body) -> tuple[Vector, Vector] | None:
 
 def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
     """The robot's files and the mesh files that the proposals need; nothing is written."""
-    changes: dict[Source, list[Edit]] = {}
+    changes: list[Edit] = []
     meshes: dict[str, Mesh] = {}
     left: dict[str, str] = {}
     for proposal in proposals:
@@ -189,15 +187,9 @@ def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
             continue
         meshes |= needed
         elements = [body.at for body in proposal.link.collisions]
-        edits = (*insert_after(proposal.bodies[-1].at, lines), *remove_elements(elements))
-        for edit in edits:
-            changes.setdefault(edit.span.source, []).append(edit)
-    files = []
-    for source, found in changes.items():
-        before = on_disk(source.path) or b""
-        after = encoded(apply_edits(source.data, found), source.encoding, before)
-        files.append(Rewrite(os.path.normpath(source.path), before, after))
-    return Edited(tuple(files), meshes, left)
+        changes += insert_after(proposal.bodies[-1].at, lines)
+        changes += remove_elements(elements)
+    return Edited(rewriting.rewrites(changes), meshes, left)
 
 
 def _is_other(path: str, mesh: Mesh) -> bool:

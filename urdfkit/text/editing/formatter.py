@@ -16,8 +16,9 @@ from urdfkit.errors import UnreadableRobot
 from urdfkit.text.editing.edits import STEP
 from urdfkit.text.editing.start_tags import MACRO, holders, parameters, start_tag, vectors
 from urdfkit.text.editing.tokens import Token, TokenKind, tokens
+from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_xacro, syntax_problems
+from urdfkit.text.xml_reader import syntax_problems
 
 #: Columns of a line; only what cannot be broken is longer.
 WIDTH = 100
