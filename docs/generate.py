@@ -15,7 +15,8 @@ from pathlib import Path
 from urdfkit.cli.explain import severities
 from urdfkit.lint.rule_examples import FOLDER as FOLDER_OF_EXAMPLES
 from urdfkit.lint.rule_examples import diagnose_example
-from urdfkit.lint.rules import FAMILIES, Rule, all_rules
+from urdfkit.lint.rule_index import FAMILIES, all_rules
+from urdfkit.lint.rules import Rule
 
 FOLDER = Path(__file__).resolve().parent / "rules"
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from tests import reported as one_text
 from tests.workspaces import add_file, mesh_link
 from urdfkit.lint import engine
+from urdfkit.lint.options import Options
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh import samples
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -39,7 +40,8 @@ def reported(
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
     (folder / "robot.urdf").write_text(whole_robot(robot), encoding="utf-8")
-    report = engine.check(folder / "robot.urdf", select=[code], targets=targets, cache=False)
+    options = Options(select=[code], targets=tuple(targets), cache=False)
+    report = engine.check(folder / "robot.urdf", options=options)
     assert report.crashed == ()
     assert report.skipped == ()
     return list(report.diagnostics)

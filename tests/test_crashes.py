@@ -17,8 +17,9 @@ from tests.conftest import MODELS
 from tests.xacros import xacro
 from urdfkit import Source, check
 from urdfkit.cli import main
-from urdfkit.lint import rule_examples, rules, runner
+from urdfkit.lint import rule_examples, rule_index, runner
 from urdfkit.lint.context import Subject
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
 from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
@@ -100,7 +101,7 @@ def test_a_family_that_cannot_say_whether_it_applies_costs_its_rules(
     before = reported(check(*robots))
     monkeypatch.setattr(import_module(f"urdfkit.checks.{family}"), "applies", fail)
     report = check(*robots)
-    lost = rules.of_family(family)
+    lost = rule_index.of_family(family)
     assert reported(report) == [one for one in before if one[1] not in lost]
     assert {(c.code, c.path) for c in report.crashed} == {(c, str(p)) for c in lost for p in robots}
 
@@ -119,7 +120,7 @@ def test_a_robot_that_fails_costs_no_other_robot(
     part = cached_property(reading)
     part.__set_name__(Subject, "reading")
     monkeypatch.setattr(Subject, "reading", part)
-    report = check(*robots, jobs=jobs)
+    report = check(*robots, options=Options(jobs=jobs))
     assert reported(report) == before
     assert [(c.code, c.path) for c in report.crashed] == [("", broken)]
 
@@ -142,7 +143,7 @@ def test_a_process_that_dies_costs_its_robot_alone(
     part.__set_name__(Subject, "reading")
     monkeypatch.setattr(Subject, "reading", part)
     calls: list[tuple[int, int]] = []
-    report = check(*robots, jobs=jobs, progress=lambda *n: calls.append(n))
+    report = check(*robots, options=Options(jobs=jobs, progress=lambda *n: calls.append(n)))
     assert reported(report) == before
     assert [(c.code, c.path) for c in report.crashed] == [("", path) for path in deadly]
     assert report.exit_code() == 3
@@ -211,11 +212,11 @@ def test_no_rule_fails_on_a_robot_that_lacks_something(path: Path) -> None:
         assert check(Source(str(path), text.encode())).crashed == (), text
 
 
-@pytest.mark.parametrize("family", sorted(rules.FAMILIES))
+@pytest.mark.parametrize("family", sorted(rule_index.FAMILIES))
 def test_no_rule_fails_on_an_example_that_lacks_something(family: str) -> None:
     random = Random(family)
-    codes = [code for code in rules.codes() if code.startswith(family)]
-    for rule in map(rules.get, codes):
+    codes = [code for code in rule_index.codes() if code.startswith(family)]
+    for rule in map(rule_index.get, codes):
         texts = list(lacking(rule.example("BAD") or ""))
         for text in random.sample(texts, min(len(texts), 2)):
             with rule_examples.laid_out(rule, text) as source:

@@ -15,7 +15,7 @@ import urdfkit
 from docs import generate, layers, transcripts
 from tests.conftest import ROOT
 from urdfkit.cli.group import COMMANDS
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 
 WRITTEN = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("benchmarks/*.md")])
 
@@ -81,7 +81,7 @@ def test_the_road_in_readme_mends_the_robot(tmp_path: Path) -> None:
 
 def test_every_rule_has_a_page() -> None:
     pytest.importorskip("pinocchio", reason="the examples of some rules need it")
-    assert set(generate.pages()) == {"README.md"} | {f"{code}.md" for code in rules.codes()}
+    assert set(generate.pages()) == {"README.md"} | {f"{code}.md" for code in rule_index.codes()}
 
 
 @pytest.mark.parametrize("document", WRITTEN, ids=lambda path: path.name)
@@ -95,7 +95,7 @@ def test_links_lead_to_files_that_exist(document: Path) -> None:
 def test_the_rules_that_are_named_exist(document: Path) -> None:
     text = document.read_text(encoding="utf-8")
     named = set(re.findall(r"\b(?:XML|XAC|URD|REF|NAM|TRE|MSH|CFG)\d{3}\b", text))
-    assert named <= set(rules.codes())
+    assert named <= set(rule_index.codes())
 
 
 def test_the_architecture_names_every_package() -> None:

@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import ROOT
 
 MODULES = ["urdfkit"] + [
-    f"urdfkit.{name}" for name in "lint.engine lint.loading lint.rules text.source".split()
+    f"urdfkit.{name}" for name in "lint.engine lint.loading lint.rule_index text.source".split()
 ]
 
 

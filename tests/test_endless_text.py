@@ -15,7 +15,7 @@ from tests.workspaces import add_file, mesh_link
 from urdfkit import check
 from urdfkit.lint.config import Config
 from urdfkit.lint.discovery import discover
-from urdfkit.lint.suppress import ignores
+from urdfkit.lint.ignore_comments import ignores
 from urdfkit.mesh.io.salvage import salvage
 from urdfkit.mesh.io.sniff import sniff
 from urdfkit.text.file_kinds import is_xacro

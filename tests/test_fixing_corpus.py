@@ -16,6 +16,7 @@ from tests import update_corpus_findings as corpus_findings
 from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
 from urdfkit.lint.engine import check, subjects
 from urdfkit.lint.fix import fix
+from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 
@@ -76,13 +77,15 @@ def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: tuple[Path, dict[
         assert [
             name for name in old.keys() & new if old[name] != new[name] and name not in reported
         ] == []
-        again = fix(file, arguments=arguments, force=True, unsafe=True, texts=texts)
+        again = fix(
+            file, arguments=arguments, force=True, unsafe=True, options=Options(texts=texts)
+        )
         assert [one.code for one in again.applied] == []
 
 
 def _parts(file: Path, arguments: Any, texts: dict[str, bytes]) -> dict[str, tuple[Any, ...]]:
     """What mechanics knows of each link and joint, by its name."""
-    (subject,) = subjects(file, arguments=arguments, texts=texts)
+    (subject,) = subjects(Options(arguments=arguments, texts=texts), [file])
     assert subject is not None
     if subject.reading.document is None:
         return {}

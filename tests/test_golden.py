@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import MODELS
 from urdfkit import Diagnostic, Report, check
 from urdfkit.core.libraries import missing_for_meshes
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 
 PACKAGE = MODELS / "gazebo_pkg"
 MODEL = PACKAGE / "urdf" / "waking_robot_new.xacro"
@@ -88,9 +88,9 @@ def placed(report: Report) -> list[tuple[str, str, int, int, int]]:
 
 def test_every_finding_is_at_its_place_and_there_is_no_other(report: Report) -> None:
     assert placed(report) == FINDINGS
-    skipped = set() if HAS_COAL else rules.of_family("collision")
+    skipped = set() if HAS_COAL else rule_index.of_family("collision")
     if missing_for_meshes():
-        skipped |= rules.of_family("meshes")
+        skipped |= rule_index.of_family("meshes")
     assert {skip.code for skip in report.skipped} == skipped
     assert report.crashed == ()
     assert {d.span.source.path for d in report.diagnostics} == {str(MODEL)}

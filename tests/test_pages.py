@@ -15,7 +15,7 @@ import yaml
 from docs import transcripts
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import main
-from urdfkit.lint import config
+from urdfkit.lint import config_reader
 from urdfkit.output import formats
 from urdfkit.ros.targets import TARGETS
 
@@ -63,28 +63,28 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_the_example_of_a_configuration_is_one(project: Path) -> None:
     (example,) = blocks("configuration.md", "toml")
     (project / "urdfkit.toml").write_text(example)
-    loaded = config.load("urdfkit.toml")
+    loaded = config_reader.load("urdfkit.toml")
     assert [robot.name for robot in loaded.robots] == ["left", "right"]
     assert loaded.robots[0].arguments == {"prefix": "lab_", "side": "left"}
     nested = "\n".join(re.sub(r"^(\[+)", r"\1tool.urdfkit.", line) for line in example.splitlines())
     (project / "pyproject.toml").write_text(f"[tool.urdfkit]\n{nested}")
-    again = config.load("pyproject.toml")
+    again = config_reader.load("pyproject.toml")
     assert again._replace(path="") == loaded._replace(path="")
 
 
 def test_every_setting_is_documented(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Those that the reader takes, at the top and in tables."""
     taken: set[str] = set()
-    take = config._Reader.take
+    take = config_reader._Reader.take
 
     def recorded(self: Any, key: str, kind: type, default: Any) -> Any:
         taken.add(key)
         return take(self, key, kind, default)
 
-    monkeypatch.setattr(config._Reader, "take", recorded)
+    monkeypatch.setattr(config_reader._Reader, "take", recorded)
     (example,) = blocks("configuration.md", "toml")
     (project / "urdfkit.toml").write_text(example)
-    config.load("urdfkit.toml")
+    config_reader.load("urdfkit.toml")
     assert len(taken) > 15
     page = (DOCS / "configuration.md").read_text(encoding="utf-8")
     shown = {*_keys(tomllib.loads(example)), *re.findall(r"`([a-z-]+) = ", page)}

@@ -13,7 +13,7 @@ import pytest
 import urdfkit
 from tests.conftest import ROOT
 from urdfkit.cli.group import COMMANDS
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 
 pytest.importorskip("mkdocs")
 pytest.importorskip("mkdocstrings")
@@ -61,7 +61,7 @@ def read(page: Path) -> Text:
 
 
 def test_every_rule_and_every_command_has_a_page(site: Path) -> None:
-    for code in rules.codes():
+    for code in rule_index.codes():
         assert (site / "rules" / code / "index.html").is_file()
     for command in COMMANDS:
         assert (site / "commands" / command / "index.html").is_file()

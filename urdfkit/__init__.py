@@ -25,6 +25,7 @@ __all__ = [
     "Fix",
     "Fixes",
     "Formatted",
+    "Options",
     "Related",
     "Report",
     "RobotModel",
@@ -67,8 +68,10 @@ if TYPE_CHECKING:
     from urdfkit.lint.fix import Fixes, fix
     from urdfkit.lint.formatting import Formatted, format_files
     from urdfkit.lint.loading import expand, load, read
+    from urdfkit.lint.options import Options
     from urdfkit.lint.report import Report
-    from urdfkit.lint.rules import Rule, all_rules, find_rule
+    from urdfkit.lint.rule_index import all_rules, find_rule
+    from urdfkit.lint.rules import Rule
     from urdfkit.output.comparison import Comparison, compare
     from urdfkit.output.comparison.differences import Tolerances
     from urdfkit.output.exchange import to_yourdfpy
@@ -107,8 +110,10 @@ _HOMES = {
     "output.overview": "summarise",
     "output.report.writing": "report",
     "physics.poses": "pose",
+    "lint.options": "Options",
     "lint.report": "Report",
-    "lint.rules": "Rule all_rules find_rule",
+    "lint.rule_index": "all_rules find_rule",
+    "lint.rules": "Rule",
     "text.source": "Source Span",
     "lint.context": "Subject",
 }

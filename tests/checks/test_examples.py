@@ -10,7 +10,7 @@ from typing import Any, NoReturn
 import pytest
 
 from urdfkit.core.libraries import missing_for_meshes
-from urdfkit.lint import engine, rule_examples, rules
+from urdfkit.lint import engine, rule_examples, rule_index
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Need, Rule
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -28,7 +28,7 @@ PARTS = {
     Need.LAUNCH: {"launch", "beside"},
     Need.SRDF: {"srdf"},
     Need.DYNAMICS: {"dynamics", "opinion"},
-    Need.COLLISIONS: {"is_crowded", "collisions", "meshes", "files"},
+    Need.COLLISIONS: {"collisions", "measured", "meshes", "files"},
 }
 
 #: What rules of a family, or a rule, look at where it is to be had, and do without otherwise.
@@ -38,12 +38,12 @@ OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "meas
 #: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
 OUR_OWN = {"CFG001", "CFG002", "CFG003", "MSH024"}
 
-pytestmark = pytest.mark.parametrize("code", rules.codes())
+pytestmark = pytest.mark.parametrize("code", rule_index.codes())
 
 
 @pytest.fixture(autouse=True)
 def _what_it_needs(code: str) -> None:
-    needs = rules.get(code).needs
+    needs = rule_index.get(code).needs
     if Need.DYNAMICS in needs:
         pytest.importorskip("pinocchio")
     missing = missing_for_meshes()
@@ -60,19 +60,19 @@ def example(rule: Rule, which: str) -> str:
 
 
 def test_the_file_is_named_after_the_rule(code: str) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     assert rule.code == code
     name = f"{code.lower()}_{rule.name.replace('-', '_')}"
-    assert rule.module == f"urdfkit.checks.{rules.family_of(code)}.{name}"
+    assert rule.module == f"urdfkit.checks.{rule_index.family_of(code)}.{name}"
 
 
 def test_the_rule_has_tests_of_its_own(code: str) -> None:
-    family, _, file = rules.get(code).module.removeprefix("urdfkit.checks.").rpartition(".")
+    family, _, file = rule_index.get(code).module.removeprefix("urdfkit.checks.").rpartition(".")
     assert (HERE / family / f"test_{file}.py").is_file()
 
 
 def test_the_explanation_begins_with_one_sentence(code: str) -> None:
-    first, blank, *rest = rules.get(code).explanation.split("\n")
+    first, blank, *rest = rule_index.get(code).explanation.split("\n")
     assert re.fullmatch(r"[A-Z`$].*[^.]\.", first)
     assert ". " not in first.replace("e.g. ", ""), "one sentence"
     assert blank == ""
@@ -80,7 +80,7 @@ def test_the_explanation_begins_with_one_sentence(code: str) -> None:
 
 
 def test_the_sources_of_a_rule_are_named(code: str) -> None:
-    sources = rules.get(code).sources
+    sources = rule_index.get(code).sources
     assert bool(sources) is (code not in OUR_OWN)
     for source in sources:
         assert re.fullmatch(r"(?!.*measured).+: https?://[^ ]+\w[^ ]*|measured: .*\d.*", source)
@@ -88,7 +88,7 @@ def test_the_sources_of_a_rule_are_named(code: str) -> None:
 
 
 def test_bad_is_found(code: str) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     found = rule_examples.diagnose_example(rule, example(rule, "BAD"))
     assert found
     assert {(one.code, one.name) for one in found} == {(code, rule.name)}
@@ -96,7 +96,7 @@ def test_bad_is_found(code: str) -> None:
 
 
 def test_the_engine_does_not_pass_over_bad(code: str) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     alone = rule_examples.diagnose_example(rule, example(rule, "BAD"))
     with rule_examples.laid_out(rule, example(rule, "BAD")) as source:
         report = engine.check(source, targets=rule_examples.targets_of(rule))
@@ -106,7 +106,7 @@ def test_the_engine_does_not_pass_over_bad(code: str) -> None:
 
 
 def test_good_is_good(code: str) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     assert rule_examples.diagnose_example(rule, example(rule, "GOOD")) == []
     with rule_examples.laid_out(rule, example(rule, "GOOD")) as source:
         report = engine.check(source, targets=rule_examples.targets_of(rule))
@@ -115,7 +115,7 @@ def test_good_is_good(code: str) -> None:
 
 
 def test_the_fix_gives_fixed(code: str) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     if not rule.fixable:
         found = rule_examples.diagnose_example(rule, example(rule, "BAD"))
         assert [one.fix for one in found] == [None] * len(found)
@@ -134,7 +134,7 @@ def test_the_fix_gives_fixed(code: str) -> None:
 def test_the_rule_needs_no_more_than_it_declares(
     code: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     honest = places(rule_examples.diagnose_example(rule, example(rule, "BAD")))
     allowed = {part for need in rule.needs for part in PARTS[need]}
     allowed |= OPTIONAL.get(code, OPTIONAL.get(code[:3], set()))

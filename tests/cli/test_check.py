@@ -14,6 +14,7 @@ from tests.hand_made_rules import run_only
 from urdfkit.cli import main
 from urdfkit.lint import engine
 from urdfkit.lint.context import Subject
+from urdfkit.lint.options import Options
 from urdfkit.lint.rules import Finding, Need, Rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
@@ -161,13 +162,13 @@ def test_standard_input_has_a_bound(check: Screen, monkeypatch: pytest.MonkeyPat
 def test_what_is_asked_for_reaches_the_library(
     monkeypatch: pytest.MonkeyPatch, check: Screen, tmp_path: Path
 ) -> None:
-    asked: list[tuple[tuple[object, ...], dict[str, object]]] = []
+    asked: list[tuple[list[object], dict[str, object]]] = []
 
-    def record(*files: object, **options: object) -> object:
-        asked.append((files, options))
+    def record(options: Options, files: list[object]) -> object:
+        asked.append((files, options._asdict()))
         return engine.check()
 
-    monkeypatch.setattr("urdfkit.cli.checking.check", record)
+    monkeypatch.setattr("urdfkit.cli.checking.check_with", record)
     check(
         *("a.urdf", "b", "p:=1", "--trust", "--package", f"x={tmp_path}"),
         *("--select=A", "--ignore=COL,INE", "--target", "moveit", "--target=kdl"),
@@ -182,7 +183,7 @@ def test_what_is_asked_for_reaches_the_library(
         "trust": True,
     }
     (files, options), (other_files, others) = asked
-    assert (files, other_files) == (("a.urdf", "b"), ("a.urdf",))
+    assert (files, other_files) == (["a.urdf", "b"], ["a.urdf"])
     assert {name: options[name] for name in given} == given
     assert {name: others[name] for name in given} == {
         name: type(value)() for name, value in given.items()

@@ -6,13 +6,13 @@ import pytest
 
 from urdfkit.cli import main
 from urdfkit.cli.explain import render
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 
 
 @pytest.mark.parametrize("word", ["TRE003", "tre003", "cycle", "Cycle"])
 def test_a_rule_is_found_by_code_and_by_name(word: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", word]) == 0
-    assert capsys.readouterr().out == render(rules.get("TRE003"))
+    assert capsys.readouterr().out == render(rule_index.get("TRE003"))
 
 
 def test_several_rules_are_explained_one_after_the_other(
@@ -20,7 +20,7 @@ def test_several_rules_are_explained_one_after_the_other(
 ) -> None:
     assert main(["explain", "TRE003", "TRE001"]) == 0
     reported = capsys.readouterr().out
-    assert reported == f"{render(rules.get('TRE003'))}\n\n{render(rules.get('TRE001'))}"
+    assert reported == f"{render(rule_index.get('TRE003'))}\n\n{render(rule_index.get('TRE001'))}"
 
 
 def test_a_family_is_no_rule(capsys: pytest.CaptureFixture[str]) -> None:
@@ -29,26 +29,26 @@ def test_a_family_is_no_rule(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_the_page_of_a_rule() -> None:
-    page = render(rules.get("TRE003"))
+    page = render(rule_index.get("TRE003"))
     assert page.startswith("TRE003 cycle (error, without a fix)\n\nJoints form a closed")
     assert "\n\nNeeds: a readable robot model\n\nHelp: leave one" in page
     assert '\n\nBad:\n\n    <link name="base"/>\n' in page
     assert '\n\nGood:\n\n    <link name="base"/>\n' in page
     assert "Fixed:" not in page
     sources = page.partition("</joint>\n\nSources:\n\n    ")[2].splitlines()
-    assert tuple(map(str.strip, sources)) == rules.get("TRE003").sources
+    assert tuple(map(str.strip, sources)) == rule_index.get("TRE003").sources
 
 
 def test_short_files_beside_the_examples_are_shown_and_meshes_are_not() -> None:
-    assert '\n\nbad.srdf beside it:\n\n    <robot name="bad">\n' in render(rules.get("SRD004"))
-    assert "vertex 1,0 0,0 0,0" in render(rules.get("MSH009"))
-    assert list(rules.get("MSH025").beside) == [".gitignore", "forearm.obj"]  # no .git, no STL
-    assert rules.get("MSH009").beside.keys() == {"meshes/comma.stl", "meshes/plate.stl"}
+    assert '\n\nbad.srdf beside it:\n\n    <robot name="bad">\n' in render(rule_index.get("SRD004"))
+    assert "vertex 1,0 0,0 0,0" in render(rule_index.get("MSH009"))
+    assert list(rule_index.get("MSH025").beside) == [".gitignore", "forearm.obj"]  # no .git, no STL
+    assert rule_index.get("MSH009").beside.keys() == {"meshes/comma.stl", "meshes/plate.stl"}
 
 
-@pytest.mark.parametrize("code", rules.codes())
+@pytest.mark.parametrize("code", rule_index.codes())
 def test_every_rule_can_be_explained(code: str) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     page = render(rule)
     flat = " ".join(page.split())
     assert flat.startswith(f"{code} {rule.name} ({rule.severity.value}, ")
@@ -63,29 +63,31 @@ def test_every_rule_can_be_explained(code: str) -> None:
 
 
 def test_paragraphs_fit_80_columns_and_lists_stay() -> None:
-    rule = rules.get("TRE003")
+    rule = rule_index.get("TRE003")
     page = render(rule)
     prose = page[: page.index("\n\nBad:")]
     assert max(map(len, prose.splitlines())) <= 80
 
 
-@pytest.mark.parametrize("code", rules.codes())
+@pytest.mark.parametrize("code", rule_index.codes())
 def test_code_is_not_broken(code: str) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     spans = re.findall(r"`[^`]+`", " ".join(rule.explanation.split()))
     assert [span for span in spans if span not in render(rule)] == []
 
 
 def test_severities_of_targets_are_gathered() -> None:
-    page = render(rules.get("INE014"))
+    page = render(rule_index.get("INE014"))
     assert "warning for " in " ".join(page.split()[:12])
-    assert render(rules.get("GAZ012")).startswith("GAZ012 wrong-generation (error, with a fix)\n")
+    assert render(rule_index.get("GAZ012")).startswith(
+        "GAZ012 wrong-generation (error, with a fix)\n"
+    )
 
 
 def test_a_good_robot_that_is_the_fixed_one_is_shown_once() -> None:
-    assert "\n\nGood, after the fix:\n" in render(rules.get("GAZ001"))
-    assert "\n\nFixed:\n" not in render(rules.get("GAZ001"))
-    page = render(rules.get("GAZ010"))
+    assert "\n\nGood, after the fix:\n" in render(rule_index.get("GAZ001"))
+    assert "\n\nFixed:\n" not in render(rule_index.get("GAZ001"))
+    page = render(rule_index.get("GAZ010"))
     assert page.index("\n\nGood:\n") < page.index("\n\nFixed:\n")
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit.cli import main
-from urdfkit.lint.config import load
+from urdfkit.lint.config_reader import load
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 ARM = f"""{HEAD}

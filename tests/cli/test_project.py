@@ -129,7 +129,9 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
 def test_a_baseline_that_is_missing_is_told_before_the_check(
     project: Project, monkeypatch: pytest.MonkeyPatch, words: list[str], reported: str
 ) -> None:
-    monkeypatch.setattr("urdfkit.cli.checking.check", lambda *_, **__: pytest.fail("it checks"))
+    monkeypatch.setattr(
+        "urdfkit.cli.checking.check_with", lambda *_, **__: pytest.fail("it checks")
+    )
     code, _, err = project.check(".", *words)
     assert code == 2
     assert reported in err
@@ -157,13 +159,13 @@ def test_what_is_wrong_with_a_baseline(project: Project) -> None:
 
 
 def test_a_baseline_hides_no_crash(project: Project, monkeypatch) -> None:
-    from urdfkit.lint import rules
+    from urdfkit.lint import rule_index
 
     def crash(_: object) -> NoReturn:
         raise ValueError("boom")
 
-    rule = rules.get("TRE003")._replace(check=crash)
-    monkeypatch.setattr(rules, "get", lambda code: rule)
+    rule = rule_index.get("TRE003")._replace(check=crash)
+    monkeypatch.setattr(rule_index, "get", lambda code: rule)
     project.write("urdfkit.toml", 'select = ["TRE003"]\n')
     assert project.check(".", "--baseline", "known.json", "--write-baseline")[0] == 3
 

@@ -10,6 +10,7 @@ pytest.importorskip("coal")
 
 from tests.physics.collision.robots import joint, link, revolute, sphere
 from urdfkit import check
+from urdfkit.lint.options import Options
 from urdfkit.lint.rule_examples import whole_robot
 
 TURN = revolute(-3, 3, "0 1 0")
@@ -19,7 +20,7 @@ def messages(folder: Path, robot: str, *disabled: tuple[str, str]) -> list[str]:
     pairs = [f'<disable_collisions link1="{a}" link2="{b}" reason="Never"/>' for a, b in disabled]
     (folder / "r.urdf").write_text(whole_robot(robot))
     (folder / "r.srdf").write_text(f'<robot name="example">{"".join(pairs)}</robot>')
-    found = check(folder / "r.urdf", select=["SRD009"], cache=False)
+    found = check(folder / "r.urdf", select=["SRD009"], options=Options(cache=False))
     assert found.crashed == ()
     return [one.message.partition(" overlap")[0] for one in found.diagnostics]
 

@@ -53,6 +53,8 @@ def test_the_same_words_elsewhere_are_unknown() -> None:
         ("URD002", '<link name="a"><inertial xyz="0 0 1"/></link>', 1),
         ("URD001", f'<link name="a"><collision>{BOX}<material name="m"/></collision></link>', 0),
         ("URD001", '<link name="a"><origin xyz="0 0 1"/></link>', 1),
+        # onshape-to-robot
+        ("URD001", '<link name="a"><origin xyz="0 0 0" rpy="0 -0 0"/></link>', 0),
         ("URD008", '<link name="a"><pose>0 0 0 0 0 0</pose></link>', 0),
         ("URD008", '<link name="a"><pose>0 0 0.1 0 0 0</pose></link>', 1),
         ("NAM004", JOINT.format("", '<child link="b"/>').replace('"j"', '"to base"'), 0),

@@ -24,3 +24,12 @@ def test_absolute_paths_outside_of_the_repository(tmp_path: Path, mark: str) -> 
     assert reported(tmp_path / "arm", "LAU003", "a.launch.py", program, files) == []
     inside = f'<rosparam file="{tmp_path}/arm/config/robot.yaml"/>'
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch", inside, files)) == 1
+
+
+def test_what_roslaunch_does_not_read_uses_no_argument(tmp_path: Path) -> None:
+    """MoveIt configurations of Robotnik: <param> in <include>, with arguments in a comment."""
+    files = {"b.launch": "<launch/>"}
+    text = '<include file="$(dirname)/b.launch"><param name="p" value="$(arg p)"/></include>'
+    assert reported(tmp_path / "arm", "LAU006", "a.launch", text, files) == []
+    passed = text.replace("param", "arg")
+    assert len(reported(tmp_path / "arm", "LAU006", "a.launch", passed, files)) == 1

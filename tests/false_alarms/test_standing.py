@@ -75,6 +75,14 @@ def test_nothing_is_said_of_a_robot_that_stands_on_visuals_alone() -> None:
     assert messages("DYN004", on_wheels(wheel=shape("visual", BALL)).replace("-0.05", "0.5")) == []
 
 
+@pytest.mark.parametrize(("lift", "falls"), [("0.004", False), ("0.03", True)])
+def test_wheels_that_differ_by_millimetres_tilt_the_robot_a_little(lift: str, falls: bool) -> None:
+    """AWS's DeepRacer: the rear wheels are 4 mm higher, and it rests on them 1.4 degrees lower."""
+    broad = shape("collision", '<box size="0.04 0.04 0.1"/>')
+    robot = on_wheels(BOTH, wheel=broad).replace('"-0.15 0 0"', f'"-0.15 0 {lift}"')
+    assert len(messages("DYN004", robot)) == falls
+
+
 @pytest.mark.parametrize("verdict", ["fixed", "no-area", "tips-unless-bolted", "stands", "no-mass"])
 def test_the_report_and_the_command_say_the_same(
     verdict: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

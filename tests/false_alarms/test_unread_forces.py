@@ -1,4 +1,4 @@
-"""GAZ052: that nobody's forces are not measured harms nobody."""
+"""GAZ067: that nobody's forces are not measured harms nobody."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ FEEDBACK = "<provideFeedback>true</provideFeedback>"
 
 
 def severity(inside: str = "", beside: str = "", kind: str = "force_torque") -> str:
-    (found,) = findings("GAZ052", kind, inside, reference="wrist", beside=beside)
+    (found,) = findings("GAZ067", kind, inside, reference="wrist", beside=beside)
     return found.severity.value
 
 

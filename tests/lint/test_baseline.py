@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.baseline import BaselineError, dump, fingerprints, load, sift
 from urdfkit.text.diagnostic import Diagnostic
 
@@ -35,7 +35,7 @@ def save(folder: Path, diagnostics: tuple[Diagnostic, ...]) -> str:
 def test_findings_of_a_rule_with_another_code_now(tmp_path, monkeypatch):
     path = Path(save(tmp_path, robot(tmp_path, "a", "b")))
     path.write_text(path.read_text().replace("JNT020", "TRE999", 1))
-    monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020"})
+    monkeypatch.setattr(rule_index, "_redirects", {"TRE999": "JNT020"})
     assert sift(robot(tmp_path, "a", "b"), load(str(path)), str(tmp_path)) == ([], 2)
 
 

@@ -5,8 +5,10 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
-from urdfkit.lint import rules
-from urdfkit.lint.config import Config, ConfigError, RobotEntry, load, matches
+from urdfkit.lint import rule_index
+from urdfkit.lint.config import Config, ConfigError, RobotEntry, matches
+from urdfkit.lint.config_reader import load
+from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
 
 ROBOT = """<robot name="r">
@@ -34,7 +36,7 @@ def write(folder: Path, text: str, name: str = "urdfkit.toml") -> str:
 
 @pytest.fixture
 def renamed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020", "TRE998": ""})
+    monkeypatch.setattr(rule_index, "_redirects", {"TRE999": "JNT020", "TRE998": ""})
 
 
 @pytest.mark.usefixtures("renamed")
@@ -232,10 +234,19 @@ def test_all_variants_of_a_robot_are_checked(tmp_path):
         )
     )
     seen: list[tuple[int, int]] = []
-    check(file, config=config, progress=lambda done, total: seen.append((done, total)))
+    check(
+        file,
+        config=config,
+        options=Options(progress=lambda done, total: seen.append((done, total))),
+    )
     assert seen == [(1, 2), (2, 2)]
     seen.clear()
-    check(file, config=config, arguments={"side": "x"}, progress=lambda *n: seen.append(n))
+    check(
+        file,
+        config=config,
+        arguments={"side": "x"},
+        options=Options(progress=lambda *n: seen.append(n)),
+    )
     assert seen == []  # by hand it is one robot, not the variants; one tells of its meshes only
 
 

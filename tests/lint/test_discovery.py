@@ -8,6 +8,7 @@ from urdfkit import check
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.discovery import affected, discover
+from urdfkit.lint.options import Options
 from urdfkit.workspace.resolve import Resolver
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -121,7 +122,7 @@ def test_robots_are_found_all_over_the_repository(repository, changed, expected)
 
 
 def test_nothing_to_check_is_no_mistake(repository):
-    report = check(repository / "settings" / "x.yaml", changed=True)
+    report = check(repository / "settings" / "x.yaml", options=Options(changed=True))
     assert (report.files, report.diagnostics, report.exit_code()) == ((), (), 0)
 
 
@@ -239,7 +240,7 @@ def test_a_folder_is_checked_and_the_library_is_told(package):
 
 def test_processes_give_the_same_report(package):
     write(package, "urdf/bad.urdf", '<link name="a"/><link name="a"/>')
-    one, two = check(package), check(package, jobs=2)
+    one, two = check(package), check(package, options=Options(jobs=2))
     assert [str(d.span) + d.message for d in one.diagnostics] == [
         str(d.span) + d.message for d in two.diagnostics
     ]

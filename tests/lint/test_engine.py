@@ -13,6 +13,7 @@ from urdfkit.errors import UnknownRule, UnreadableFile
 from urdfkit.lint import engine
 from urdfkit.lint.config import Config, ConfigError, RobotEntry
 from urdfkit.lint.context import Subject
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.lint.runner import FileResult
 from urdfkit.ros.targets import Targets, UnknownTarget
@@ -90,7 +91,7 @@ def test_processes_change_nothing_but_the_time(robots: Path, jobs: int) -> None:
     write(robots, "lib.xacro", '<xacro:macro name="m"><link name="x"/></xacro:macro>')
     (robots / "four.urdf").write_text(f'<robot name="r"><link name="a"/>{LOOP}</robot>')
     calls: list[tuple[int, int]] = []
-    report = check(robots, jobs=jobs, progress=lambda *n: calls.append(n))
+    report = check(robots, options=Options(jobs=jobs, progress=lambda *n: calls.append(n)))
     assert reported(report) == reported(check(robots))
     assert report.diagnostics
     assert report.skipped
@@ -126,22 +127,24 @@ def test_a_finding_says_which_variants_have_it(tmp_path: Path) -> None:
     )
     config = Config(robots=robots)
     for jobs in (1, 3):
-        report = check(file, select=["NAM001", "TRE003"], config=config, jobs=jobs)
+        report = check(file, select=["NAM001", "TRE003"], config=config, options=Options(jobs=jobs))
         reported = [(d.code, d.span.line, d.variants) for d in report.diagnostics]
         assert reported == [
             ("TRE003", 2, ()),
             ("NAM001", 3, ("l", "xl")),
             ("NAM001", 4, ("s",)),
         ]
-    (found,) = check(file, select=["NAM001"], config=config, variant="l").diagnostics
+    (found,) = check(
+        file, select=["NAM001"], config=config, options=Options(variant="l")
+    ).diagnostics
     assert found.variants == ()
 
 
 def test_a_variant_that_is_none_is_an_exception(robots: Path) -> None:
     with pytest.raises(ConfigError, match="unknown variant 'big'; it has none"):
-        check(robots / "one.xacro", variant="big")
+        check(robots / "one.xacro", options=Options(variant="big"))
     with pytest.raises(ConfigError, match="no robot has a variant 'big'"):
-        check(robots, variant="big")
+        check(robots, options=Options(variant="big"))
 
 
 def test_a_shared_file_that_one_robot_has_in_all_variants(robots: Path) -> None:
@@ -186,7 +189,7 @@ def test_changed_files_of_several_folders(robots: Path, tmp_path_factory) -> Non
     other = tmp_path_factory.mktemp("other")
     write(other, "four.xacro", '<link name="a"/>')
     changed = [robots / "shared.xacro", robots / "one.xacro", other / "four.xacro"]
-    report = check(*changed, changed=True, select=SELECT)
+    report = check(*changed, select=SELECT, options=Options(changed=True))
     assert sorted(map(os.path.basename, report.files)) == ["four.xacro", "one.xacro", "two.xacro"]
 
 
@@ -210,11 +213,11 @@ def test_a_finding_of_one_argument_set_only_stays(tmp_path: Path) -> None:
 def test_texts_stand_for_files_and_what_they_include(robots: Path, jobs: int) -> None:
     texts = {str(robots / "shared.xacro"): f'{HEAD}<link name="a"/></robot>'.encode()}
     texts[str(robots / "two.xacro")] = (robots / "one.xacro").read_bytes()
-    assert found(check(robots, select=["XAC", "TRE"], texts=texts, jobs=jobs)) == [
+    assert found(check(robots, select=["XAC", "TRE"], options=Options(texts=texts, jobs=jobs))) == [
         ("one.xacro", "XAC004", 3),
         ("two.xacro", "XAC004", 3),
     ]
-    alone = check(robots / "one.xacro", select=["XAC", "TRE"], texts=texts)
+    alone = check(robots / "one.xacro", select=["XAC", "TRE"], options=Options(texts=texts))
     assert found(alone) == [("one.xacro", "XAC004", 3)]
 
 
@@ -224,11 +227,11 @@ def test_of_a_robot_that_was_checked_nothing_heavy_stays(
     pytest.importorskip("numpy")
     alive: list[int] = []
 
-    def count(*arguments: object, run=engine._run) -> FileResult:
+    def count(*arguments: object, run=engine._check_job) -> FileResult:
         alive.append(sum(isinstance(one, Subject) for one in gc.get_objects()))
         return run(*arguments)
 
-    monkeypatch.setattr(engine, "_run", count)
+    monkeypatch.setattr(engine, "_check_job", count)
     gc.collect()
     gc.disable()  # as good as it is for a few objects with large meshes
     try:

@@ -11,11 +11,12 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit.errors import UnwritableFile
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import fix as fix_as_configured
 from urdfkit.lint.fix_guard import SLOW
+from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
 
 #: An axis on a fixed joint is an info otherwise, whose fix nobody applies unasked.
@@ -395,7 +396,12 @@ def test_a_defect_that_a_fix_reveals_does_not_forbid_it(tmp_path: Path) -> None:
     }
     fixes = fix(file, unsafe=True)
     assert [one.code for one in fixes.applied] == ["XAC002", "JNT003"]
-    assert fix(file, unsafe=True, texts={fixes.files[0].path: fixes.files[0].after}).files == ()
+    assert (
+        fix(
+            file, unsafe=True, options=Options(texts={fixes.files[0].path: fixes.files[0].after})
+        ).files
+        == ()
+    )
     alone = fix(file, unsafe=True, select=["XAC002"])
     assert [one.code for one in alone.applied] == ["XAC002"]
 
@@ -411,7 +417,7 @@ def test_a_defect_that_a_fix_makes_where_all_could_be_seen_forbids_it(tmp_path: 
 
 
 def test_rules_that_are_left_out_of_the_guard_know_no_error_and_no_fix() -> None:
-    for rule in map(rules.get, SLOW):
+    for rule in map(rule_index.get, SLOW):
         severities = {rule.severity, *rule.by_target.values()}
         assert Severity.ERROR not in severities
         assert not rule.fixable

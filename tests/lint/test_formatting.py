@@ -12,7 +12,8 @@ import pytest
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import CORPUS, manifest, model_id, needs_corpus
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.config import ConfigError, load
+from urdfkit.lint.config import ConfigError
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Subject
 from urdfkit.lint.formatting import format_files
 from urdfkit.text.document import Element

@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from urdfkit import check
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
+from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Confidence
 from urdfkit.text.source import Source
 
@@ -24,9 +25,9 @@ WHOLE = frozenset({"JNT020"})
 
 @pytest.fixture
 def in_preview(monkeypatch: pytest.MonkeyPatch) -> None:
-    get = rules.get
+    get = rule_index.get
     made = get("JNT020")._replace(preview=True)
-    monkeypatch.setattr(rules, "get", lambda code: made if code == "JNT020" else get(code))
+    monkeypatch.setattr(rule_index, "get", lambda code: made if code == "JNT020" else get(code))
 
 
 @pytest.mark.usefixtures("in_preview")
@@ -48,7 +49,7 @@ def in_preview(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_rule_in_preview_runs_where_it_is_asked_for(
     options: dict[str, object], is_run: bool
 ) -> None:
-    report = check(ROBOT, **options)  # type: ignore[arg-type]
+    report = check(ROBOT, options=Options(**options))  # type: ignore[arg-type]
     assert ("JNT020" in report.rules) is is_run
     assert any(found.code == "JNT020" for found in report.diagnostics) is is_run
 
@@ -58,13 +59,15 @@ def test_a_rule_in_preview_runs_where_it_is_asked_for(
 def test_min_confidence(
     confidence: Confidence, least: Confidence, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rule = rules.get("JNT020")
+    rule = rule_index.get("JNT020")
     made = rule._replace(
         check=lambda subject: (
             found._replace(confidence=confidence) for found in rule.check(subject)
         )
     )
-    monkeypatch.setattr(rules, "get", lambda code: made)
-    report = check(ROBOT, select=["JNT020"], ignore=["CFG003"], min_confidence=least.value)
+    monkeypatch.setattr(rule_index, "get", lambda code: made)
+    report = check(
+        ROBOT, select=["JNT020"], ignore=["CFG003"], options=Options(min_confidence=least.value)
+    )
     order = ["measured", "inferred", "guessed"]
     assert bool(report.diagnostics) is (order.index(confidence.value) <= order.index(least.value))

@@ -13,7 +13,7 @@ import pytest
 
 from tests.conftest import ROOT
 from urdfkit.errors import RuleError
-from urdfkit.lint import rule_packages, rules
+from urdfkit.lint import rule_index, rule_packages
 
 OWN_RULE = ROOT / "examples" / "own_rule"
 
@@ -220,7 +220,7 @@ def test_a_rule_that_fails_is_told_as_its_own_bug(place: Place) -> None:
 
 
 def test_the_letters_of_all_rules_are_kept_for_urdfkit() -> None:
-    assert {code[:3] for code in rules.codes()} <= rules.FAMILIES.keys()
+    assert {code[:3] for code in rule_index.codes()} <= rule_index.FAMILIES.keys()
 
 
 def test_a_check_without_them_looks_nothing_up() -> None:
@@ -239,7 +239,7 @@ import urdfkit
 from urdfkit.text.source import Source
 
 robot = Source("r.urdf", sys.argv[1].encode())
-own = urdfkit.check(robot, rules=["acme_rules"])
+own = urdfkit.check(robot, options=urdfkit.Options(rules=["acme_rules"]))
 assert "ACM001" in own.rules
 assert "ACM001" not in urdfkit.check(robot).rules  # although it is known by now
 assert "ACM001" in urdfkit.check(robot, select=["ACM"]).rules

@@ -10,28 +10,28 @@ import pytest
 
 from tests.conftest import ROOT
 from urdfkit.errors import UnknownRule
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
-from urdfkit.lint.engine import choose
+from urdfkit.lint.options import choose
 
 
 def test_codes_are_sorted_and_each_has_one_name() -> None:
-    assert rules.codes() == sorted(set(rules.codes()))
-    assert sorted(chain(*rules.names().values())) == rules.codes()
+    assert rule_index.codes() == sorted(set(rule_index.codes()))
+    assert sorted(chain(*rule_index.names().values())) == rule_index.codes()
 
 
-@pytest.mark.parametrize("code", rules.codes())
+@pytest.mark.parametrize("code", rule_index.codes())
 def test_the_file_name_is_code_and_name(code: str) -> None:
-    rule = rules.get(code)
+    rule = rule_index.get(code)
     assert rule.code == code
     name = rule.name.replace("-", "_")
-    assert rule.module == f"urdfkit.checks.{rules.family_of(code)}.{code.lower()}_{name}"
-    assert code in rules.names()[rule.name]
+    assert rule.module == f"urdfkit.checks.{rule_index.family_of(code)}.{code.lower()}_{name}"
+    assert code in rule_index.names()[rule.name]
 
 
 @pytest.mark.parametrize("word", ["XML001", "xml001", "not-well-formed", "NOT-well-formed"])
 def test_find_rule(word: str) -> None:
-    assert rules.find_rule(word).code == "XML001"
+    assert rule_index.find_rule(word).code == "XML001"
 
 
 @pytest.mark.parametrize(
@@ -43,7 +43,7 @@ def test_find_rule(word: str) -> None:
     ],
 )
 def test_an_unknown_rule(word: str, message: str) -> None:
-    for look_up in (rules.find_rule, rules.matching):
+    for look_up in (rule_index.find_rule, rule_index.matching):
         with pytest.raises(UnknownRule) as error:
             look_up(word)
         assert str(error.value) == message
@@ -52,29 +52,31 @@ def test_an_unknown_rule(word: str, message: str) -> None:
 
 def test_a_family_is_no_rule_but_matches() -> None:
     with pytest.raises(UnknownRule):
-        rules.find_rule("XML")
-    assert rules.matching("xml") == [code for code in rules.codes() if code.startswith("XML")]
-    assert rules.matching("XML00") == rules.matching("XML")
-    assert rules.matching("cycle") == ["TRE003"]
+        rule_index.find_rule("XML")
+    assert rule_index.matching("xml") == [
+        code for code in rule_index.codes() if code.startswith("XML")
+    ]
+    assert rule_index.matching("XML00") == rule_index.matching("XML")
+    assert rule_index.matching("cycle") == ["TRE003"]
 
 
 def test_a_name_that_two_families_have(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        rules,
+        rule_index,
         "_modules",
         {code: f"urdfkit.checks.{code.lower()}_same_name" for code in ("ABC001", "XYZ001")},
     )
-    assert rules.matching("same-name") == ["ABC001", "XYZ001"]
+    assert rule_index.matching("same-name") == ["ABC001", "XYZ001"]
     with pytest.raises(UnknownRule, match="alone: ABC001 and XYZ001 have that name"):
-        rules.find_rule("same-name")
+        rule_index.find_rule("same-name")
 
 
 def test_choose() -> None:
-    assert choose([], []) == rules.codes()
+    assert choose([], []) == rule_index.codes()
     assert choose(["TRE003", "xml001"], ["CFG003"]) == ["TRE003", "XML001"]
     some = choose(["XML"], ["XML001"])
-    assert some == ["CFG003", *(code for code in rules.matching("XML") if code != "XML001")]
-    assert choose([], ["XML"]) == [c for c in rules.codes() if not c.startswith("XML")]
+    assert some == ["CFG003", *(code for code in rule_index.matching("XML") if code != "XML001")]
+    assert choose([], ["XML"]) == [c for c in rule_index.codes() if not c.startswith("XML")]
     assert choose(["XML001"], ["XML", "CFG"]) == []
     with pytest.raises(UnknownRule):
         choose(["XML001", "XMM"], [])
@@ -90,38 +92,38 @@ def test_the_rule_about_unchecked_robots_is_chosen_unless_it_is_ignored() -> Non
 
 
 def test_former_codes_and_names_lead_to_rules_that_exist() -> None:
-    redirects = rules.redirects()
-    known = {*rules.codes(), *rules.names()}
+    redirects = rule_index.redirects()
+    known = {*rule_index.codes(), *rule_index.names()}
     assert not redirects.keys() & known
-    assert {code for code in redirects.values() if code} <= set(rules.codes())
+    assert {code for code in redirects.values() if code} <= set(rule_index.codes())
 
 
 @pytest.fixture
 def renamed(monkeypatch: pytest.MonkeyPatch) -> None:
     redirects = {"TRE999": "JNT020", "old-name": "JNT020", "TRE998": ""}
-    monkeypatch.setattr(rules, "_redirects", redirects)
+    monkeypatch.setattr(rule_index, "_redirects", redirects)
 
 
 @pytest.mark.usefixtures("renamed")
 @pytest.mark.parametrize("word", ["TRE999", "tre999", "old-name"])
 def test_a_former_code_or_name(word: str) -> None:
-    assert rules.matching(word) == ["JNT020"]
-    assert rules.find_rule(word).code == "JNT020"
-    assert rules.named([word]) == {"JNT020"}
-    assert rules.note(word) == f"{word} is now JNT020"
+    assert rule_index.matching(word) == ["JNT020"]
+    assert rule_index.find_rule(word).code == "JNT020"
+    assert rule_index.named([word]) == {"JNT020"}
+    assert rule_index.note(word) == f"{word} is now JNT020"
 
 
 @pytest.mark.usefixtures("renamed")
 def test_a_rule_that_was_removed() -> None:
-    for look_up in (rules.matching, rules.find_rule):
+    for look_up in (rule_index.matching, rule_index.find_rule):
         with pytest.raises(UnknownRule, match="no rule 'TRE998': it was removed"):
             look_up("TRE998")
-    assert rules.note("TRE998") == rules.note("TRE003") == rules.note("TRE") == ""
+    assert rule_index.note("TRE998") == rule_index.note("TRE003") == rule_index.note("TRE") == ""
 
 
 def test_listing_the_rules_imports_none() -> None:
     program = (
-        "import sys; from urdfkit.lint import rules; rules.codes(); rules.names();"
+        "import sys; from urdfkit.lint import rule_index; rule_index.codes(); rule_index.names();"
         "print(*[name for name in sys.modules if name.startswith('urdfkit.checks.')])"
     )
     done = subprocess.run(

@@ -9,7 +9,7 @@ import pytest
 
 from tests.hand_made_rules import run_only
 from urdfkit import Report, Source, check
-from urdfkit.lint import rules, runner
+from urdfkit.lint import rule_index, runner
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.ros.targets import Targets
@@ -274,8 +274,8 @@ def test_packages_may_be_named_in_either_way(mesh: str) -> None:
     )
     one = Subject(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()), Resolver())
     none = Subject(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>'), Resolver())
-    assert rules.applies("package", one)
-    assert not rules.applies("package", none)
+    assert rule_index.applies("package", one)
+    assert not rule_index.applies("package", none)
 
 
 #: Findings that are worse for a target than otherwise.

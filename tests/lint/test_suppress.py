@@ -3,9 +3,9 @@
 import pytest
 
 from urdfkit import Report, check
-from urdfkit.lint import rules
-from urdfkit.lint.config import load
-from urdfkit.lint.suppress import ignores
+from urdfkit.lint import rule_index
+from urdfkit.lint.config_reader import load
+from urdfkit.lint.ignore_comments import ignores
 from urdfkit.text.source import Source
 
 PLAIN = """<robot name="r">
@@ -48,7 +48,7 @@ def codes(report: Report) -> list[str]:
 
 
 def test_a_former_code_suppresses_and_is_noted(monkeypatch):
-    monkeypatch.setattr(rules, "_redirects", {"TRE999": "JNT020"})
+    monkeypatch.setattr(rule_index, "_redirects", {"TRE999": "JNT020"})
     (found,) = run(PLAIN.format(comment="<!-- urdfkit: ignore[TRE999] -->")).diagnostics
     assert (found.code, found.severity.value) == ("CFG002", "info")
     assert found.message.startswith("TRE999 is now JNT020")

@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.lsp.edited import MISSION, XACRO, Edited, mission
 from tests.lsp.test_navigation import MACRO, edited
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lsp.hover import hover
 
 
@@ -110,7 +110,7 @@ def test_a_mesh_that_is_there_and_one_that_is_not(monkeypatch: pytest.MonkeyPatc
 
 def test_a_finding_is_explained_where_it_is() -> None:
     text = reported(Edited(MISSION, mission('<xacro:property name="P', 'I"')), checked=True)
-    assert f"**XAC007** own-pi\n\n{rules.get('XAC007').explanation}" in text
+    assert f"**XAC007** own-pi\n\n{rule_index.get('XAC007').explanation}" in text
     elsewhere = reported(Edited(MISSION, mission("<robot n", "ame")), checked=True)
     assert "XAC007" not in elsewhere
 

@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.controls import CLASSIC, ROBOT, control, driven, plugin, transmission
-from urdfkit.lint import engine, rules
+from urdfkit.lint import engine, rule_index
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.ros_control import (
@@ -102,7 +102,7 @@ def test_who_reads_the_transmissions_of_ros1(targets: list[str], read: bool) -> 
 
 def is_about_control(text: str) -> bool:
     return any(
-        rules.applies(family, subject(text))
+        rule_index.applies(family, subject(text))
         for family in ("ros2_control", "controllers", "transmissions")
     )
 
@@ -117,4 +117,4 @@ def test_without_control_its_rules_do_not_apply() -> None:
 def test_the_robot_of_the_mission_has_nothing_to_do_with_control() -> None:
     report = engine.check(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["RCT"])
     assert report.crashed == ()
-    assert report.diagnostics == ()
+    assert [found.code for found in report.diagnostics] == ["RCT029"], "its drive plugin"

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit.cli import options, output, stdin
 from urdfkit.core import atomic
-from urdfkit.lint.engine import check
+from urdfkit.lint.config import Config
+from urdfkit.lint.engine import check_with
+from urdfkit.lint.options import Options
 from urdfkit.lint.plan import planned
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
@@ -23,7 +25,6 @@ if TYPE_CHECKING:
 
     from urdfkit.cli.progress import Progress
     from urdfkit.lint.baseline import Fingerprint
-    from urdfkit.lint.engine import Options
     from urdfkit.lint.fix import Fixes
 
 
@@ -72,30 +73,27 @@ def choices(values: Mapping[str, Any]) -> Options:
     files = options.files(values)
     added = options.add_rules(values)  # before other options name their codes
     config = options.config(values, files[0])  # which may add rules, too
-    return {
-        "arguments": options.arguments(values),
-        "packages": options.packages(values),
-        "select": options.selected(values),
-        "ignore": options.ignored(values),
-        "targets": options.words(values, "target"),
-        "trust": values["trust"],
-        "rules": added,
-        "preview": values["preview"],
-        "min_confidence": values["min_confidence"] or "",
-        "config": config,
-        "variant": values["variant"] or "",
-        "changed": values["changed"],
-        "jobs": options.jobs(values),
-        "cache": not values["no_cache"],
-    }
+    return Options(
+        arguments=options.arguments(values),
+        packages=options.packages(values),
+        select=options.selected(values),
+        ignore=options.ignored(values),
+        targets=options.words(values, "target"),
+        trust=values["trust"],
+        config=config or Config(),
+        rules=added,
+        preview=values["preview"],
+        min_confidence=values["min_confidence"] or "",
+        variant=values["variant"] or "",
+        changed=values["changed"],
+        jobs=options.jobs(values),
+        cache=not values["no_cache"],
+    )
 
 
 def _files(values: Mapping[str, Any], chosen: Options) -> str:
     """The descriptions that would be checked, with their arguments, and those that would not."""
-    config = chosen["config"]
-    resolver = Resolver({**(config.packages if config else {}), **(chosen["packages"] or {})})
-    files = options.files(values)
-    plan = planned(files, resolver, config, chosen["arguments"], changed=chosen["changed"])
+    plan = planned(options.files(values), Resolver(chosen.with_config().packages), chosen)
     lines = [
         " ".join((job.source.path, *(f"{name}:={value}" for name, value in job.arguments.items())))
         for job in plan.jobs
@@ -106,8 +104,7 @@ def _files(values: Mapping[str, Any], chosen: Options) -> str:
 
 def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:
     """The mildest severity that counts."""
-    config = chosen["config"]
-    return Severity(values["fail_on"] or (config.fail_on if config else Severity.WARNING))
+    return Severity(values["fail_on"] or chosen.config.fail_on)
 
 
 def _check(values: Mapping[str, Any], chosen: Options) -> Report:
@@ -116,8 +113,7 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
     progress = _progress(files)
     try:
         sources = [stdin.read(name) if file == "-" else file for file in files]
-        now: Options = {**chosen, "progress": progress}
-        return check(*sources, **now)
+        return check_with(chosen._replace(progress=progress), sources)
     finally:
         if progress is not None:
             progress.wipe()
@@ -128,7 +124,7 @@ def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) ->
     from urdfkit.lint.fix import fixable
 
     files = options.files(values)
-    return report if "-" in files else report._replace(fixable=fixable(report, *files, **chosen))
+    return report if "-" in files else report._replace(fixable=fixable(report, chosen, files))
 
 
 def apply_fixes(
@@ -142,9 +138,11 @@ def apply_fixes(
         raise options.UsageError("standard input cannot be fixed in place; pass a file")
     progress = _progress(files)
     unsafe, force = values["unsafe_fixes"], values["force"]
-    now: Options = {**chosen, "progress": progress}
+    now = chosen._replace(progress=progress)
     try:
-        fixes = fix(*files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, **now)
+        fixes = fix(
+            *files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, options=now
+        )
         if values["diff"]:
             output.write(fixes.diff())
             return fixes
@@ -154,7 +152,7 @@ def apply_fixes(
         if not fixes.meshes:
             return fixes
         # With the generated meshes more can be checked, and perhaps fixed.
-        again = fix(*files, unsafe=unsafe, force=force, **now)
+        again = fix(*files, unsafe=unsafe, force=force, options=now)
         again.write()
     finally:
         if progress is not None:

@@ -13,7 +13,7 @@ from urdfkit.cli import output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
-from urdfkit.lint.rules import get
+from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Source
 

@@ -10,7 +10,8 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.errors import UnknownRule
-from urdfkit.lint.rules import FAMILIES, Need, Rule, find_rule, note
+from urdfkit.lint.rule_index import FAMILIES, find_rule, note
+from urdfkit.lint.rules import Need, Rule
 from urdfkit.text.diagnostic import Severity
 
 _NEEDS = {

@@ -163,7 +163,7 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
     path = values["config"] or nearest(os.curdir if near == "-" else near)
     if path is None:
         return None
-    from urdfkit.lint.config import load
+    from urdfkit.lint.config_reader import load
 
     found = load(path, trusted=bool(values["config"]) or values["trust"])
     for warning in found.warnings:
@@ -215,9 +215,9 @@ def selected(values: Mapping[str, Any]) -> list[str]:
     """What ``--select`` names; warns of former codes and names."""
     named = words(values, "select")
     if named:
-        from urdfkit.lint import rules
+        from urdfkit.lint import rule_index
 
-        for note in filter(None, map(rules.note, named)):
+        for note in filter(None, map(rule_index.note, named)):
             warn(f"--select: {note}")
     return named
 
@@ -227,10 +227,10 @@ def ignored(values: Mapping[str, Any]) -> list[str]:
     named = words(values, "ignore")
     if not named:
         return []
-    from urdfkit.lint import rules
+    from urdfkit.lint import rule_index
 
-    unknown = rules.ignored(named).unknown
-    for note in (*filter(None, map(rules.ignore_note, named)), *unknown):
+    unknown = rule_index.ignored(named).unknown
+    for note in (*filter(None, map(rule_index.ignore_note, named)), *unknown):
         warn(f"--ignore: {note}")
     wrong = {error.word for error in unknown}
     return [word for word in named if word not in wrong]

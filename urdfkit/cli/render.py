@@ -100,7 +100,8 @@ def command(asked: dict[str, Any], **values: Any) -> int:
 def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Scene:
     """The robot in its pose, with everything over it that is asked for."""
     from urdfkit import render
-    from urdfkit.lint.engine import check
+    from urdfkit.lint.engine import check_with
+    from urdfkit.lint.options import Options
 
     shown = options.words(values, "layers") or ["visual"]
     roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
@@ -108,12 +109,8 @@ def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Sc
     scene = render.explained(scene, robot, [name for name in shown if name not in roles], pose)
     if not values["findings"]:
         return scene
-    report = check(
-        robot.source,
-        arguments=robot.arguments,
-        trust=robot.trust,
-        resolver=robot.resolver,
-    )
+    as_read = Options(arguments=robot.arguments, trust=robot.trust)
+    report = check_with(as_read, [robot.source], robot.resolver)
     return render.marked(scene, robot, report.diagnostics)
 
 

@@ -13,7 +13,7 @@ import click
 from urdfkit.cli import options, stdin
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UnreadableRobot
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
@@ -185,7 +185,7 @@ def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
     problems = cast("tuple[Problem, ...]", error.problems)
     # Other findings need not be the reason why a file cannot be read.
     problems = (
-        tuple(p for p in problems if rules.get(p.code).severity is Severity.ERROR) or problems
+        tuple(p for p in problems if rule_index.get(p.code).severity is Severity.ERROR) or problems
     )
     if not problems:
         return error

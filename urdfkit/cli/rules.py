@@ -9,8 +9,9 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
+from urdfkit.lint.rule_index import all_rules
 from urdfkit.lint.rule_packages import add, installed
-from urdfkit.lint.rules import Rule, all_rules
+from urdfkit.lint.rules import Rule
 
 
 @click.command(

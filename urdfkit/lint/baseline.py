@@ -15,7 +15,7 @@ from collections.abc import Iterable
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.rules import redirect
+from urdfkit.lint.rule_index import redirect
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import why_unreadable
 

@@ -18,7 +18,7 @@ from urdfkit.text.xml_reader import read_xml
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.suppress import Ignore
+    from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
@@ -45,7 +45,10 @@ if TYPE_CHECKING:
 
 
 _WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
-WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+_WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+
+#: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
+MAX_BODIES = 2000
 
 
 class Unavailable(Exception):
@@ -54,6 +57,18 @@ class Unavailable(Exception):
 
 class NotApplicable(Unavailable):
     """A description is of another kind than a rule is about; nothing is missing."""
+
+
+def need_coal() -> None:
+    """Import coal.
+
+    Raises:
+        Unavailable: it is not installed.
+    """
+    try:
+        libraries.load("coal")
+    except ImportError as error:
+        raise Unavailable(_WITHOUT_COAL) from error
 
 
 class Outcome(Record):
@@ -97,7 +112,7 @@ class Subject:
         cache: True if measures of meshes may be kept for the next run.
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
-        options: values of options of rules, by code and name, as configured; set by the runner.
+        rule_options: configured options of rules, by code and name; set by the runner.
         unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
@@ -120,7 +135,7 @@ class Subject:
         self.progress = progress
         self._given_targets = targets
         self.outcome = Outcome()
-        self.options: Mapping[str, Mapping[str, float]] = {}
+        self.rule_options: Mapping[str, Mapping[str, float]] = {}
         self.unchecked: tuple[UncheckedValues, ...] = ()
         self.source = source
         self.resolver = resolver
@@ -298,7 +313,7 @@ class Subject:
             sources = self.reading.xacro.sources
         if not any(b"urdfkit" in source.data for source in sources):
             return ()
-        from urdfkit.lint.suppress import ignores
+        from urdfkit.lint.ignore_comments import ignores
 
         return tuple(ignore for source in sources for ignore in ignores(source))
 
@@ -438,31 +453,18 @@ class Subject:
             raise Unavailable(str(reason)) from reason
 
     @cached_property
-    def is_crowded(self) -> bool:
-        """True if bodies of two links may overlap where the robot begins; no library is needed."""
-        from urdfkit.robot.clearance import may_overlap
-
-        return may_overlap(self.tree)
-
-    @cached_property
     def collisions(self) -> Collisions:
-        """Which links collide with one another, by coal.
+        """Which links collide with one another; coal is loaded where it is needed.
 
         Raises:
-            Unavailable: coal is not installed, or the robot has too many bodies.
+            Unavailable: the robot has too many bodies, or later, coal is not installed.
         """
-        from urdfkit.robot.clearance import MAX_BODIES
+        from urdfkit.physics.collision.robot import Collisions
 
         bodies = sum(len(link.collisions) for link in self.model.links)
         if bodies > MAX_BODIES:
             raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
-        if libraries.find("coal") is None:
-            raise Unavailable(WITHOUT_COAL)
-        try:
-            from urdfkit.physics.collision.robot import Collisions
-        except ImportError as error:
-            raise Unavailable(WITHOUT_COAL) from error
-        return Collisions(self)
+        return Collisions(self, need_coal)
 
     @cached_property
     def opinion(self) -> PinocchioReading:

@@ -16,8 +16,7 @@ from itertools import islice
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
-from urdfkit.text.comments import without_comments
-from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.comments import comments, without_comments
 from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.package_references import FIND
@@ -42,13 +41,17 @@ _PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "_
 #: A macro without an end goes on to that of the file.
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
+_DISABLED = re.compile(rb"""xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _ROBOT = re.compile(rb"<robot[\s>]")
 _ROOT = re.compile(rb"\s*(?:<[?!][^>]*>\s*)*<robot[\s>]")
 _LINK = re.compile(rb"<link[\s>]")
+_LINK_NAME = re.compile(rb"""<link\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
+_PARENT = re.compile(rb"""<parent\b[^<>]*?\blink\s*=\s*["']([^"']+)["']""")
 _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _MARK = b"\xef\xbb\xbf"
+_COMMENTED_OUT = "a part of a robot whose include is commented out"
 _NOT_CONFIGURED = "no [[robot]] in the configuration for it"
 _UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
 _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
@@ -236,13 +239,25 @@ class IncludeGraph:
         self.includes = {path: self._includes(path) for path in self._sources}
 
     def _includes(self, path: str) -> frozenset[str]:
-        source = self._sources[path]
-        if b"xacro:include" not in source.data:
+        data = self._sources[path].data
+        if b"xacro:include" not in data:
             return frozenset()
-        data = without_comments(source.data)
+        return self._named(_INCLUDE.findall(without_comments(data)), path)
+
+    def _disabled(self) -> set[str]:
+        """The files that only an include in a comment names."""
         found: set[str] = set()
-        for name in _INCLUDE.findall(data):
-            found.update(self._targets(name.decode("utf-8", "replace"), source.path))
+        for path, source in self._sources.items():
+            if b"<!--" in source.data and b"xacro:include" in source.data:
+                text = b"".join(comment[1] for comment in comments(source.data))
+                found |= self._named(_DISABLED.findall(text), path)
+        return found
+
+    def _named(self, names: Iterable[bytes], path: str) -> frozenset[str]:
+        """The files that the includes of a file may mean."""
+        found: set[str] = set()
+        for name in names:
+            found.update(self._targets(name.decode("utf-8", "replace"), self._sources[path].path))
         return frozenset(found - {path})
 
     def _targets(self, name: str, near: str) -> Iterator[str]:
@@ -289,7 +304,9 @@ class IncludeGraph:
         ]
         roots += self._in_rings(roots)
         libraries = tuple(filter(self.is_library, roots))
-        outer = [path for path in roots if path not in libraries]
+        disabled = self._disabled()
+        parts = [p for p in roots if os.path.realpath(p) in disabled and self._lacks_parent(p)]
+        outer = [path for path in roots if path not in libraries and path not in parts]
         unusual = [
             name
             for path, name in self._names.items()
@@ -299,7 +316,15 @@ class IncludeGraph:
         robots = sorted({*outer, *self._within(outer), *started})
         named = tuple(RobotEntry(path, "", {}) for path in robots)
         others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
+        others |= dict.fromkeys(parts, _COMMENTED_OUT)
         return FolderContents(named, libraries, tuple(self.closed), others)
+
+    def _lacks_parent(self, path: str) -> bool:
+        """True for a file with a joint whose parent link is in none of the files it includes."""
+        files = self.closure(os.path.realpath(path)) & self._sources.keys()
+        texts = [without_comments(self._sources[file].data) for file in files]
+        parents = {name for text in texts for name in _PARENT.findall(text)}
+        return bool(parents.difference(*map(_LINK_NAME.findall, texts)))
 
     def _is_robot(self, path: str) -> bool:
         """True for a file with the root ``<robot>`` that has links outside of macros."""

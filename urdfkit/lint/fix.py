@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint import rules as catalogue
-from urdfkit.lint.engine import added_rules, choose, previewed
+from urdfkit.lint import rule_index
+from urdfkit.lint.config import Config
+from urdfkit.lint.engine import subjects
 from urdfkit.lint.fix_guard import (
     Key,
     Look,
@@ -24,9 +25,9 @@ from urdfkit.lint.fix_guard import (
     harm,
     key_of,
     real_path,
-    subjects_of,
     useless,
 )
+from urdfkit.lint.options import Options, choose, foreign_codes
 from urdfkit.lint.report import Fixable, Report
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing import rewriting
@@ -36,9 +37,6 @@ from urdfkit.text.source import Source, shown
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 
 if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
-    from urdfkit.lint.engine import Options
     from urdfkit.robot.assets.placeholder_meshes import GeneratedMesh, NotGenerated
 
 MAX_ROUNDS = 10
@@ -109,7 +107,14 @@ def fix(
     unsafe: bool = False,
     force: bool = False,
     generate_meshes: bool = False,
-    **options: Unpack[Options],
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    select: Iterable[str] = (),
+    ignore: Iterable[str] = (),
+    targets: Iterable[str] = (),
+    trust: bool = False,
+    config: Config | None = None,
+    options: Options = Options(),
 ) -> Fixes:
     """Mend what has a remedy in descriptions of robots and in the files that they include.
 
@@ -128,32 +133,43 @@ def fix(
         force: edit files as well that are generated, read-only or ignored by git, or that lie
             outside the workspace of ``files``.
         generate_meshes: make a mesh for every file of one that is missing, empty or broken. What
-            the rules say of the robot with these meshes, a second run tells and mends.
-        options: of ``check``, which they are given to many times: lists, not iterators.
+            the rules say of the robot with these meshes, a second run reports and fixes.
+        arguments: xacro arguments by name.
+        packages: folders of ROS packages by name.
+        select: rules whose findings are fixed; all if empty.
+        ignore: rules whose findings are not.
+        targets: names of the programs to check for.
+        trust: do not sandbox the expressions of the model.
+        config: settings of the project.
+        options: the other ones of ``check``.
 
     Raises:
         UrdfkitError: as of ``check``.
     """
-    session = _session(files, options, unsafe=unsafe, force=force)
-    fixes = session.run()
+    given = options.given(
+        arguments=arguments,
+        packages=packages,
+        select=tuple(select),
+        ignore=tuple(ignore),
+        targets=tuple(targets),
+        trust=trust,
+        config=config,
+    )
+    fixes = _session(files, given, unsafe=unsafe, force=force).run()
     if not generate_meshes:
         return fixes
-    given = options.get("texts") or {}
-    texts = {**given, **{file.path: file.after for file in fixes.files}}
-    return _with_meshes(fixes, files, {**options, "texts": texts}, force=force)
+    texts = {**given.texts, **{file.path: file.after for file in fixes.files}}
+    return _with_meshes(fixes, files, given._replace(texts=texts), force=force)
 
 
 def _session(
     files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
 ) -> _Session:
-    select, ignore = options.get("select", ()), options.get("ignore", ())
-    config = options.get("config")
-    foreign = (*(config.foreign_rules if config else ()), *added_rules(options.get("rules", ())))
-    asked = choose(select, ignore, config, foreign)
-    previews = previewed(options.get("preview", False), select, config)
-    now: Options = {**options, "preview": True if previews is None else previews}
-    look = Look(files, now, {*asked, *choose((), (), config, foreign)})
-    return _Session(look, asked, catalogue.named(select), unsafe=unsafe, force=force)
+    resolved = options.resolved()
+    codes = {*resolved.select, *choose((), (), options.config, foreign_codes(options))}
+    look = Look(files, options._replace(preview=resolved.preview), codes)
+    named = rule_index.named(options.select)
+    return _Session(look, resolved.select, named, unsafe=unsafe, force=force)
 
 
 def _with_meshes(
@@ -174,7 +190,7 @@ def _with_meshes(
         text = f"generating meshes needs {error.name}: pip install 'urdfkit[meshes]'"
         raise UrdfkitError(text) from error
     found: dict[str, GeneratedMesh | NotGenerated] = {}
-    for robot in filter(None, subjects_of(files, options)):
+    for robot in filter(None, subjects(options, files)):
         if robot.reading.document is None:
             continue
         ours = Ownership([robot.source.path], robot.resolver)
@@ -198,8 +214,8 @@ def _with_meshes(
     return fixes._replace(left=left, meshes=meshes, unmade=unmade)
 
 
-def fixable(report: Report, *files: str | os.PathLike[str], **options: Unpack[Options]) -> Fixable:
-    """What ``fix`` would do about the findings of a check with the same arguments.
+def fixable(report: Report, options: Options, files: Iterable[str | os.PathLike[str]]) -> Fixable:
+    """What ``fix`` would do about the findings of a check with the same options.
 
     Safe fixes are tried, as ``fix`` does; how many of the others hold is known only then.
 

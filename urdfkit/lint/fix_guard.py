@@ -11,18 +11,17 @@ from itertools import chain, zip_longest
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint import rules
-from urdfkit.lint.config import Config
+from urdfkit.lint import rule_index, rules
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import affected
-from urdfkit.lint.engine import check, subjects
+from urdfkit.lint.engine import check_with, subjects
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.lint.engine import Options
     from urdfkit.text.document import Element
 
 #: A finding in any round: its code, its file and its message, since places move.
@@ -35,7 +34,7 @@ Place = tuple[str, int, int, str]
 Robots = Callable[[], Iterable[Subject | None]]
 
 #: Rules that simulate the robot and so take long; they know no error, and have no fix.
-SLOW = rules.of_family("collision") | frozenset("SRD009 SRD010 DYN003 DYN004 DYN005".split())
+SLOW = rule_index.of_family("collision") | frozenset("SRD009 SRD010 DYN003 DYN004 DYN005".split())
 
 
 def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
@@ -131,14 +130,12 @@ class Look:
         self._files = tuple(files)
         self._options = options
         self._codes = frozenset(codes)
-        self.config = options.get("config") or Config()
-        packages = {**self.config.packages, **(options.get("packages") or {})}
-        self.resolver = Resolver(packages, texts=self._texts({}))
+        self.config = options.config
+        self.resolver = Resolver(options.with_config().packages, texts=options.texts)
 
     def report(self, texts: Mapping[str, bytes]) -> Report:
         """What is reported to people: the rules that they asked for."""
-        now: Options = {**self._options, "texts": self._texts(texts)}
-        return check(*self._files, resolver=self.resolver, **now)
+        return check_with(self._with_texts(texts), self._files, self.resolver)
 
     def guard(self, texts: Mapping[str, bytes]) -> Report:
         """What fixes start from and are judged by, without the rules that cannot matter."""
@@ -159,8 +156,7 @@ class Look:
         self, texts: Mapping[str, bytes], files: Iterable[str] | None = None
     ) -> Iterator[Subject | None]:
         """The robots of a check, in its order."""
-        now: Options = {**self._options, "texts": self._texts(texts)}
-        return subjects_of(self._files if files is None else files, now)
+        return subjects(self._with_texts(texts), self._files if files is None else files)
 
     def _check(
         self,
@@ -168,17 +164,13 @@ class Look:
         texts: Mapping[str, bytes],
         codes: Iterable[str],
     ) -> Report:
-        now: Options = {
-            **self._options,
-            "texts": self._texts(texts),
-            "select": tuple(codes),
-            # The others are not among the codes; of these the errors are.
-            "ignore": tuple(filter(rules.redirect, self._options.get("ignore", ()))),
-        }
-        return check(*files, resolver=self.resolver, **now)
+        # The others are not among the codes; of these the errors are.
+        former = tuple(filter(rule_index.redirect, self._options.ignore))
+        now = self._with_texts(texts)._replace(select=tuple(codes), ignore=former)
+        return check_with(now, files, self.resolver)
 
-    def _texts(self, texts: Mapping[str, bytes]) -> dict[str, bytes]:
-        return {**(self._options.get("texts") or {}), **texts}
+    def _with_texts(self, texts: Mapping[str, bytes]) -> Options:
+        return self._options._replace(texts={**self._options.texts, **texts})
 
     @cached_property
     def _errors(self) -> list[str]:
@@ -188,24 +180,8 @@ class Look:
             configured = self.config.severities.get(rule.code)
             return (configured,) if configured else (rule.severity, *rule.by_target.values())
 
-        found = map(rules.get, self._codes)
+        found = map(rule_index.get, self._codes)
         return [rule.code for rule in found if Severity.ERROR in severities(rule)]
-
-
-def subjects_of(
-    files: Iterable[str | os.PathLike[str]], options: Options
-) -> Iterator[Subject | None]:
-    """The descriptions that a check with some options looks at, in its order."""
-    return subjects(
-        *files,
-        arguments=options.get("arguments"),
-        packages=options.get("packages"),
-        trust=options.get("trust", False),
-        config=options.get("config"),
-        variant=options.get("variant", ""),
-        changed=options.get("changed", False),
-        texts=options.get("texts"),
-    )
 
 
 class RegressionGuard:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check
-from urdfkit.lint.rules import NOT_CHECKED
+from urdfkit.lint.rule_index import NOT_CHECKED
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.editing.rewriting import diff

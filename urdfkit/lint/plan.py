@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile, UrdfkitError
+from urdfkit.lint.config import ConfigError
 from urdfkit.lint.report import Crashed, Launched, Skipped, crash
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, shown
@@ -17,9 +18,9 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.config import Config
     from urdfkit.lint.context import Subject
     from urdfkit.lint.discovery import FolderContents
+    from urdfkit.lint.options import Options
     from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
     from urdfkit.text.document import CallFrame
 
@@ -55,49 +56,35 @@ class Job(Record):
 
 
 def planned(
-    files: Iterable[str | os.PathLike[str] | Source],
-    resolver: Resolver,
-    config: Config | None,
-    arguments: Mapping[str, str] | None,
-    *,
-    variant: str = "",
-    changed: bool,
+    files: Iterable[str | os.PathLike[str] | Source], resolver: Resolver, options: Options
 ) -> Plan:
     """The descriptions to check for what a user names.
 
     Args:
         files: URDF, xacro or launch files, Sources, or folders.
         resolver: finds files, and reads them.
-        config: settings of the project.
-        arguments: for xacro; they win over those of the project.
-        variant: the name of the only one, of those in the configuration, that is meant.
-        changed: the files are changed ones of any kind; the robots that they are part of are meant.
+        options: of the check.
 
     Raises:
         ConfigError: a robot has no variant of this name.
     """
-    plan = Plan(resolver, config, arguments or {}, variant)
-    if changed:
+    plan = Plan(resolver, options)
+    if options.changed:
         plan.add_changed(files)
-    for file in () if changed else files:
-        plan.add(file)
+    else:
+        for file in files:
+            plan.add(file)
     return plan
 
 
 class Plan:
     """Which descriptions to check, with which arguments."""
 
-    def __init__(
-        self,
-        resolver: Resolver,
-        config: Config | None,
-        arguments: Mapping[str, str],
-        variant: str = "",
-    ) -> None:
+    def __init__(self, resolver: Resolver, options: Options) -> None:
         self.resolver = resolver
-        self.config = config
-        self.arguments = dict(arguments)
-        self.variant = variant
+        self.config = options.config
+        self.arguments = dict(options.arguments)
+        self.variant = options.variant
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
@@ -111,10 +98,9 @@ class Plan:
         if isinstance(file, Source):
             self._add_source(file)
         elif os.path.isdir(file):
-            from urdfkit.lint.config import Config
             from urdfkit.lint.discovery import discover, launch_files
 
-            folder, config = os.fspath(file), self.config or Config()
+            folder, config = os.fspath(file), self.config
             launches = list(launch_files(folder, config))
             try:
                 self._add_found(discover(folder, config, self.resolver), folder)
@@ -132,18 +118,15 @@ class Plan:
 
     def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
         """The entry points that some changed files are part of."""
-        from urdfkit.lint.config import Config
         from urdfkit.lint.discovery import affected
 
         paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
-        self._add_found(affected(paths, self.config or Config(), self.resolver), *paths[:1])
+        self._add_found(affected(paths, self.config, self.resolver), *paths[:1])
 
     def _add_found(self, found: FolderContents, given: str = "") -> None:
         """The entry points of a folder, or of what was given otherwise."""
         robots = [robot for robot in found.robots if self.variant in ("", robot.name)]
         if found.robots and not robots:
-            from urdfkit.lint.config import ConfigError
-
             raise ConfigError(f"no robot has a variant '{self.variant}'")
         for robot in robots:
             source = self.resolver.read(_spelt(robot.file, given))
@@ -164,12 +147,7 @@ class Plan:
         if is_launch(source.path):
             self._add_launch(source)
             return
-        if self.config is None and not self.variant:
-            self._add(source, "", {}, found=False)
-            return
-        from urdfkit.lint.config import Config
-
-        for robot in (self.config or Config()).entries(source.path, self.arguments, self.variant):
+        for robot in self.config.entries(source.path, self.arguments, self.variant):
             self.jobs.append(Job(source, robot.name, robot.arguments, False))
 
     def _add_launch(self, source: Source, *, found: bool = False) -> None:
@@ -180,7 +158,7 @@ class Plan:
             found: it was found in a folder, whose robots are checked anyway. What is left is a
                 robot with the arguments that the launch file gives it, and its controllers.
         """
-        from urdfkit.lint import rules
+        from urdfkit.lint import rule_index
         from urdfkit.ros.launch import read_launch
 
         self.jobs.append(Job(source, "", self.arguments, False))
@@ -197,10 +175,11 @@ class Plan:
             if not is_new and not parameters:
                 continue
             robot = self.resolver.read(_spelt(one.path, source.path))
-            common = self.config.arguments if self.config else {}
-            arguments = {**common, **one.arguments}
+            arguments = {**self.config.arguments, **one.arguments}
             job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
-            self.jobs.append(job if is_new else job._replace(codes=rules.of_family("controllers")))
+            self.jobs.append(
+                job if is_new else job._replace(codes=rule_index.of_family("controllers"))
+            )
 
     def _is_other(self, description: LaunchedDescription) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""
@@ -211,8 +190,7 @@ class Plan:
         return True
 
     def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
-        common = self.config.arguments if self.config else {}
-        every = {**common, **arguments, **self.arguments}
+        every = {**self.config.arguments, **arguments, **self.arguments}
         self.jobs.append(Job(source, name, every, found))
 
 

@@ -16,7 +16,7 @@ from importlib.util import find_spec
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index, rules
 
 GROUP = "urdfkit.lint.rules"
 
@@ -54,7 +54,7 @@ def add(names: Iterable[str], *, modules: bool, beside: str = "") -> list[str]:
                 sys.path.append(os.path.abspath(beside))
             module = name
         found = _rules_of(module)
-        rules.register(found)
+        rule_index.register(found)
         codes += found
     return codes
 

@@ -1,4 +1,4 @@
-"""Rules: how one is declared, and which there are.
+"""Rules: how one is declared, and what it finds.
 
 A rule is one file in ``urdfkit/checks``, named ``<code>_<name>.py``. Its docstring is the
 explanation that users read, with the sources of its facts, and its ``check`` yields Findings. The
@@ -8,16 +8,13 @@ have something to say.
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
 from typing import TYPE_CHECKING
 
-from urdfkit.core.libraries import load
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import did_you_mean
-from urdfkit.errors import RuleError, UnknownRule
+from urdfkit.errors import RuleError
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Span
@@ -26,34 +23,8 @@ if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
     from urdfkit.robot.model import Placed
 
-#: The rule about robots that are found and cannot be checked: it runs whatever is selected, unless
-#: it is ignored by name.
-NOT_CHECKED = "CFG003"
-
 #: The version of urdfkit that brought every rule that names no other.
 FIRST_VERSION = "0.1"
-
-#: Families of urdfkit's own rules, and what they are about; other packages take other letters.
-FAMILIES = {
-    "CFG": "urdfkit itself",
-    "COL": "collisions",
-    "DYN": "dynamics",
-    "GAZ": "Gazebo",
-    "GEO": "shapes and colours",
-    "INE": "mass and inertia",
-    "JNT": "joints",
-    "LAU": "launch files",
-    "MSH": "mesh files",
-    "NAM": "names",
-    "PKG": "the ROS package",
-    "RCT": "transmissions and ros2_control",
-    "REF": "references",
-    "SRD": "SRDF",
-    "TRE": "kinematic tree",
-    "URD": "URDF elements and attributes",
-    "XAC": "xacro",
-    "XML": "XML",
-}
 
 
 class Need(Enum):
@@ -128,9 +99,6 @@ def reported(subject: Subject, code: str) -> Findings:
 
 Check = Callable[["Subject"], Findings]
 
-#: The folder with a folder for each family of rules.
-_CHECKS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "checks")
-
 #: Bytes of a file that a page shows whole.
 _SHORT = 500
 
@@ -171,7 +139,7 @@ class Rule(Record):
 
     def option(self, subject: Subject, name: str) -> float:
         """The value of an option: as configured, else its default."""
-        return subject.options.get(self.code, self.options).get(name, self.options[name])
+        return subject.rule_options.get(self.code, self.options).get(name, self.options[name])
 
     def severity_for(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
         """The severity for some targets, and those of them that suffer most.
@@ -220,6 +188,19 @@ class Rule(Record):
         }
 
 
+def code_of(module: str) -> str | None:
+    """The code of the rule in a module, by the module's name; None if it names no rule."""
+    name = module.rpartition(".")[2]
+    letters, digits, rest = name[:3], name[3:6], name[6:]
+    is_one = letters.isalpha() and digits.isdigit() and len(rest) > 1 and rest[0] == "_"
+    return name[:6].upper() if is_one and name.isascii() and name.islower() else None
+
+
+def name_of(module: str) -> str:
+    """The name of the rule in a module: what follows the code in the module's name."""
+    return module.rpartition(".")[2].partition("_")[2].replace("_", "-")
+
+
 def rule(
     severity: Severity,
     *,
@@ -247,7 +228,7 @@ def rule(
         examples = vars(sys.modules[module])
         return Rule(
             code,
-            _name_of(module),
+            name_of(module),
             severity,
             frozenset(needs),
             check,
@@ -261,246 +242,3 @@ def rule(
         )
 
     return declare
-
-
-#: The module of every rule that is known, by code: urdfkit's own first.
-_modules: dict[str, str] = {}
-_foreign: set[str] = set()
-_redirects: dict[str, str] = {}
-
-
-def codes() -> list[str]:
-    """The codes of urdfkit's rules, sorted; read from the file names, nothing is imported."""
-    if not _modules:
-        folder = _CHECKS
-        found: dict[str, str] = {}
-        for family in os.listdir(folder):
-            if family.isidentifier() and not family.startswith("_"):
-                for file in os.listdir(os.path.join(folder, family)):
-                    if file.endswith(".py") and (code := code_of(file[:-3])):
-                        found[code] = f"urdfkit.checks.{family}.{file[:-3]}"
-        _modules.update(sorted(found.items()))
-    return [code for code in _modules if code not in _foreign]
-
-
-def family_of(code: str) -> str:
-    """The family of a rule, a folder of ``urdfkit/checks``; empty for one of another package."""
-    codes()
-    return "" if code in _foreign else _modules[code].split(".")[2]
-
-
-def of_family(family: str) -> frozenset[str]:
-    """The codes of the rules of a family."""
-    return frozenset(code for code in codes() if family_of(code) == family)
-
-
-def applies(family: str, subject: Subject) -> bool:
-    """True if the rules of a family may have something to report of a description."""
-    return not family or bool(load(f"urdfkit.checks.{family}").applies(subject))
-
-
-def code_of(module: str) -> str | None:
-    """The code of the rule in a module, by the module's name; None if it names no rule."""
-    name = module.rpartition(".")[2]
-    letters, digits, rest = name[:3], name[3:6], name[6:]
-    is_one = letters.isalpha() and digits.isdigit() and len(rest) > 1 and rest[0] == "_"
-    return name[:6].upper() if is_one and name.isascii() and name.islower() else None
-
-
-def _name_of(module: str) -> str:
-    """The name of the rule in a module: what follows the code in the module's name."""
-    return module.rpartition(".")[2].partition("_")[2].replace("_", "-")
-
-
-def register(modules: Mapping[str, str]) -> None:
-    """Make rules of another package known: the full names of their modules by code.
-
-    Raises:
-        RuleError: a code belongs to urdfkit, or to a rule of a third package.
-    """
-    codes()
-    for code, module in modules.items():
-        if code[:3] in FAMILIES:
-            raise RuleError(
-                f"{module}: the prefix {code[:3]} is reserved by urdfkit; choose another"
-            )
-        if _modules.get(code, module) != module:
-            raise RuleError(f"{module}: the code {code} is taken by {_modules[code]}")
-    _modules.update(modules)
-    _foreign.update(modules)
-
-
-def foreign() -> dict[str, str]:
-    """The modules of the rules of other packages, by code."""
-    return {code: _modules[code] for code in _foreign}
-
-
-def get(code: str) -> Rule:
-    """The rule of a code.
-
-    Raises:
-        KeyError: there is none.
-        RuleError: the module of another package holds no such rule.
-    """
-    if not _modules:
-        codes()
-    module = _modules[code]
-    if code in _foreign:
-        return _foreign_rule(code, module)
-    found = load(module).check
-    assert isinstance(found, Rule)
-    return found
-
-
-def _foreign_rule(code: str, module: str) -> Rule:
-    try:
-        found = getattr(load(module), "check", None)
-    except Exception as error:
-        raise RuleError(f"{module}: {type(error).__name__}: {error}") from error
-    if not isinstance(found, Rule) or found.module != module:
-        raise RuleError(f"{module}: it must hold a function 'check' with @rule(...) for {code}")
-    return found
-
-
-def find_rule(word: str) -> Rule:
-    r"""The rule of a code or a name, in small or capital letters.
-
-    >>> rule = find_rule("no-link")
-    >>> rule.code, rule.severity.value, rule.explanation.partition("\n")[0]
-    ('TRE001', 'error', 'The robot has no link.')
-
-    Raises:
-        UnknownRule: there is none, or two have that name; the message says which, or the nearest.
-    """
-    by_name = names()
-    found = by_name.get(word.lower(), [word.upper()])
-    if found[0] not in _modules:
-        found = [_redirected(word) or ""]
-    if not found[0]:
-        raise UnknownRule(word, _hint(word, [*_modules, *by_name]))
-    if len(found) > 1:
-        raise UnknownRule(word, f" alone: {' and '.join(found)} have that name")
-    return get(found[0])
-
-
-def matching(word: str) -> list[str]:
-    """The codes that begin with a word, or those of the rules with that name, now or formerly.
-
-    Raises:
-        UnknownRule: there is none, or no longer; the message has the nearest.
-    """
-    codes()
-    if word in _modules:
-        return [word]
-    by_name = names()
-    if named := by_name.get(word.lower()):
-        return named
-    found = [code for code in _modules if word and code.startswith(word.upper())]
-    if not found and (code := _redirected(word)):
-        return [code]
-    if not found:
-        families = {code[:3] for code in _modules}
-        raise UnknownRule(word, _hint(word, [*families, *_modules, *by_name]))
-    return found
-
-
-def redirect(word: str) -> str | None:
-    """The code of the rule that a former code or name stands for; None for any other word.
-
-    Empty for a rule that was removed.
-    """
-    codes()
-    if word.upper() in _modules:
-        return None
-    found = redirects()
-    return found.get(word.upper(), found.get(word.lower()))
-
-
-def redirects() -> dict[str, str]:
-    """The codes that former codes and names stand for; empty for rules that were removed."""
-    if not _redirects:
-        for family in sorted({family_of(code) for code in codes()}):
-            _redirects.update(getattr(load(f"urdfkit.checks.{family}"), "REDIRECTS", {}))
-    return _redirects
-
-
-def note(word: str) -> str:
-    """That a rule has another code or name now; empty if it has not."""
-    code = redirect(word)
-    return f"{word} is now {code}" if code else ""
-
-
-def ignore_note(word: str) -> str:
-    """The same of a word that leaves a rule out."""
-    found = note(word)
-    return f"{found}, whose errors it does not ignore" if found else ""
-
-
-def _redirected(word: str) -> str | None:
-    code = redirect(word)
-    if code == "":
-        raise UnknownRule(word, ": it was removed")
-    return code
-
-
-def named(words: Iterable[str]) -> frozenset[str]:
-    """The codes that some words mean by a whole code or name, not by the beginning of a code."""
-    found: set[str] = set()
-    for word in words:
-        some = matching(word)
-        if word.upper() in some or word.lower() in names() or redirect(word):
-            found.update(some)
-    return frozenset(found)
-
-
-class Ignored(Record):
-    """The rules that some words leave out.
-
-    Attributes:
-        codes: of the rules whose findings are all left out.
-        but_errors: of those that former codes and names stand for. They were merged with other
-            rules, which nobody wanted to ignore: their errors stay.
-        unknown: why the other words mean no rule.
-    """
-
-    codes: frozenset[str]
-    but_errors: frozenset[str]
-    unknown: tuple[UnknownRule, ...]
-
-
-def ignored(words: Iterable[str]) -> Ignored:
-    """The rules that some words leave out.
-
-    A rule that is to be left out and does not exist, such as one of another version or of a
-    package that is not installed, changes nothing about the check.
-    """
-    found: dict[bool, set[str]] = {True: set(), False: set()}
-    unknown: list[UnknownRule] = []
-    for word in words:
-        try:
-            found[redirect(word) is not None].update(matching(word))
-        except UnknownRule as error:
-            unknown.append(error)
-    return Ignored(frozenset(found[False]), frozenset(found[True]), tuple(unknown))
-
-
-def _hint(word: str, known: list[str]) -> str:
-    return did_you_mean(word, known) or "; 'urdfkit rules' lists them"
-
-
-def names() -> dict[str, list[str]]:
-    """The codes of all rules by name; read from the file names, nothing is imported.
-
-    A name may serve two families: a package can be missing for xacro and for a mesh.
-    """
-    codes()
-    found: dict[str, list[str]] = {}
-    for code, module in _modules.items():
-        found.setdefault(_name_of(module), []).append(code)
-    return found
-
-
-def all_rules() -> list[Rule]:
-    """Every rule that is known, by code; those of other packages come last."""
-    codes()
-    return [get(code) for code in _modules]

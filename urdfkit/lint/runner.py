@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
@@ -16,8 +17,7 @@ from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span, shown_text
 
 if TYPE_CHECKING:
-    from urdfkit.lint.config import Config
-    from urdfkit.lint.suppress import Ignore
+    from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.ros.targets import Targets
 
 T = TypeVar("T")
@@ -71,32 +71,31 @@ class FileResult(Record):
 def judge(
     subject: Subject,
     chosen: Sequence[str],
-    config: Config | None = None,
-    previews: Container[str] | None = None,
+    options: Options = Options(preview=True),
 ) -> FileResult:
     """Run rules over a description.
 
     Args:
         subject: the description.
         chosen: codes of the rules.
-        config: changes severities and options of rules, and leaves findings out.
-        previews: codes of the preview rules that run; all if None.
+        options: whose configuration changes severities and options of rules, and leaves findings
+            out; resolved.
     """
-    if config is not None:
-        subject.options = config.options
-    run = _Run(subject, config, previews)
+    subject.rule_options = options.config.options
+    run = _Run(subject, options)
     # The rules about the checking itself look at what the others found.
-    own = [code for code in chosen if rules.family_of(code) == OWN_FAMILY]
+    own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
     subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
     run.ignores = run.guarded(lambda: subject.ignores, ())
-    if rules.NOT_CHECKED in own:
-        own.remove(rules.NOT_CHECKED)
+    if rule_index.NOT_CHECKED in own:
+        own.remove(rule_index.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
-        is_unexplained = wants_arguments or not run.has_errors()
+        is_explained = run.has_errors() or any(one.code == "XAC011" for one in run.diagnostics)
+        is_unexplained = wants_arguments or not is_explained
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
-            run.rules([rules.NOT_CHECKED])
+            run.rules([rule_index.NOT_CHECKED])
             subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules(own)
@@ -106,12 +105,10 @@ def judge(
 class _Run:
     """Gathers what the rules say about one subject."""
 
-    def __init__(
-        self, subject: Subject, config: Config | None, previews: Container[str] | None
-    ) -> None:
+    def __init__(self, subject: Subject, options: Options) -> None:
         self.subject = subject
-        self.config = config
-        self.previews = previews
+        self.options = options
+        self.config = options.config
         self.diagnostics: list[Diagnostic] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
@@ -130,11 +127,11 @@ class _Run:
         """Run those of some rules whose family applies to the subject."""
         families: dict[str, list[str]] = {}
         for code in chosen:
-            families.setdefault(rules.family_of(code), []).append(code)
+            families.setdefault(rule_index.family_of(code), []).append(code)
         for family, codes in families.items():
             if self._applies(family, codes):
-                for rule in map(rules.get, codes):
-                    if not rule.preview or self.previews is None or rule.code in self.previews:
+                for rule in map(rule_index.get, codes):
+                    if not rule.preview or self.options.previews(rule.code):
                         self._rule(rule)
 
     def _rule(self, rule: Rule) -> None:
@@ -153,7 +150,7 @@ class _Run:
         if is_launch(path) and family not in LAUNCH_FAMILIES:
             return False
         try:
-            return rules.applies(family, self.subject)
+            return rule_index.applies(family, self.subject)
         except NotApplicable:
             return False
         except Unavailable as reason:
@@ -200,7 +197,7 @@ class _Run:
         return without_disputed_fixes(findings, self.subject.uses)
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
-        severity = self.config.severities.get(diagnostic.code) if self.config else None
+        severity = self.config.severities.get(diagnostic.code)
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
     def has_errors(self) -> bool:
@@ -242,10 +239,9 @@ class _Run:
 
     def _left_out(self, diagnostic: Diagnostic) -> bool:
         config = self.config
-        return config is not None and (
-            diagnostic.confidence.rank > config.min_confidence.rank
-            or config.ignores(diagnostic.code, diagnostic.span.source.path, diagnostic.severity)
-        )
+        is_unsure = diagnostic.confidence.rank > config.min_confidence.rank
+        path = diagnostic.span.source.path
+        return is_unsure or config.ignores(diagnostic.code, path, diagnostic.severity)
 
 
 def _without_consequences(

@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.argument_values import found_values, missing_argument, reported
-from urdfkit.lint.rules import get
+from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.config_file import nearest

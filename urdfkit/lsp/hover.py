@@ -6,8 +6,8 @@ import os
 from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UnknownRule, UrdfkitError
-from urdfkit.lint import rules
-from urdfkit.lint.suppress import ignores
+from urdfkit.lint import rule_index
+from urdfkit.lint.ignore_comments import ignores
 from urdfkit.lsp.completion import grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import NameUse, path_in
@@ -254,7 +254,7 @@ def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterat
         codes += [code for code, span in comment.codes if span.start <= offset <= span.end]
     for code in list(dict.fromkeys(codes))[:MAX_SHOWN]:
         try:
-            rule = rules.find_rule(code)
+            rule = rule_index.find_rule(code)
         except UnknownRule:
             continue
         text = f"**{rule.code}** {rule.name}\n\n{rule.explanation}"

@@ -11,13 +11,15 @@ from functools import cache, cached_property
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint import rules
-from urdfkit.lint.config import Config, load
+from urdfkit.lint import rule_index
+from urdfkit.lint.config import Config
 from urdfkit.lint.config import RobotEntry as EntryPoint
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import affected
-from urdfkit.lint.engine import check
+from urdfkit.lint.engine import check_with
 from urdfkit.lint.fix import fix
+from urdfkit.lint.options import Options
 from urdfkit.lint.plan import missing_arguments
 from urdfkit.lint.rules import Need
 from urdfkit.lsp.markup import Page
@@ -292,16 +294,13 @@ class Workspace:
         return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, trouble)
 
     def _check_root(self, root: str, config: Config, *, thorough: bool) -> Iterable[Diagnostic]:
-        ignore = () if thorough else slow_rules()
-        resolver = self._resolver(config)
-        return check(
-            root,
-            arguments=self._launched.get(root),
+        options = Options(
+            arguments=self._launched.get(root) or {},
             config=config,
             texts=self.texts,
-            ignore=ignore,
-            resolver=resolver,
-        ).diagnostics
+            ignore=() if thorough else slow_rules(),
+        )
+        return check_with(options, [root], self._resolver(config)).diagnostics
 
     def fixed(self, path: str) -> dict[str, bytes]:
         """The texts that change when all safe fixes of a file's robots are applied, by path.
@@ -311,7 +310,7 @@ class Workspace:
         """
         config, _ = self.config(path)
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
-        fixes = fix(*roots, config=config, texts=self.texts)
+        fixes = fix(*roots, options=Options(config=config, texts=self.texts))
         return {os.path.realpath(f.path): Source(f.path, f.after).data for f in fixes.files}
 
     def formatted_text(self, path: str) -> bytes:
@@ -347,7 +346,7 @@ class Workspace:
 @cache
 def slow_rules() -> list[str]:
     """The codes of the rules that are not run for every key; this imports all rules."""
-    return [rule.code for rule in rules.all_rules() if rule.needs & _SLOW]
+    return [rule.code for rule in rule_index.all_rules() if rule.needs & _SLOW]
 
 
 def _key(diagnostic: Diagnostic) -> tuple[str, int, int]:

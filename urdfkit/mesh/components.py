@@ -105,7 +105,7 @@ def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0
     corners = pieces.corners(places, faces)
     rounding = ROUNDING * np.linalg.norm(pieces.high - pieces.low, axis=1) ** 3
     for piece in np.flatnonzero(pieces.is_closed & (pieces.volumes < -np.maximum(least, rounding))):
-        around = pieces.is_closed & (np.abs(pieces.volumes) > abs(pieces.volumes[piece]))
+        around = ~pieces.is_closed | (np.abs(pieces.volumes) > abs(pieces.volumes[piece]))
         around &= (pieces.low <= pieces.low[piece]).all(axis=1)
         around &= (pieces.high >= pieces.high[piece]).all(axis=1)
         found[piece] = not any(

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Point = tuple[float, float]
 
 #: What is this near to the lowest point stands on the ground: wheels and casters of real models
-#: differ by millimetres. A part of the robot's height, and at least so many m.
+#: differ by millimetres, by which it tilts a little. A part of its size, and at least so many m.
 TOLERANCE, LEAST = 0.02, 0.003
 
 #: Corners that stand for a circle.
@@ -288,10 +288,11 @@ def _reaching(
 
 def _touching(reaching: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
     """Those of them that touch it, in the order of the model."""
-    heights = [z for found in reaching.values() for _, _, z in found]
-    if not heights:
+    points = [point for found in reaching.values() for point in found]
+    if not points:
         return {}
-    near = min(heights) + max(LEAST, TOLERANCE * (max(heights) - min(heights)))
+    size = max(max(values) - min(values) for values in zip(*points, strict=True))
+    near = min(z for _, _, z in points) + max(LEAST, TOLERANCE * size)
     touching = {name: [p for p in found if p[2] <= near] for name, found in reaching.items()}
     return {name: found for name, found in touching.items() if found}
 

@@ -15,11 +15,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.config import Config, load
+from urdfkit.lint.config import Config
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.report import Report
-from urdfkit.lint.rules import matching
+from urdfkit.lint.rule_index import matching
 from urdfkit.output.comparison.differences import Tolerances, differences
 from urdfkit.output.comparison.renames import renames
 from urdfkit.robot.model import Joint, RobotModel

@@ -12,6 +12,7 @@ from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.package_references import mentions
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.ros_packages import comes_with_ros
 
 MAX_BYTES = 1024 * 1024
 #: Folders of a package that are searched for descriptions.
@@ -84,6 +85,12 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
         except OSError:
             return None  # a rosbuild package
     return Manifest(file, name, without_comments(data))
+
+
+def is_known_dependency(name: str, path: str, resolver: Resolver) -> bool:
+    """True if ROS has a package, or the package that a file lies in declares it."""
+    manifest = manifest_of(resolver, path)
+    return comes_with_ros(name) or (manifest is not None and name in manifest.dependencies)
 
 
 def depends_on(name: str, other: str, near: str, resolver: Resolver) -> bool:

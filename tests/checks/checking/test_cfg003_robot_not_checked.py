@@ -15,7 +15,7 @@ import yaml
 from tests.conftest import CORPUS, ROOT, needs_corpus
 from urdfkit import check
 from urdfkit.cli import main
-from urdfkit.lint.config import load
+from urdfkit.lint.config_reader import load
 from urdfkit.output import formats
 
 WANTING = """\

@@ -9,7 +9,6 @@ import pytest
 
 from tests.physics.collision.robots import box, cube, cylinder, joint, link, mesh, revolute, sphere
 from tests.reported import messages, places, reported
-from urdfkit.core import libraries
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
@@ -83,19 +82,20 @@ def test_rigidly_connected_links_are_not_reported() -> None:
     assert messages("COL001", arm + sensor + fixed) == []
 
 
-def test_without_coal_it_is_skipped_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
-    original = libraries.find
-    monkeypatch.setattr(libraries, "find", lambda name: None if name == "coal" else original(name))
-    for module in [name for name in sys.modules if name.startswith("urdfkit.physics.collision")]:
-        monkeypatch.delitem(sys.modules, module)
-    source = Source("r.urdf", whole_robot(bent(0.02)).encode())
-    report = engine.check(source, select=["COL"])
-    assert report.diagnostics == ()
-    assert {skip.code for skip in report.skipped} == {"COL001", "COL004"}
-    assert {skip.reason for skip in report.skipped} == {
-        "coal is not installed: pip install 'urdfkit[dynamics]'"
-    }
-    assert not any(name.startswith("urdfkit.physics.collision") for name in sys.modules)
+def test_without_coal_closed_forms_are_checked_and_the_rest_is_skipped(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "coal", None)
+    closed, open_ = (
+        bent(0.02),
+        bent(0.02).replace('<sphere radius="0.05"/>', '<capsule radius="0.05" length="0.01"/>'),
+    )
+    for text, codes, skipped in ((closed, ["COL001"], []), (open_, [], ["COL001"])):
+        source = Source("r.urdf", whole_robot(text).encode())
+        report = engine.check(source, select=["COL001"])
+        assert [one.code for one in report.diagnostics] == codes
+        assert [one.code for one in report.skipped] == skipped
+        assert all("pip install 'urdfkit[dynamics]'" in one.reason for one in report.skipped)
 
 
 def test_the_arm_of_moveit_is_folded_into_itself_at_zero(corpus: Path) -> None:

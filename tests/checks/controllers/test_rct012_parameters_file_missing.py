@@ -7,6 +7,7 @@ import pytest
 from tests.controls import NEXT, ROBOT, plugin
 from tests.reported import messages, places, reported
 from urdfkit import check
+from urdfkit.text.diagnostic import Severity
 
 
 def robot(path: str) -> str:
@@ -15,7 +16,7 @@ def robot(path: str) -> str:
 
 def test_a_path_that_leads_nowhere() -> None:
     assert messages("RCT012", robot("/no/such/folder/c.yaml")) == [
-        "parameter file not found: /no/such/folder/c.yaml"
+        "parameter file not found on this machine: /no/such/folder/c.yaml"
     ]
     assert places("RCT012", robot("/no/such/folder/c.yaml")) == [(NEXT, "<parameters>")]
 
@@ -24,6 +25,16 @@ def test_a_path_that_leads_nowhere() -> None:
 def test_a_file_that_is_made_when_it_is_needed_is_calm(folder: str) -> None:
     assert reported("RCT012", robot(f"{folder}/controllers.yaml")) == []
     assert len(reported("RCT012", robot(f"{folder}/config/controllers.yaml"))) == 1
+
+
+def test_a_path_of_another_machine_may_be_right_there(tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    for path, severity in (
+        ("/workspace/install/arm/share/arm/config/c.yaml", Severity.WARNING),
+        (f"{tmp_path}/config/c.yaml", Severity.ERROR),
+    ):
+        (found,) = reported("RCT012", robot(path), str(tmp_path / "robot.urdf"))
+        assert found.severity is severity
 
 
 def test_the_file_beside_it_is_offered(tmp_path: Path) -> None:

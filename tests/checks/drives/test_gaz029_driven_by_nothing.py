@@ -11,8 +11,8 @@ MOVE = plugin("libgazebo_ros_planar_move.so")
 def test_one_finding_names_all() -> None:
     (found,) = reported("GAZ029", WHEELS + MOVE)
     assert found.message == (
-        "nothing moves 'left_joint', 'right_joint' in Gazebo: no transmission, no ros2_control, "
-        "and no plugin names them"
+        "joints 'left_joint', 'right_joint' are not actuated in Gazebo: no transmission, "
+        "ros2_control or plugin names them"
     )
     assert [text for _, text in places("GAZ029", WHEELS + MOVE)] == [
         '<joint name="left_joint" type="continuous">'
@@ -22,9 +22,9 @@ def test_one_finding_names_all() -> None:
 
 def test_many_are_counted() -> None:
     (found,) = reported("GAZ029", BASE + "".join(child(f"w{n}") for n in range(6)) + MOVE)
-    assert "'w3_joint' and 2 more in Gazebo" in found.message
+    assert "'w3_joint' and 2 more are not actuated" in found.message
     (found,) = reported("GAZ029", BASE + "".join(child(f"w{n}") for n in range(4)) + MOVE)
-    assert "'w2_joint', 'w3_joint' in Gazebo" in found.message
+    assert "'w2_joint', 'w3_joint' are not actuated" in found.message
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from tests.reported import messages, places, reported
 def test_the_lost_tags_are_named() -> None:
     text = BASE + block("<mu1>1</mu1><mu2>1</mu2><mu1>2</mu1>", "baase")
     assert messages("GAZ001", text) == [
-        "Gazebo drops <mu1>, <mu2>: there is no link or joint 'baase'"
+        "unknown link or joint 'baase': Gazebo ignores <mu1>, <mu2>"
     ]
     assert places("GAZ001", text) == [(3, "baase")]
     assert [one.help for one in reported("GAZ001", text)] == ["did you mean 'base'?"]

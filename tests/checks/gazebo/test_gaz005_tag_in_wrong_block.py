@@ -17,7 +17,7 @@ def heard(tag: str, reference: str) -> list[tuple[str, str]]:
 def test_a_joint_tag_at_a_link() -> None:
     assert heard("preserveFixedJoint", "cam") == [
         (
-            "<preserveFixedJoint> is for a joint, and 'cam' is a link: Gazebo ignores it",
+            "<preserveFixedJoint> is for a joint, but 'cam' is a link (ignored)",
             'move it into <gazebo reference="cam_joint">',
         )
     ]
@@ -26,7 +26,7 @@ def test_a_joint_tag_at_a_link() -> None:
 def test_a_link_tag_at_a_joint() -> None:
     assert heard("mu1", "arm_joint") == [
         (
-            "<mu1> is for a link, and 'arm_joint' is a joint: Gazebo ignores it",
+            "<mu1> is for a link, but 'arm_joint' is a joint (ignored)",
             'move it into <gazebo reference="arm">',
         )
     ]
@@ -78,7 +78,7 @@ def test_tags_of_links_and_joints(tag: str, owner: str) -> None:
     (found,) = reported("GAZ005", BASE + block(f"<{tag}>1</{tag}>", ""))
     assert found.severity is Severity.ERROR
     assert found.message == (
-        f"<{tag}> in a <gazebo> without a reference (ignored): for a {owner} only"
+        f"<{tag}> in a <gazebo> without a reference (ignored): it is for a {owner}"
     )
 
 

@@ -8,7 +8,9 @@ from tests.reported import messages, reported
 
 def test_the_last_one_wins() -> None:
     text = BASE + block("<mu1>1</mu1>") + block("<mu1>2</mu1>")
-    assert messages("GAZ006", text) == ["<mu1> is 1 and then 2 for 'base'; Gazebo takes the last"]
+    assert messages("GAZ006", text) == [
+        "conflicting <mu1> of 'base': 1 and 2; Gazebo takes the last"
+    ]
     assert [note.span.line for one in reported("GAZ006", text) for note in one.related] == [4]
 
 
@@ -25,8 +27,8 @@ def test_a_merged_body_has_one_value(tag: str, one: str, other: str) -> None:
     text = robot + block(f"<{tag}>{one}</{tag}>", "cam") + block(f"<{tag}>{other}</{tag}>")
     assert messages("GAZ006", text) == [
         (
-            f"<{tag}> is {one} and then {other} for 'cam' and 'base', which Gazebo merges into "
-            "'base': one value is lost"
+            f"conflicting <{tag}> of 'cam' and 'base', which Gazebo merges into 'base': "
+            f"{one} and {other}"
         )
     ]
 

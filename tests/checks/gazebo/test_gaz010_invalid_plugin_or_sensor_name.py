@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.gazebos import BASE, plugin, sensor
+from tests.gazebos import BASE, BODY, child, plugin, sensor
 from tests.reported import fixed, messages, places, reported
 
 
@@ -15,8 +15,8 @@ from tests.reported import fixed, messages, places, reported
         (
             "",
             [
-                "a plugin has no filename: Gazebo rejects the model",
-                "a plugin has no name: Gazebo rejects the model",
+                "<plugin> has no filename: Gazebo rejects the model",
+                "<plugin> has no name: Gazebo rejects the model",
             ],
         ),
         ('name="x" filename="libx.so"', []),
@@ -84,7 +84,7 @@ def test_a_sensor_without_a_name() -> None:
     for name in ("", ' name=""', ' name=" "'):
         text = BASE + sensor("imu", "").replace(' name="s"', name)
         assert messages("GAZ010", text) == [
-            "a sensor of type 'imu' of 'base' has no name: Gazebo rejects the model"
+            "sensor of type 'imu' on 'base' has no name: Gazebo rejects the model"
         ]
         ((_, at),) = places("GAZ010", text)
         assert at.startswith("<sensor")
@@ -92,3 +92,54 @@ def test_a_sensor_without_a_name() -> None:
 
 def test_a_sensor_with_one_is_not_reported() -> None:
     assert messages("GAZ010", BASE + sensor("imu", "")) == []
+
+
+# --- duplicate names
+
+P3D = "libgazebo_ros_p3d.so"
+POSE = "<body_name>base</body_name>"
+
+
+def pair(first: str = "<publish_rate>1</publish_rate>", second: str = "") -> str:
+    return BASE + plugin(MOVE, first) + plugin(P3D, POSE + second)
+
+
+def test_two_nodes_of_one_name() -> None:
+    assert messages("GAZ010", pair()) == [
+        f"plugin 'p' ({P3D}) and plugin 'p' ({MOVE}) are ROS nodes of the same name"
+    ]
+    assert places("GAZ010", pair()) == [(7, "p")]
+
+
+def test_namespaces_keep_them_apart() -> None:
+    space = "<ros><namespace>{}</namespace></ros>"
+    assert reported("GAZ010", pair(space.format("/a"), space.format("/b"))) == []
+    assert len(reported("GAZ010", pair(space.format("/a"), space.format("a")))) == 1
+
+
+def test_other_names_and_other_generations() -> None:
+    assert reported("GAZ010", BASE + plugin(MOVE, name="a") + plugin(P3D, POSE, name="b")) == []
+    assert reported("GAZ010", pair(), targets=("classic-ros1",)) == []
+    assert reported("GAZ010", BASE + 2 * plugin("libvendor.so")) == []
+
+
+LUMPED = BASE + child("tip", "fixed", inside=BODY)
+
+
+def test_two_on_one_link() -> None:
+    assert messages("GAZ010", BASE + sensor("imu", "") + sensor("camera", "")) == [
+        "duplicate sensor 's' on 'base': gz-sim rejects the model"
+    ]
+
+
+def test_two_on_links_that_gazebo_merges() -> None:
+    assert messages("GAZ010", LUMPED + sensor("imu", "") + sensor("imu", "", "tip")) == [
+        "duplicate sensor 's' on 'tip' (merged into 'base'): gz-sim rejects the model"
+    ]
+
+
+def test_other_names_and_other_links_are_not_reported() -> None:
+    other = sensor("imu", "").replace('"s"', '"t"')
+    assert messages("GAZ010", BASE + sensor("imu", "") + other) == []
+    apart = BASE + child("tip", inside=BODY) + sensor("imu", "") + sensor("imu", "", "tip")
+    assert messages("GAZ010", apart) == []

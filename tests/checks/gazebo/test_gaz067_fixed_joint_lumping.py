@@ -3,7 +3,10 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, BODY, block, child
+from tests.massive import shape
 from tests.reported import fixed, messages, places
+from tests.sensing import findings
+from urdfkit import Diagnostic
 
 CAMERA = child("camera", "fixed")
 OFF = "<turnGravityOff>true</turnGravityOff>"
@@ -20,7 +23,8 @@ OFF = "<turnGravityOff>true</turnGravityOff>"
     ],
 )
 def test_a_flag_of_a_merged_link(tag: str) -> None:
-    (message,) = messages("GAZ067", BASE + CAMERA + block(tag, "camera"))
+    base = BASE.replace("</link>", shape("collision", '<sphere radius="0.1"/>') + "</link>")
+    (message,) = messages("GAZ067", base + CAMERA + block(tag, "camera"))
     assert message.endswith("also applies to 'base', the link it is merged into")
 
 
@@ -52,7 +56,7 @@ KEEP = block("<preserveFixedJoint>true</preserveFixedJoint>", "tip_joint")
 def test_a_link_without_mass_is_dropped_all_the_same(tag: str) -> None:
     robot = BASE + child("tip", "fixed", inside="") + KEEP.replace("preserveFixedJoint", tag)
     assert messages("GAZ067", robot) == [
-        f"<{tag}> keeps joint 'tip_joint', but its link 'tip' has no mass: Gazebo drops both"
+        f"<{tag}> of joint 'tip_joint' has no effect: Gazebo drops link 'tip', which has no mass"
     ]
 
 
@@ -117,7 +121,7 @@ def test_others_are_not_reported_68(kind: str, name: str, tags: str) -> None:
 def test_a_merged_link_whose_name_begins_with_that_of_its_parent() -> None:
     robot = BASE + wheel("collision", "", "fixed", "base_wheel") + block(MU, "base_wheel")
     (message,) = messages("GAZ067", robot)
-    assert message.startswith("<mu1> of link 'base_wheel' is lost")
+    assert message.startswith("<mu1> of link 'base_wheel' has no effect")
 
 
 @pytest.mark.parametrize(("name", "count"), [("", 0), ("wheel", 0), ("wheel_tyre", 1), ("a", 1)])
@@ -147,3 +151,48 @@ def test_the_older_tag_makes_a_joint_that_turns() -> None:
 )
 def test_others_are_not_reported_69(robot: str, tags: str) -> None:
     assert messages("GAZ067", BASE + robot + tags) == []
+
+
+# --- force-torque sensors
+
+
+def unmeasured(kind: str, *, reference: str, beside: str = "") -> list[Diagnostic]:
+    found = findings("GAZ067", kind, reference=reference, beside=beside)
+    return [one for one in found if "nothing is measured" in one.message]
+
+
+KEPT = "<{0}>true</{0}>"
+
+
+def test_a_merged_joint_has_no_sensor() -> None:
+    (finding,) = unmeasured("force_torque", reference="wrist")
+    assert (
+        finding.message
+        == "sensor 's' is on fixed joint 'wrist', which Gazebo merges: nothing is measured"
+    )
+
+
+@pytest.mark.parametrize("tag", ["preserveFixedJoint", "disableFixedJointLumping"])
+def test_a_joint_that_is_kept_has_one(tag: str) -> None:
+    assert unmeasured("force_torque", reference="wrist", beside=KEPT.format(tag)) == []
+
+
+@pytest.mark.parametrize(("text", "count"), [("true", 1), ("yes", 1), ("false", 0)])
+def test_feedback_of_a_merged_joint(text: str, count: int) -> None:
+    feedback = f"<provideFeedback>{text}</provideFeedback>"
+    found = unmeasured("imu", reference="wrist", beside=feedback)
+    assert [finding.span.text for finding in found] == ["<provideFeedback>"] * count
+
+
+def test_one_joint_is_reported_once() -> None:
+    feedback = "<provideFeedback>true</provideFeedback>"
+    assert len(unmeasured("force_torque", reference="wrist", beside=feedback)) == 1
+
+
+def test_the_old_form_keeps_a_joint() -> None:
+    keep = '<preserveFixedJoint value="true"/>'
+    assert unmeasured("force_torque", reference="wrist", beside=keep) == []
+
+
+def test_other_sensors_need_no_joint() -> None:
+    assert unmeasured("imu", reference="wrist") == []

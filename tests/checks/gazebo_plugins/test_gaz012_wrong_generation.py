@@ -7,7 +7,7 @@ from tests.reported import reported
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 MESSAGE = (
-    "plugin 'p' (libgazebo_ros_laser.so) is for Gazebo Classic with ROS 1, and the robot "
+    "plugin 'p' (libgazebo_ros_laser.so) is for Gazebo Classic with ROS 1, but the robot "
     "is for Gazebo Classic with ROS 2"
 )
 HELP = (
@@ -127,6 +127,6 @@ def test_a_given_target_decides() -> None:
 def test_the_message() -> None:
     (found,) = reported("GAZ012", BASE + BOTH + GZ)
     assert found.message == (
-        "plugin 'p' (gz-sim-diff-drive-system) is for gz-sim, plugin 'p' "
+        "plugin 'p' (gz-sim-diff-drive-system) is for gz-sim, but plugin 'p' "
         "(libgazebo_ros_p3d.so) for Gazebo Classic with ROS 1 or Gazebo Classic with ROS 2"
     )

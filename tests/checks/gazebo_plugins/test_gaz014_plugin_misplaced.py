@@ -21,9 +21,9 @@ VISUAL = "in a <visual> in the block of a link"
         (
             block(DRIVE),
             "gazebo_ros_planar_move",
-            "directly in the block of 'base': Gazebo never runs it",
+            "directly in <gazebo> of 'base' and never loaded",
         ),
-        (block(VENDOR), "vendor", "directly in the block of 'base': Gazebo never runs it"),
+        (block(VENDOR), "vendor", "directly in <gazebo> of 'base' and never loaded"),
         (block(LASER, ""), "gazebo_ros_laser", f"{MODEL}, but is a sensor plugin"),
         (sensor("ray", DRIVE), "gazebo_ros_planar_move", f"{SENSOR}, but is a model plugin"),
         (
@@ -69,7 +69,7 @@ def test_the_right_place(text: str) -> None:
 )
 def test_the_wrong_sensor(kind: str, file: str, wanted: str) -> None:
     text = BASE + sensor(kind, f'<plugin name="p" filename="{file}"/>')
-    message = f"plugin 'p' ({file}) needs a sensor of type {wanted}, and this one is '{kind}'"
+    message = f"plugin 'p' ({file}) needs a sensor of type {wanted}, but this one is '{kind}'"
     assert messages("GAZ014", text) == [message]
     assert places("GAZ014", text) == [(4, kind)]
 

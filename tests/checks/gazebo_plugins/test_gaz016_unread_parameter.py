@@ -16,7 +16,7 @@ def test_a_tag_that_is_not_read() -> None:
     text = BASE + plugin(MOVE, "<odometryFrame>odom</odometryFrame><enableYAxis>1</enableYAxis>")
     (found,) = reported("GAZ016", text)
     assert (found.message, found.severity) == (
-        f"{NAME} does not read <enableYAxis>",
+        f"{NAME}: unknown element <enableYAxis> (ignored)",
         Severity.INFO,
     )
     assert places("GAZ016", text) == [(4, "<enableYAxis>")]
@@ -26,7 +26,7 @@ def test_a_block_is_reported_once_with_its_path() -> None:
     wheel = '<wheel link_name="base"><wheel_normal_force>1</wheel_normal_force><a><b/></a></wheel>'
     text = BASE + plugin("libWheelSlipPlugin.so", wheel)
     assert messages("GAZ016", text) == [
-        "plugin 'p' (libWheelSlipPlugin.so) does not read <a> in <wheel>"
+        "plugin 'p' (libWheelSlipPlugin.so): unknown element <a> in <wheel> (ignored)"
     ]
 
 

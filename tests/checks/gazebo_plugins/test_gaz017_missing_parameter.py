@@ -11,7 +11,7 @@ DRIVE = "libgazebo_ros_diff_drive.so"
 
 def test_a_tag_without_which_nothing_works() -> None:
     assert messages("GAZ017", BASE + plugin("libgazebo_ros_hand_of_god.so")) == [
-        "plugin 'p' (libgazebo_ros_hand_of_god.so) has no <linkName>, which it needs"
+        "plugin 'p' (libgazebo_ros_hand_of_god.so): required <linkName> is missing"
     ]
 
 
@@ -23,11 +23,11 @@ def test_an_empty_tag_is_none() -> None:
 
 def test_in_a_block_only_where_the_block_is() -> None:
     assert messages("GAZ017", BASE + plugin(SLIP)) == [
-        f"plugin 'p' ({SLIP}) has no <wheel>, which it needs"
+        f"plugin 'p' ({SLIP}): required <wheel> is missing"
     ]
     wheel = "<wheel><wheel_normal_force>1</wheel_normal_force></wheel>"
     assert messages("GAZ017", BASE + plugin(SLIP, wheel)) == [
-        f"plugin 'p' ({SLIP}) has no attribute link_name in <wheel>, which it needs"
+        f"plugin 'p' ({SLIP}): required attribute link_name in <wheel> is missing"
     ]
 
 
@@ -37,7 +37,8 @@ def test_a_default_that_names_no_joint() -> None:
     other = text.replace('"right_joint"', '"right_wheel_joint"')
     (message,) = messages("GAZ017", other)
     assert message == (
-        f"plugin 'p' ({DRIVE}) has no <rightJoint>, and its default 'right_joint' is not a joint: "
+        f"plugin 'p' ({DRIVE}): no <rightJoint>, and its default 'right_joint' is not a joint of "
+        "the robot: "
         "it throws as it is loaded"
     )
 
@@ -45,7 +46,7 @@ def test_a_default_that_names_no_joint() -> None:
 def test_one_of_two() -> None:
     text = BASE + plugin("libgazebo_ros_ft_sensor.so", "<update_rate>1</update_rate>")
     name = "plugin 'p' (libgazebo_ros_ft_sensor.so)"
-    assert messages("GAZ017", text) == [f"{name} needs <body_name> or <joint_name>"]
+    assert messages("GAZ017", text) == [f"{name}: <body_name> or <joint_name> is required"]
     assert reported("GAZ017", text.replace("<update", "<body_name>base</body_name><update")) == []
 
 

@@ -30,7 +30,7 @@ def hand(link: str = "tool", inside: str = BODY) -> str:
 def test_a_link_that_does_not_exist() -> None:
     (found,) = reported("GAZ021", pose("baase"))
     assert found.message == (
-        f"plugin 'p' ({P3D}) refers to link 'baase', which does not exist: it writes a "
+        f"plugin 'p' ({P3D}) refers to unknown link 'baase': it writes a "
         "fatal message and stays idle"
     )
     assert found.help == "did you mean 'base'?"

@@ -13,7 +13,7 @@ def test_topics_that_begin_with_a_slash() -> None:
     text = BASE + plugin(MOVE, tags)
     (found,) = reported("GAZ030", text)
     assert found.message == (
-        f"plugin 'p' ({MOVE}): topic '/cmd' is absolute, so that a robot namespace is ignored"
+        f"plugin 'p' ({MOVE}): topic '/cmd' is absolute and ignores the robot namespace"
     )
     assert found.help == "write 'cmd' if the robot may get a namespace"
     assert places("GAZ030", text) == [(4, "<commandTopic>")]

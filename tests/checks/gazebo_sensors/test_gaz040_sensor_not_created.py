@@ -84,14 +84,14 @@ ROBOT = BASE + child("tip", inside=BODY)
 def test_forces_are_measured_in_a_joint() -> None:
     (found,) = reported("GAZ040", ROBOT + sensor("force_torque", "", "tip"))
     assert found.message == (
-        "sensor 's' of type 'force_torque' is on link 'tip', but measures in a joint"
+        "sensor 's' of type 'force_torque' is on link 'tip', but must be on a joint"
     )
     assert found.help == 'write reference="tip_joint"'
 
 
 def test_pictures_are_taken_from_a_link() -> None:
     assert messages("GAZ040", ROBOT + sensor("camera", "", "tip_joint")) == [
-        "sensor 's' of type 'camera' is on joint 'tip_joint', but belongs to a link"
+        "sensor 's' of type 'camera' is on joint 'tip_joint', but must be on a link"
     ]
 
 
@@ -107,7 +107,7 @@ def axis(noise: str) -> str:
 def test_the_noise_of_a_lidar_in_an_imu():
     noise = "<noise><type>none</type><mean>0</mean></noise>"
     (finding,) = findings("GAZ040", "imu", axis(noise))
-    assert finding.message.startswith("sensor 's': <noise> has no attribute type")
+    assert finding.message.startswith("sensor 's': <noise> has no type")
     assert (finding.span.line, finding.span.text) == (11, "<noise>")
     assert finding.fix
     assert finding.fix.title == 'write <noise type="none">'

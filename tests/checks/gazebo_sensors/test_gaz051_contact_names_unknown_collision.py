@@ -31,7 +31,9 @@ def test_the_nearest_is_told():
 def test_what_gazebo_calls_it_is_told(name):
     inner = f"<contact><collision>{name}</collision></contact>"
     (finding,) = findings("GAZ051", "contact", inner, reference="tip")
-    assert finding.message.endswith("Gazebo calls it 'base_fixed_joint_lump__end_collision_1'")
+    assert finding.message.endswith(
+        "its name in Gazebo is 'base_fixed_joint_lump__end_collision_1'"
+    )
     assert finding.fix
     assert finding.fix.title == "write base_fixed_joint_lump__end_collision_1"
 
@@ -39,5 +41,5 @@ def test_what_gazebo_calls_it_is_told(name):
 @pytest.mark.parametrize("inner", ["", "<contact/>"])
 def test_a_sensor_must_name_a_collision(inner):
     (finding,) = findings("GAZ051", "contact", inner)
-    assert finding.message == "sensor 's' names no collision, and feels nothing"
+    assert finding.message == "sensor 's': no <collision> in <contact>, so it detects no contact"
     assert findings("GAZ051", "imu", inner) == []

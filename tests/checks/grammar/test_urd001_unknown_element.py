@@ -16,10 +16,10 @@ JOINT = """\
 
 
 def test_an_unknown_element_is_named_with_its_owner() -> None:
-    robot = JOINT.format('<anchor xyz="0 0 0"/>')
+    robot = JOINT.format("<anchor/>")
     assert messages("URD001", robot) == ["joint 'j': unknown element <anchor> in <joint> (ignored)"]
-    assert places("URD001", robot) == [(7, '<anchor xyz="0 0 0"/>')]
-    without = robot.replace('  <anchor xyz="0 0 0"/>\n', "")
+    assert places("URD001", robot) == [(7, "<anchor/>")]
+    without = robot.replace("  <anchor/>\n", "")
     assert fixed("URD001", robot) == f'<robot name="example">\n{without}\n</robot>\n'
 
 
@@ -41,6 +41,13 @@ def test_a_slip_is_corrected_at_both_ends(written: str, suggested: str) -> None:
 def test_only_what_holds_nothing_is_removed(inside: str) -> None:
     (found,) = reported("URD001", JOINT.format(f"<anchor>{inside}</anchor>"))
     assert (found.fix is None) == (inside != "<!-- 12 -->")
+
+
+def test_what_somebody_wrote_is_not_removed() -> None:
+    """dVRK: <joint_properties> was the <dynamics> of early versions."""
+    (found,) = reported("URD001", JOINT.format('<joint_properties damping="1" friction="0"/>'))
+    assert found.fix is None
+    assert "<dynamics>" in found.help
 
 
 def test_what_is_there_already_is_not_meant_again() -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from tests.launched import launch, reported
 from urdfkit import Diagnostic, check
+from urdfkit.text.diagnostic import Severity
 
 ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 <xacro:arg name="camera" default="true"/>
@@ -68,6 +69,9 @@ def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": TAKES_PYTHON}
     (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files)
     assert (found.message, found.span.line) == ("'b.launch.py' has no argument 'gui'", 3)
+    assert found.severity is Severity.INFO  # ROS 2 passes it and nothing reads it
+    (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("wrld"), files)
+    assert found.severity is Severity.WARNING
     assert reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("world"), files) == []
 
 

@@ -72,3 +72,11 @@ def test_a_model_that_gazebo_would_not_find(robot: str) -> None:
 @pytest.mark.parametrize("reference", ["package://arm_description/none.stl", "a.stl", "x://y/z"])
 def test_other_references(robot: str, reference: str) -> None:
     assert reported(CODE, mesh_link(reference), robot) == []
+
+
+def test_a_declared_package_is_missing_on_this_machine_only(robot: str) -> None:
+    manifest = Path(robot).parents[1] / "package.xml"
+    text = manifest.read_text()
+    manifest.write_text(text.replace("</package>", "<depend>nao</depend></package>"))
+    (found,) = reported(CODE, mesh_link("package://nao/a.stl"), robot)
+    assert found.severity is Severity.WARNING

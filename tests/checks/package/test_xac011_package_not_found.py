@@ -67,7 +67,7 @@ def test_an_unknown_package_of_a_launch_file_is_reported_with_the_folders_search
 ) -> None:
     source = Source(str(tmp_path / "a.launch"), launch("no_such_pkg"))
     (finding,) = engine.check(source).diagnostics
-    assert (finding.code, finding.severity) == ("XAC011", Severity.WARNING)
+    assert (finding.code, finding.severity) == ("XAC011", Severity.INFO)
     assert finding.span.text == "no_such_pkg"
     assert finding.message == "package 'no_such_pkg' is not found"
     assert str(tmp_path) in finding.help
@@ -92,3 +92,26 @@ def test_packages_of_ros_and_declared_ones_are_calm(tmp_path: Path) -> None:
     for package in ("robot_state_publisher", "rviz2", "gazebo_ros", "no_such_pkg"):
         path = str(tmp_path / "a.launch")
         assert engine.check(Source(path, launch(package))).diagnostics == ()
+
+
+def test_a_typo_in_a_launch_file_is_a_warning(tmp_path: Path) -> None:
+    for name in ("arm_driver", "arm_bringup"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    path = str(tmp_path / "arm_bringup" / "a.launch")
+    (found,) = engine.check(Source(path, launch("arm_drvier"))).diagnostics
+    assert found.severity is Severity.WARNING
+    assert found.message.endswith("and not declared in package.xml; did you mean 'arm_driver'?")
+    (found,) = engine.check(Source(path, launch("vesc_driver"))).diagnostics
+    assert (found.severity, found.span.text) == (Severity.INFO, "vesc_driver")
+    assert "<run_depend>vesc_driver</run_depend>" in found.help
+
+
+def test_a_declared_package_is_missing_on_this_machine_only(tmp_path: Path) -> None:
+    """No defect of the robot; yet it is not checked, and the gate must not be green."""
+    text = "<package><name>a</name>{}</package>"
+    write(tmp_path, robot='<xacro:include filename="$(find arm)/a.xacro"/>')
+    for tag, severity in (("", Severity.ERROR), ("<depend>arm</depend>", Severity.WARNING)):
+        (tmp_path / "package.xml").write_text(text.format(tag))
+        found = engine.check(tmp_path / "robot.xacro", select=["XAC", "CFG"]).diagnostics
+        assert [(one.code, one.severity) for one in found] == [("XAC011", severity)]

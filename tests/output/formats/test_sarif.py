@@ -14,7 +14,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.output.formats.made import diagnostic, macro, report, span
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.report import Crashed, Skipped
 from urdfkit.output.formats.sarif import render
 from urdfkit.text.diagnostic import Call, Confidence, Edit, Fix, Related, Severity
@@ -173,7 +173,7 @@ def test_the_table_has_the_rules_that_ran_with_their_help() -> None:
     assert [rule["id"] for rule in table] == ["MSH001", "TRE001", "TRE003"]
     (result,) = run["results"]
     assert table[result["ruleIndex"]]["id"] == result["ruleId"] == "TRE003"
-    entry, rule = table[2], rules.get("TRE003")
+    entry, rule = table[2], rule_index.get("TRE003")
     assert entry["name"] == "Cycle"
     assert entry["shortDescription"]["text"] == rule.explanation.split("\n")[0]
     assert entry["fullDescription"]["text"].startswith("URDF describes trees")
@@ -283,7 +283,7 @@ def test_reports_of_the_models_fit_the_schema(validator: Any, model: Path) -> No
 
 @needs_schema
 def test_all_rules_fit_the_schema(validator: Any) -> None:
-    validator.validate(json.loads(render(report(rules=tuple(rules.codes())))))
+    validator.validate(json.loads(render(report(rules=tuple(rule_index.codes())))))
 
 
 @needs_schema

@@ -13,7 +13,7 @@ import pytest
 
 from tests.conftest import MODELS, ROOT
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.context import Unavailable
 from urdfkit.output.comparison import KINDS
 from urdfkit.output.report import engine, html, scene
@@ -199,7 +199,7 @@ def words_of_pages() -> set[str]:
     joints = (TEMPLATES / "joints.js").read_text(encoding="utf-8")
     found |= set(re.findall(r"(?m)^    ([A-Z]\w+): \(joint\)", joints))
     found |= set(re.findall(r'button\("(\w+)"', joints))
-    found |= set(rules.FAMILIES.values())
+    found |= set(rule_index.FAMILIES.values())
     found |= {*KINDS, "link", "joint", "New findings", "Fixed findings"}
     found |= {
         "passes",
@@ -228,7 +228,7 @@ def test_what_is_translated_is_somewhere_used() -> None:
     text = "".join(file.read_text(encoding="utf-8") for file in sources) + " ".join(KINDS)
     text += "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.iterdir())
     text += " ".join((*Confidence, *VERDICTS.values()))
-    known = Translator("zh").known.keys() - set(rules.FAMILIES.values())
+    known = Translator("zh").known.keys() - set(rule_index.FAMILIES.values())
     assert {word for word in known if word not in text} == set()
 
 

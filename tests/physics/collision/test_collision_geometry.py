@@ -14,9 +14,9 @@ pytest.importorskip("coal")
 from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robot, sphere
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.samples import stl
+from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.bounds import DistanceBound, apart, moved, poses
 from urdfkit.physics.collision.collision_geometry import (
-    TOUCH,
     CollisionGeometry,
     DistanceQuery,
     form,

@@ -11,10 +11,9 @@ pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robot, sphere, stl
 from urdfkit.lint.context import Subject
+from urdfkit.physics.collision.bodies import LARGEST, THINNEST
 from urdfkit.physics.collision.collision_geometry import form
 from urdfkit.physics.collision.geometry_arrays import (
-    LARGEST,
-    THINNEST,
     CollisionArrays,
     OmittedCollision,
     solids,

@@ -14,7 +14,7 @@ pytest.importorskip("coal")
 from tests.physics.collision.robots import box, joint, link, revolute, robot, sphere
 from tests.physics.collision.test_pair_queries import arm, everything, examiner
 from urdfkit.lint.loading import read
-from urdfkit.physics.collision.collision_geometry import TOUCH
+from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.local_minimisation import ClosestPair, closest
 from urdfkit.physics.collision.pair_queries import Examiner
 

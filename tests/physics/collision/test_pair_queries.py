@@ -26,7 +26,8 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import Chain, chain
-from urdfkit.physics.collision.collision_geometry import TOUCH, form
+from urdfkit.physics.collision.bodies import TOUCH
+from urdfkit.physics.collision.collision_geometry import form
 from urdfkit.physics.collision.geometry_arrays import solids
 from urdfkit.physics.collision.pair_queries import SLACK, Examiner, Pair
 

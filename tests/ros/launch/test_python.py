@@ -84,7 +84,7 @@ IncludeLaunchDescription(PythonLaunchDescriptionSource(
 """,
     )
     assert [(f.purpose, f.exists, f.span.text) for f in launch.files] == [
-        ("the RViz configuration", False, "config")
+        ("RViz configuration", False, "config")
     ]
     assert {use.name: use.searched is None for use in launch.packages} == {
         "arm": True,

@@ -114,7 +114,7 @@ def test_rviz_configuration(package):
     text = '<node pkg="rviz" type="rviz" name="r" args="-f base -d $(find arm)/rviz/a.rviz"/>'
     launch = read(package, text)
     (file,) = launch.files
-    assert (file.exists, file.purpose) == (False, "the RViz configuration")
+    assert (file.exists, file.purpose) == (False, "RViz configuration")
     assert file.span.text.startswith("-f base")
     assert "rviz" in [use.name for use in launch.packages]
 

@@ -7,7 +7,8 @@ next defect there: delete it.
 from __future__ import annotations
 
 from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, get, matching, rule
+from urdfkit.lint.rule_index import get, matching
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
 

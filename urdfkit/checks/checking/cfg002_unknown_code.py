@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, ignore_note, matching, rule
+from urdfkit.lint.rule_index import ignore_note, matching
+from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.text.diagnostic import Severity
 
 BAD = """\

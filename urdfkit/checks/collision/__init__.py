@@ -1,9 +1,8 @@
-"""Self-collision: overlapping collision geometry, by coal."""
+"""Self-collision: overlapping collision geometry."""
 
 from __future__ import annotations
 
-from urdfkit.core import libraries
-from urdfkit.lint.context import WITHOUT_COAL, Subject, Unavailable
+from urdfkit.lint.context import Subject
 
 #: Codes and names of former rules, and the rules that report their findings now.
 REDIRECTS = {
@@ -15,13 +14,9 @@ REDIRECTS = {
 
 
 def applies(subject: Subject) -> bool:
-    """True if collision geometries of two links may overlap.
-
-    Raises:
-        Unavailable: coal is not installed.
-    """
-    if sum(bool(link.collisions) for link in subject.model.links) < 2:
-        return False
-    if libraries.find("coal") is None:
-        raise Unavailable(WITHOUT_COAL)
-    return subject.is_crowded
+    """True if collision geometries of two links may overlap."""
+    return (
+        sum(bool(link.collisions) for link in subject.model.links) > 1
+        and not subject.is_part
+        and bool(subject.collisions.contacts.pairs)
+    )

@@ -28,7 +28,7 @@ from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.physics.collision.sampled_poses import Contact, SampledPoses
+    from urdfkit.physics.collision.contacts import Contact, LinkPair
 
 BAD = """\
 <link name="base">
@@ -71,33 +71,39 @@ _PART = 0.6
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
 def check(subject: Subject) -> Findings:
-    if not subject.is_crowded or subject.is_part:
-        return
-    poses = subject.collisions.still
-    for contact in poses.meetings:
-        if contact.is_rigid:
+    contacts = subject.collisions.contacts
+    for pair in contacts.pairs:
+        if pair.is_rigid:
             continue
-        if found := _adjacent(contact) if contact.is_adjacent else _apart(contact, poses):
-            message, remedy, severity = found
-            small, large = (subject.model.collision(*body) for body in contact.bodies)
+        if found := _adjacent(pair) if pair.is_adjacent else _apart(pair, contacts.beginning):
+            contact, message, remedy, severity = found
+            small, large = contact.small, contact.large
             yield Finding(
-                small,
+                subject.model.collision(small.link, small.number),
                 message,
                 remedy,
-                related=(Related(large.span, f"link '{contact.large.link}'"),),
-                weight=-contact.distance,
+                related=(
+                    Related(
+                        subject.model.collision(large.link, large.number).span,
+                        f"link '{large.link}'",
+                    ),
+                ),
+                weight=contact.depth,
                 alike="overlap",
                 severity=severity,
             )
 
 
-def _adjacent(contact: Contact) -> tuple[str, str, Severity] | None:
-    """Message, help and severity of an overlap of two adjacent links; None if it is small."""
-    if contact.is_contained or not contact.is_solid or contact.part <= _PART:
+def _adjacent(pair: LinkPair) -> tuple[Contact, str, str, Severity] | None:
+    """Contact, message, help and severity of adjacent links; None if the overlap is small."""
+    if pair.largest_part <= _PART or (contact := pair.contact) is None:
+        return None
+    if not contact.is_solid or contact.part <= _PART or pair.is_contained:
         return None
     # A body moved out sideways goes farther than its thickness.
     part = "all" if contact.part >= 1 else f"{contact.part:.0%}"
     return (
+        contact,
         (
             f"link '{contact.small.link}' overlaps adjacent link '{contact.large.link}' by "
             f"{_depth(contact)}, {part} of its thickness"
@@ -107,21 +113,24 @@ def _adjacent(contact: Contact) -> tuple[str, str, Severity] | None:
     )
 
 
-def _apart(contact: Contact, poses: SampledPoses) -> tuple[str, str, Severity] | None:
-    """The same for links that are not adjacent."""
-    links = f"links '{contact.small.link}' and '{contact.large.link}' overlap"
-    if contact.distance >= 0:
+def _apart(pair: LinkPair, beginning: str) -> tuple[Contact, str, str, Severity] | None:
+    """The same of links that are not adjacent."""
+    contact = pair.contact
+    if contact is None:
         return None
-    if poses.always(contact):
-        if contact.is_contained:
+    links = f"links '{contact.small.link}' and '{contact.large.link}' overlap"
+    if pair.is_permanent:
+        if pair.is_contained:
             return None  # COL004
         return (
-            f"{links} in every pose, by {_depth(contact)} {poses.beginning}",
+            contact,
+            f"{links} in every pose, by {_depth(contact)} {beginning}",
             "make the collision geometry smaller, or disable the pair in the SRDF",
             Severity.INFO,
         )
-    if contact.distance < -_DEEP and poses.is_at_zero(contact):
+    if contact.depth > _DEEP and pair.is_at_zero:
         return (
+            contact,
             f"{links} by {_depth(contact)} where all joints are at zero",
             "correct an origin or the collision geometry, or begin in another pose",
             Severity.WARNING,
@@ -130,4 +139,4 @@ def _apart(contact: Contact, poses: SampledPoses) -> tuple[str, str, Severity] |
 
 
 def _depth(contact: Contact) -> str:
-    return f"{-1000 * contact.distance:.3g} mm"
+    return f"{1000 * contact.depth:.3g} mm"

@@ -24,7 +24,9 @@ from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.physics.collision.sampled_poses import Contact
+    from urdfkit.physics.collision.bodies import CollisionBody
+    from urdfkit.physics.collision.contacts import Contact
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="hand">
@@ -53,20 +55,18 @@ _NOTES = 5
     help="make the outer geometry smaller, or move the inner one to where the part is",
 )
 def check(subject: Subject) -> Findings:
-    if not subject.is_crowded or subject.is_part:
-        return
-    still = subject.collisions.still
     contained: dict[str, list[Contact]] = {}
-    for one in still.meetings:
-        if one.is_out_of_reach and not one.is_rigid and still.always(one):
-            contained.setdefault(one.large.link, []).append(one)
-    for name, meetings in contained.items():
+    for pair in subject.collisions.contacts.pairs:
+        if not pair.is_rigid and pair.is_out_of_reach and pair.is_permanent:
+            assert pair.contact is not None
+            contained.setdefault(pair.contact.large.link, []).append(pair.contact)
+    for name, contacts in contained.items():
         if _is_envelope(subject, name):
             continue
-        if len(meetings) > 1:
-            yield _several(subject.model, meetings)
+        if len(contacts) > 1:
+            yield _several(subject.model, contacts)
         else:
-            yield _single(subject.model, meetings[0])
+            yield _single(subject.model, contacts[0])
 
 
 def _is_envelope(subject: Subject, name: str) -> bool:
@@ -90,27 +90,30 @@ def _is_transparent(material: Material | None) -> bool:
 
 
 def _single(model: RobotModel, one: Contact) -> Finding:
-    small, large = (model.collision(*body) for body in one.bodies)
     return Finding(
-        small,
+        _element(model, one.small),
         f"link '{one.small.link}' is inside the collision geometry of '{one.large.link}' and "
         "cannot make contact",
-        related=(Related(large.span, f"link '{one.large.link}'"),),
+        related=(Related(_element(model, one.large).span, f"link '{one.large.link}'"),),
     )
 
 
-def _several(model: RobotModel, meetings: list[Contact]) -> Finding:
+def _several(model: RobotModel, contacts: list[Contact]) -> Finding:
     """Of one link that contains several others, which are more likely right than it is."""
-    names = [one.small.link for one in meetings]
+    names = [one.small.link for one in contacts]
     more = f" and {len(names) - _NOTES} more" if len(names) > _NOTES else ""
-    large = meetings[0].bodies[1]
+    large = contacts[0].large
     return Finding(
-        model.collision(*large),
-        f"the collision geometry of link '{large[0]}' contains {len(names)} other links, which "
+        _element(model, large),
+        f"the collision geometry of link '{large.link}' contains {len(names)} other links, which "
         f"cannot make contact: {', '.join(names[:_NOTES])}{more}",
         related=tuple(
-            Related(model.collision(*one.bodies[0]).span, f"link '{one.small.link}'")
-            for one in meetings[:_NOTES]
+            Related(_element(model, one.small).span, f"link '{one.small.link}'")
+            for one in contacts[:_NOTES]
         ),
         weight=len(names),
     )
+
+
+def _element(model: RobotModel, body: CollisionBody) -> Element:
+    return model.collision(body.link, body.number)

@@ -1,8 +1,10 @@
 """The parameter file of the Gazebo control plugin does not exist.
 
 The plugin hands the file to the controller manager, which stops at it; no controller can be loaded,
-and Gazebo may stop as well. The file has another name or directory, or is
-not installed.
+and Gazebo may stop as well. The file has another name or directory, or is not installed.
+
+An absolute path outside of the repository or workspace is a warning: it may exist on another
+machine, such as `/workspace/install/...` in a container.
 
 Sources:
     gz_ros2_control_plugin.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_ros2_control_plugin.cpp
@@ -43,13 +45,19 @@ _GENERATED = ("generated", "temp", "tmp")
 
 @rule(
     Severity.ERROR,
-    help="correct the path; $(find package)/config/controllers.yaml holds on every machine",
+    help="correct the path; $(find package)/config/controllers.yaml in the xacro works everywhere",
 )
 def check(subject: Subject) -> Findings:
     for file in parameter_files(subject):
         if file.found is None and file.element:  # LAU003 reports those of launch files
             if os.path.basename(os.path.dirname(file.path)) in _GENERATED:
                 continue  # the launch file writes it first
+            is_here = subject.resolver.packages.searches(file.path, subject.source.path)
             suggested = nearest_file(file.path)
             hint = f"; did you mean '{suggested}'?" if suggested else ""
-            yield Finding(file.element, f"parameter file not found: {file.path}{hint}")
+            where = "" if is_here else " on this machine"
+            yield Finding(
+                file.element,
+                f"parameter file not found{where}: {file.path}{hint}",
+                severity=None if is_here else Severity.WARNING,
+            )

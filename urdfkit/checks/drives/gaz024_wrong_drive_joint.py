@@ -48,10 +48,10 @@ def check(subject: Subject) -> Findings:
             if other is not reference and other.parameter.name != name:
                 yield Finding(
                     at,
-                    f"{use.title}: <{name}> and <{other.parameter.name}> are both "
+                    f"{use.title}: <{name}> and <{other.parameter.name}> both name "
                     f"'{reference.name}'",
                     "name the joint of the other wheel",
-                    related=(Related(other.item.at.span, "the other one"),),
+                    related=(Related(other.item.at.span, "also named here"),),
                 )
             elif joint is None or "steer" in name.lower():
                 continue

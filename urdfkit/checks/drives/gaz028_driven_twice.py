@@ -55,7 +55,7 @@ def check(subject: Subject) -> Findings:
                 yield Finding(
                     reference.item.at,
                     f"joint '{reference.name}' is driven by {use.title} and by {title}",
-                    related=(Related(at.span, "the other one"),),
+                    related=(Related(at.span, "also driven here"),),
                 )
 
 

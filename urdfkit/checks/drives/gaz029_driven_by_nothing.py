@@ -1,4 +1,4 @@
-"""No plugin, transmission or ros2_control moves any joint of a robot that has Gazebo plugins.
+"""No plugin, transmission or ros2_control drives a joint of a robot that has Gazebo plugins.
 
 In Gazebo a joint that nothing drives swings or rolls freely. That may be meant, as with a plugin
 that slides the whole robot over the ground; the wheels then turn only as friction turns them.
@@ -73,11 +73,12 @@ def check(subject: Subject) -> Findings:
         return
     names = ", ".join(f"'{joint.name}'" for joint in wheels[:_MOST])
     more = f" and {len(wheels) - _MOST} more" if len(wheels) > _MOST else ""
+    who, verb, them = ("joints", "are", "them") if len(wheels) > 1 else ("joint", "is", "it")
     yield Finding(
         wheels[0].at,
-        f"nothing moves {names}{more} in Gazebo: no transmission, no ros2_control, and no plugin "
-        "names them",
-        related=tuple(Related(joint.at.span, "so this one") for joint in wheels[1:_MOST]),
+        f"{who} {names}{more} {verb} not actuated in Gazebo: no transmission, ros2_control or "
+        f"plugin names {them}",
+        related=tuple(Related(joint.at.span, "not actuated either") for joint in wheels[1:_MOST]),
     )
 
 

@@ -1,8 +1,8 @@
 """A `<gazebo reference>` names neither a link nor a joint.
 
 Gazebo's converter compares the reference with the names of links and joints and drops the whole
-block, sensors and friction with it, without a message. Name the link or joint that is meant;
-xacro prefixes are a usual cause.
+block, with its sensors and friction, without a message. Correct the name; xacro prefixes are a
+usual cause.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -48,10 +48,10 @@ def check(subject: Subject) -> Findings:
             lost = ", ".join(dict.fromkeys(f"<{child.tag}>" for child in block.children))
             yield Finding(
                 reference,
-                f"Gazebo drops {lost}: there is no link or joint '{reference.value}'",
+                f"unknown link or joint '{reference.value}': Gazebo ignores {lost}",
                 f"did you mean '{suggested}'?" if suggested else "",
                 _fix(reference, suggested) if suggested else None,
-                alike="" if suggested else "unlike any",
+                alike="" if suggested else "unknown",
             )
 
 

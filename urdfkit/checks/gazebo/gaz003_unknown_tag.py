@@ -45,6 +45,7 @@ _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
 
 #: What replaces a tag of a sensor that belongs elsewhere.
 _INSTEAD = {
+    "frame_id": "name the frame by <gz_frame_id> in the <sensor>",
     "origin": "place it by <pose>x y z roll pitch yaw</pose>",
     "noise": "move it into <ray> or <camera>, or into <imu><angular_velocity><x>",
 }

@@ -1,4 +1,4 @@
-"""A tag is in a `<gazebo>` block that it has no effect in.
+"""A tag is in a `<gazebo>` block of the wrong kind, where it has no effect.
 
 Gazebo's converter applies `mu1`, `kp`, `selfCollide` and the like to links, and
 `preserveFixedJoint`, `provideFeedback`, `springStiffness` and the like to joints; in a block that
@@ -72,11 +72,11 @@ def _of_other_kind(
     for child in block.children:
         extension = handled.get(child.tag)
         if extension and extension.on in ("link", "joint") and extension.on != kind:
-            message = f"<{child.tag}> is for a {extension.on}, and '{name}' is a {kind}: Gazebo"
+            message = f"<{child.tag}> is for a {extension.on}, but '{name}' is a {kind} (ignored)"
             other = _other(subject, name, kind)
             help = f'move it into <gazebo reference="{other.name if other else "..."}">'
             fix = _moved(block, child, other) if other else None
-            yield Finding(child, f"{message} ignores it", help, fix, alike=child.tag)
+            yield Finding(child, message, help, fix, alike=child.tag)
         elif joint and child.tag in KEEPING_TAGS and joint.kind not in ("fixed", ""):
             message = f"<{child.tag}> has no effect: joint '{name}' is {joint.kind}, not fixed"
             yield Finding(child, message, "remove it, or name a fixed joint", alike=child.tag)
@@ -108,7 +108,7 @@ def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, s
     what = ", ".join(names[:_NAMED]) + (" and others" if len(names) > _NAMED else "")
     yield Finding(
         block if len(misplaced) > 1 else child,
-        f"{what} in a <gazebo> without a reference (ignored): for a {owner} only",
+        f"{what} in a <gazebo> without a reference (ignored): it is for a {owner}",
         f'write <gazebo reference="...">, with the name of the {owner}',
         alike=child.tag,
         severity=Severity.ERROR,

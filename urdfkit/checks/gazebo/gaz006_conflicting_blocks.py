@@ -1,8 +1,8 @@
 """Two `<gazebo>` blocks give the same tag of one link different values.
 
-Gazebo takes the last one. So it is, too, with `turnGravityOff`, `selfCollide` and `dampingFactor`
-of links that fixed joints merge: the merged body has one value, and the last link to be merged
-decides. Keep one value.
+Gazebo takes the last one. The same holds for `turnGravityOff`, `selfCollide` and `dampingFactor`
+of links that fixed joints merge: the merged body has one value, that of the last link to be merged.
+Keep one value.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -55,17 +55,18 @@ def check(subject: Subject) -> Findings:
 
 def _message(other: Element, child: Element, owner: str) -> str:
     names = [one.parent.get("reference") or "" for one in (other, child) if one.parent]
-    values = f"<{child.tag}> is {_value(other)} and then {_value(child)}"
+    values = f"{_value(other)} and {_value(child)}"
     if names[0] == names[1]:
-        return f"{values} for '{owner or 'the model'}'; Gazebo takes the last"
+        who = f"'{owner}'" if owner else "the model"
+        return f"conflicting <{child.tag}> of {who}: {values}; Gazebo takes the last"
     return (
-        f"{values} for '{names[0]}' and '{names[1]}', which Gazebo merges into '{owner}': one "
-        "value is lost"
+        f"conflicting <{child.tag}> of '{names[0]}' and '{names[1]}', which Gazebo merges into "
+        f"'{owner}': {values}"
     )
 
 
 def _note(other: Element) -> Related:
-    return Related(other.span, f"here it is {_value(other)}")
+    return Related(other.span, f"{_value(other)} here")
 
 
 def _value(element: Element) -> str:

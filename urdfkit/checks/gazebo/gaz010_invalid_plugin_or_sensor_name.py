@@ -1,11 +1,16 @@
-"""A plugin has no valid `name` or no `filename`, or a sensor has no name.
+"""The name of a plugin or sensor is missing, invalid, or that of another one.
 
-SDF requires all of them: up to SDF 1.9 Gazebo rejects the whole model without them. The file name
-of a plugin is that of its library; the name is free in Gazebo Classic and the class in gz-sim.
+SDF requires a name, and the `filename` of the library of a plugin: up to SDF 1.9 Gazebo rejects the
+whole model without them. The name of a plugin is free in Gazebo Classic and the class in gz-sim.
 
-In Gazebo Classic with ROS 2 the plugin is a node with the plugin's name. ROS 2 allows letters,
-digits and underscores, and no digit first; with any other name the node's constructor throws, and
-the plugin does not start.
+Sensors of one link have different names: gz-sim rejects a model with two of one name ("non-unique
+name"), Gazebo Classic creates only one of them. Links that fixed joints connect count as one, since
+Gazebo merges them.
+
+In Gazebo Classic with ROS 2 a plugin is a node with the plugin's name. ROS 2 allows letters, digits
+and underscores, and no digit first; with any other name the plugin does not start. Of two plugins
+with one name in one namespace (warning) the second is rejected, or both use the same topics and
+parameters.
 
 Sources:
     sdformat, Plugin.cc: https://github.com/gazebosim/sdformat/blob/main/src/Plugin.cc
@@ -13,6 +18,9 @@ Sources:
     moveit/moveit#3572: https://github.com/moveit/moveit/issues/3572
     ROS 2, names: https://design.ros2.org/articles/topic_and_service_names.html
     gazebo_ros, node.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_ros/src/node.cpp
+    sdformat, Sensor.cc: https://github.com/gazebosim/sdformat/blob/main/src/Sensor.cc
+    ros-simulation/gazebo_ros_pkgs#1394: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1394
+    ros-simulation/gazebo_ros_pkgs#1303: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1303
     open-rmf/rmf_simulation#109: https://github.com/open-rmf/rmf_simulation/issues/109
 """
 
@@ -23,9 +31,9 @@ import re
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.gazebo.plugins import PluginUse
-from urdfkit.ros.gazebo.rejection import REJECTED
-from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.source import Span
 
@@ -46,24 +54,67 @@ FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
 def check(subject: Subject) -> Findings:
     for use in subject.plugins:
-        for attribute, what in (("name", "its name"), ("filename", "the file name of its library")):
-            if not (use.at.get(attribute) or "").strip():
-                other = use.filename if attribute == "name" else use.name and f"'{use.name}'"
-                who = f"plugin {other}" if other else "a plugin"
-                message = f"{who} has no {attribute}: {REJECTED}"
-                fix = _named(subject, use) if attribute == "name" else None
-                yield Finding(use.at, message, f'add {attribute}="...", {what}', fix)
+        yield from _missing(subject, use)
         if use.plugin and use.plugin.node and use.name:
             yield from _invalid_node_name(use)
     for sensor in sensors(subject.model):
         if not sensor.name.strip():
             kind = f" of type '{sensor.type}'" if sensor.type else ""
-            message = f"a sensor{kind} of '{sensor.reference}' has no name: {REJECTED}"
+            message = f"sensor{kind} on '{sensor.reference}' has no name: {REJECTED}"
             yield Finding(sensor.at, message, 'add name="...", unique in the link')
+    yield from _duplicate_plugins(subject)
+    yield from _duplicate_sensors(subject)
+
+
+def _missing(subject: Subject, use: PluginUse) -> Findings:
+    for attribute in ("name", "filename"):
+        if (use.at.get(attribute) or "").strip():
+            continue
+        other = use.filename if attribute == "name" else use.name and f"'{use.name}'"
+        who = f"plugin {other}" if other else "<plugin>"
+        help = f'add {attribute}="..."' + (" with the library" if attribute == "filename" else "")
+        fix = _named(subject, use) if attribute == "name" else None
+        yield Finding(use.at, f"{who} has no {attribute}: {REJECTED}", help, fix)
+
+
+def _duplicate_plugins(subject: Subject) -> Findings:
+    """The ROS nodes of one name in one namespace."""
+    first: dict[tuple[str, str], PluginUse] = {}
+    for use in subject.plugins:
+        if use.plugin is None or not use.plugin.node or not use.name:
+            continue
+        namespaces = use.values("ros/namespace")
+        namespace = namespaces[0].text.strip("/") if namespaces else ""
+        other = first.setdefault((namespace, use.name), use)
+        if other is not use:
+            yield Finding(
+                use.at.attributes["name"],
+                f"{use.title} and {other.title} are ROS nodes of the same name",
+                "give each plugin a unique name, or another <ros><namespace>",
+                related=(Related(other.at.span, "first defined here"),),
+                severity=Severity.WARNING,
+            )
+
+
+def _duplicate_sensors(subject: Subject) -> Findings:
+    first: dict[tuple[str, str], Sensor] = {}
+    for sensor in sensors(subject.model):
+        if not sensor.name or not sensor.reference:
+            continue
+        link = subject.gazebo.survivor.get(sensor.reference, sensor.reference)
+        other = first.setdefault((link, sensor.name), sensor)
+        if other is not sensor:
+            merged = f" (merged into '{link}')" if link != sensor.reference else ""
+            yield Finding(
+                sensor.at.attributes["name"],
+                f"duplicate {sensor.who} on '{sensor.reference}'{merged}: {REJECTED_BY_GZ}",
+                "give each sensor a unique name",
+                related=(Related(other.at.span, "first defined here"),),
+            )
 
 
 def _named(subject: Subject, use: PluginUse) -> Fix | None:
-    """The name of the library for a plugin that has no attribute of that name, if it is free."""
+    """Name a plugin without a name after its library, if no other plugin has that name."""
     name = use.filename.removeprefix("lib").removesuffix(".so")
     taken = {other.name for other in subject.plugins}
     if "name" in use.at.attributes or not re.fullmatch(r"[a-z]\w*", name) or name in taken:
@@ -80,8 +131,7 @@ def _invalid_node_name(use: PluginUse) -> Findings:
     attribute = use.at.attributes["name"]
     yield Finding(
         attribute,
-        f"{use.title}: the name is not a valid ROS 2 node name (letters, digits and underscores, "
-        "no digit first)",
-        f"write '{good}'",
+        f"{use.title}: '{use.name}' is not a valid ROS 2 node name",
+        f"write '{good}': letters, digits and underscores, no digit first",
         Fix.of(f"rename it to '{good}'", replace_value(attribute, good)),
     )

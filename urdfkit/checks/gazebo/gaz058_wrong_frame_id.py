@@ -89,7 +89,7 @@ def _unknown(subject: Subject) -> Findings:
 
 
 def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
-    """Who names a frame, where and which."""
+    """Each frame that is named: by whom, where, its name."""
     for use in subject.plugins:
         for item in use.items:
             parameter = use.plugin.parameters.get(item.path) if use.plugin else None
@@ -105,7 +105,7 @@ def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
 
 
 def _missing(subject: Subject) -> Findings:
-    """One finding for all sensors: one mistake of whoever wrote or generated the model."""
+    """One finding for all sensors: usually all of them lack it."""
     targets = subject.targets
     if targets.names and not targets.any_of(_READ):
         return
@@ -129,7 +129,7 @@ def _missing(subject: Subject) -> Findings:
 
 
 def _has_no_frame(sensor: Sensor, readers: list[tuple[str, ...]]) -> bool:
-    """True if one of the readers finds no frame; if none is known, nobody."""
+    """True if one of the readers finds no frame for the sensor."""
     if sensor.type == "contact":  # publishes which bodies touch, not where it is
         return False
     kind = types().get(sensor.type)

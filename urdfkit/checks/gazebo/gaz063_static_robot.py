@@ -1,7 +1,7 @@
-"""The robot is static in Gazebo, and has joints that are meant to move.
+"""The robot is static in Gazebo, although it has movable joints and plugins.
 
-`<static>true</static>` nails a model to the world: no joint moves, no wheel drives, and controllers
-load as if all were well. It is often left over from a first look at the model.
+`<static>true</static>` fixes a model to the world: no joint moves, no wheel drives, and controllers
+load without an error. It is often left over from a first look at the model.
 
 Sources:
     SDF, model: http://sdformat.org/spec?ver=1.9&elem=model
@@ -42,7 +42,7 @@ GOOD = BAD.replace("true", "false")
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="remove the tag")
 def check(subject: Subject) -> Findings:
     if not subject.plugins:
-        return  # a model to look at
+        return  # a model that is only displayed
     moving = [joint.name for joint in subject.model.joints if joint.kind in DEGREES_OF_FREEDOM]
     who = f"joint '{moving[0]}'" if len(moving) == 1 else f"{len(moving)} joints"
     for block in subject.model.gazebo:

@@ -1,17 +1,22 @@
-"""A `<gazebo>` tag has another effect, or none, because Gazebo lumps fixed joints.
+"""A `<gazebo>` tag or sensor has another effect, or none, because Gazebo lumps fixed joints.
 
 Gazebo merges the child of a fixed joint into its parent ("fixed joint lumping"):
 
+- A force-torque sensor or `<provideFeedback>` of such a joint is not created, and its topic never
+  appears: an error, or a warning where nothing in the robot reads the forces.
 - `<turnGravityOff>`, `<gravity>`, `<selfCollide>` and `<self_collide>` of the child also apply to
-  the parent. A camera without gravity makes a robot without gravity.
+  the parent. A camera without gravity makes a robot without gravity. A parent without mass or
+  collision, such as `base_footprint`, is not affected.
 - `<preserveFixedJoint>` saves a link from being merged, but a link without mass is dropped all the
   same, together with the joint and the links below it.
 - `<disableFixedJointLumping>` is older than `<preserveFixedJoint>`: Gazebo makes a revolute joint
   of it, with limits of 0 and 0, which gives way under load and costs time in every step: an info.
-- Friction, contact parameters and material reach a collision or visual by its name. One whose own
-  name does not begin with that of its link does not get them: the wheel has a friction of 1,
+- Friction, contact parameters and material apply to a collision or visual by its name. One whose
+  own name does not begin with that of its link does not get them: the wheel has a friction of 1,
   whatever `<mu1>` says. A link that is merged loses them also where its name begins with that of
   its parent.
+
+Keep the joint with `<preserveFixedJoint>true</preserveFixedJoint>` in its `<gazebo reference>`.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
@@ -19,12 +24,15 @@ Sources:
     gazebosim/sdformat#131: https://github.com/gazebosim/sdformat/issues/131
     gazebosim/sdformat#333: https://github.com/gazebosim/sdformat/issues/333
     gazebosim/gazebo-classic#2497: https://github.com/gazebosim/gazebo-classic/issues/2497
+    gazebosim/gz-sensors#25: https://github.com/gazebosim/gz-sensors/issues/25
+    Kinovarobotics/ros_kortex#312: https://github.com/Kinovarobotics/ros_kortex/issues/312
     robotology/icub-models#25: https://github.com/robotology/icub-models/issues/25
     measured: libsdformat 12.3 switches gravity off for the merged link, loses mu1 and material
 """
 
 from __future__ import annotations
 
+from urdfkit.checks.gazebo.force_sensors import merged_force_sensors
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import RobotModel
@@ -71,6 +79,7 @@ _MERGED = "_fixed_joint_lump__"
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
 def check(subject: Subject) -> Findings:
+    yield from merged_force_sensors(subject)
     yield from _flags(subject)
     yield from _kept_joints(subject)
     yield from _lost_on_shapes(subject)
@@ -86,13 +95,23 @@ def _flags(subject: Subject) -> Findings:
     names = {(name, tag.tag) for name, tag in flags}
     for name, tag in flags:
         into = subject.gazebo.merged.get(name)
-        if into and (into, tag.tag) not in names:
+        flagged = {one for one, other in names if other == tag.tag}
+        if into and _reaches(subject, into, tag.tag, flagged):
             yield Finding(
                 tag,
                 f"<{tag.tag}> of '{name}' also applies to '{into}', the link it is merged into",
                 "keep the joint with <preserveFixedJoint>, or move the tag to the parent",
                 alike=f"{tag.tag} of {into}",
             )
+
+
+def _reaches(subject: Subject, top: str, tag: str, flagged: set[str]) -> bool:
+    """True if a flag matters to a link of the merged body that does not have it itself."""
+    (simulated,) = (one for one in subject.gazebo.links if one.name == top)
+    others = [link for link, _ in simulated.body.links if link.name not in flagged]
+    if tag in ("selfCollide", "self_collide"):
+        return any(link.collisions for link in others)
+    return any(link.mass for link in others)
 
 
 def _kept_joints(subject: Subject) -> Findings:
@@ -109,9 +128,10 @@ def _kept_joints(subject: Subject) -> Findings:
     for joint, tag in tags:
         if joint.child and joint.child.value in massless:
             link = joint.child.value
-            message = f"<{tag.tag}> keeps joint '{joint.name}', but its link '{link}' has no mass"
+            message = f"<{tag.tag}> of joint '{joint.name}' has no effect: Gazebo drops link "
+            message += f"'{link}', which has no mass"
             help = "give the link an <inertial>, or remove the tag"
-            yield Finding(tag, f"{message}: Gazebo drops both", help)
+            yield Finding(tag, message, help)
         elif tag.tag == "disableFixedJointLumping" and joint.name not in preserved:
             edits = rename_element(tag, "preserveFixedJoint")
             yield Finding(
@@ -151,14 +171,14 @@ def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
     lost = f"{listed} of link '{link}'"
     name = shape.attributes.get("name")
     if name is None:
-        message = f"{lost} is lost: the name begins with '{top}', the link it is merged into"
-        return Finding(tags[0], message, "give the link a name that begins otherwise")
+        message = f"{lost} has no effect: the name begins with '{top}', the link it is merged into"
+        return Finding(tags[0], message, "rename the link")
     edits = replace_value(name, f"{link}_{name.value}") if link == top else None
     return Finding(
         name,
         f"{lost} does not apply to <{shape.tag}> '{name.value}', because of its name",
-        "remove the name, or let it begin with that of the link",
+        "remove the name, or begin it with the name of the link",
         Fix.of(f"rename it to '{link}_{name.value}'", edits),
-        (Related(tags[0].span, "the tag"),),
-        alike="named",
+        (Related(tags[0].span, "set here"),),
+        alike="name",
     )

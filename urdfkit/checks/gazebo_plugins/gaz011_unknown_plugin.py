@@ -59,7 +59,7 @@ def check(subject: Subject) -> Findings:
             reported.add(use.filename)  # one robot may use a library a hundred times
             yield Finding(
                 use.at.attributes["filename"],
-                f"'{use.filename}' is not a known plugin of Gazebo or ROS",
+                f"unknown plugin library '{use.filename}'",
             )
 
 
@@ -67,7 +67,7 @@ def _misspelt(use: PluginUse, suggested: str) -> Finding:
     at = use.at.attributes["filename"]
     return Finding(
         at,
-        f"{use.title}: unknown library '{use.filename}'",
+        f"{use.title}: unknown plugin library",
         f"did you mean '{suggested}'?",
         Fix.of(f"write {suggested}", replace_value(at, suggested)),
         alike=suggested,
@@ -83,7 +83,7 @@ def _unknown_class(use: PluginUse) -> Findings:
     if _current_name(use.name) not in map(_current_name, classes):
         yield Finding(
             name,
-            f"{use.title}: the library has no class '{use.name}', only {' and '.join(classes)}",
+            f"{use.title}: the library has no class '{use.name}', only {' or '.join(classes)}",
             f'write name="{classes[0]}"',
             Fix.of(f"name the class {classes[0]}", replace_value(name, classes[0])),
             severity=Severity.ERROR,
@@ -96,5 +96,5 @@ def _class_of(plugin: Plugin, use: PluginUse) -> str:
 
 
 def _current_name(name: str) -> str:
-    """A class by its current name: Fortress had other words, and versions may be spelt out."""
+    """A class by its current name: Fortress had other words, and may have a version."""
     return re.sub(r"::v\d+\b", "", name.replace("ignition::gazebo", "gz::sim"))

@@ -59,7 +59,7 @@ def check(subject: Subject) -> Findings:
         is_reported = True
         yield Finding(
             use.at.attributes["filename"],
-            f"{use.title} is for {found}, and the robot is for {wanted}",
+            f"{use.title} is for {found}, but the robot is for {wanted}",
             _successor(use, targets[0]),
             _fix(use) if targets[0] == "gz-fortress" else None,
         )
@@ -83,7 +83,7 @@ def _mixed(plugins: tuple[PluginUse, ...]) -> Findings:
         else:
             yield Finding(
                 use.at.attributes["filename"],
-                f"{use.title} is for {_named(possible)}, {first.title} for {_named(common)}",
+                f"{use.title} is for {_named(possible)}, but {first.title} for {_named(common)}",
                 "keep the plugins of one, or choose between them with a xacro argument",
                 related=(Related(first.at.span, f"for {_named(common)}"),),
                 severity=Severity.WARNING,

@@ -1,9 +1,9 @@
-"""A plugin is in a place where Gazebo does not run it, or runs it wrongly.
+"""A plugin is in a place where Gazebo does not load it, or loads it wrongly.
 
 A model plugin belongs in a `<gazebo>` block without a reference, a sensor plugin in a `<sensor>` in
 the block of a link. A plugin that is directly in the block of a link or joint is copied into that
-link and never loaded; one of the wrong kind ends with an error about its type. A sensor plugin asks
-its sensor for data of one type, and fails, or ends the server, in a sensor of another type: a laser
+link and never loaded; one of the wrong kind ends with an error about its type. A sensor plugin
+needs a sensor of one type, and fails, or ends the server, in a sensor of another type: a laser
 plugin needs a `ray` sensor, a GPU laser `gpu_ray`, a depth camera `depth`.
 
 World systems of gz-sim, such as sensors and physics, run in a model as well: an info. If the world
@@ -66,13 +66,13 @@ def check(subject: Subject) -> Findings:
         kinds = use.plugin.kinds if use.plugin else ()
         where = " or ".join(_WHERE[kind] for kind in kinds)
         if use.place == "link":
-            message = f"{use.title} is directly in the block of '{reference}': Gazebo never runs it"
+            message = f"{use.title} is directly in <gazebo> of '{reference}' and never loaded"
             yield Finding(use.at, message, f"put it {where or _WHERE['model']}")
         elif _is_wrong(use, kinds):
             message = f"{use.title} is {_WHERE[use.place]}, but is a {' or '.join(kinds)} plugin"
             yield Finding(use.at, message, f"put it {where}", alike=f"{use.place} {where}")
         elif use.plugin and kinds == ("world",) and use.plugin.generation == "gz":
-            message = f"{use.title} is a world system, which a world has once for all robots"
+            message = f"{use.title} is a world system, which belongs in the world file"
             yield Finding(use.at, message, "put it in the world file", severity=Severity.INFO)
         yield from _in_wrong_sensor(use)
 
@@ -101,5 +101,5 @@ def _in_wrong_sensor(use: PluginUse) -> Findings:
     if kind in accepted or (kind in _CAMERAS and "camera" in accepted):
         return
     wanted = " or ".join(f"'{one}'" for one in use.plugin.sensors)
-    message = f"{use.title} needs a sensor of type {wanted}, and this one is '{attribute.value}'"
+    message = f"{use.title} needs a sensor of type {wanted}, but this one is '{attribute.value}'"
     yield Finding(attribute, message, f"write type {wanted}, or use another plugin")

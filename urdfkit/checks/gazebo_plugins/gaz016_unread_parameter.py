@@ -60,7 +60,8 @@ def check(subject: Subject) -> Findings:
             yield _misspelt(use, found.item, found.suggested)
         else:
             path = "> in <".join(reversed(found.item.path.split("/")))
-            yield Finding(found.item.at, f"{use.title} does not read <{path}>", alike=use.filename)
+            message = f"{use.title}: unknown element <{path}> (ignored)"
+            yield Finding(found.item.at, message, alike=use.filename)
     for use, some in foreign.items():
         assert use.plugin is not None
         yield _of_other_generation(use, use.plugin, some)
@@ -71,7 +72,7 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
     assert isinstance(element, Element)
     return Finding(
         element,
-        f"{use.title} does not read <{element.tag}>",
+        f"{use.title}: unknown element <{element.tag}> (ignored)",
         f"did you mean <{name}>?",
         Fix.of(f"rename it to <{name}>", rename_element(element, name)),
         alike=f"{use.filename} misspelt",

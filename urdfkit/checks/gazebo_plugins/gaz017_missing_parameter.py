@@ -1,4 +1,4 @@
-"""A plugin lacks a tag without which it does nothing, or fails.
+"""A required parameter of a plugin is missing.
 
 Some tags have no default, or one that names a joint which this robot does not have: the plugin
 writes an error and stays idle, and some end the whole simulator.
@@ -55,11 +55,11 @@ def _missing(use: PluginUse, plugin: Plugin, subject: Subject) -> Findings:
                 yield _finding(use, parameter, parameter.default)
     if plugin.any_of and given.isdisjoint(plugin.any_of):
         wanted = " or ".join(f"<{name}>" for name in plugin.any_of)
-        yield Finding(use.at, f"{use.title} needs {wanted}", f"add {wanted}")
+        yield Finding(use.at, f"{use.title}: {wanted} is required", f"add {wanted}")
 
 
 def _is_of_another(use: PluginUse) -> bool:
-    """True if it is written for another generation; GAZ016 then tells its tags."""
+    """True if it is written for another generation; GAZ016 then reports its tags."""
     assert use.plugin is not None
     others = [one for one in use.known if one.generation != use.plugin.generation]
     left = len(use.unread(use.plugin))
@@ -73,9 +73,9 @@ def _finding(use: PluginUse, parameter: Parameter, default: str) -> Finding:
     where = f" in <{block}>" if block else ""
     if default:
         message = (
-            f"{use.title} has no {what}, and its default '{default}' is not a joint: "
+            f"{use.title}: no {what}, and its default '{default}' is not a joint of the robot: "
             f"{use.plugin.missing}"
         )
     else:
-        message = f"{use.title} has no {what}{where}, which it needs"
+        message = f"{use.title}: required {what}{where} is missing"
     return Finding(use.at, message, f"add {what}, a {parameter.type}")

@@ -90,7 +90,7 @@ def _unknown(use: PluginUse, reference: Reference, suggester: Suggester) -> Find
         fix = Fix.of(f"rename '{name}' to '{suggested}'", rewrite(item.at, suggested))
     return Finding(
         item.at,
-        f"{use.title} refers to {reference.kind} '{name}', which does not exist{use.outcome}",
+        f"{use.title} refers to unknown {reference.kind} '{name}'{use.outcome}",
         f"did you mean '{suggested}'?" if suggested else f"name a {reference.kind} of this robot",
         fix,
     )

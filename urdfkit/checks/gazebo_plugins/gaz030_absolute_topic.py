@@ -43,8 +43,7 @@ def check(subject: Subject) -> Findings:
             if topic.startswith("/") and len(topic) > 1:
                 yield Finding(
                     item.at,
-                    f"{use.title}: topic '{topic}' is absolute, so that a robot namespace is "
-                    "ignored",
+                    f"{use.title}: topic '{topic}' is absolute and ignores the robot namespace",
                     f"write '{topic.lstrip('/')}' if the robot may get a namespace",
                     alike="absolute",
                 )

@@ -110,10 +110,10 @@ def _of_wrong_element(subject: Subject, sensor: Sensor) -> Findings:
     if is_link:
         above = subject.tree.parents.get(sensor.reference, [])
         help = f'write reference="{above[0].name}"' if above else "name a joint"
-        message = f"{who} is on link '{sensor.reference}', but measures in a joint"
+        message = f"{who} is on link '{sensor.reference}', but must be on a joint"
         yield Finding(sensor.at, message, help)
     else:
-        message = f"{who} is on joint '{sensor.reference}', but belongs to a link"
+        message = f"{who} is on joint '{sensor.reference}', but must be on a link"
         yield Finding(sensor.at, message, "name a link")
 
 
@@ -124,7 +124,7 @@ def _noise_without_type(sensor: Sensor, noise: Element) -> Finding:
     title = f'write <noise type="{type}">'
     return Finding(
         noise,
-        f"{sensor.who}: <noise> has no attribute type: {REJECTED}",
+        f"{sensor.who}: <noise> has no type: {REJECTED}",
         title,
         Fix(title, (Edit(Span(source, end, end), f' type="{type}"'),)),
     )

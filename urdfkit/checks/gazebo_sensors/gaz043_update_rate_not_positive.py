@@ -1,8 +1,8 @@
-"""A sensor's update rate is negative, or a camera's or lidar's is zero or not written.
+"""The update rate of a sensor is negative, or that of a camera or lidar is zero or missing.
 
-Zero, which is also what is taken where none is written, means every step of the simulation, a
-thousand times a second: for a camera or a lidar that brings the simulation to a crawl. A negative
-rate has no meaning.
+Zero, which is also the default, means every step of the simulation, a thousand times a second: a
+camera or a lidar then slows the simulation down to a fraction of real time. A negative rate is
+invalid.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
@@ -41,12 +41,12 @@ def check(subject: Subject) -> Findings:
         is_heavy = bool(sensor.lidar) or any(word in sensor.type for word in _HEAVY)
         if is_heavy and sensor.find("update_rate") is None:
             message = (
-                f"{sensor.who} has no <update_rate>, and works at every step of the simulation"
+                f"{sensor.who} has no <update_rate> and updates in every step of the simulation"
             )
             yield Finding(sensor.at, message, "add <update_rate> with the rate of the real sensor")
         rate = sensor.number("update_rate")
         if rate is None:
             continue
         if rate.value < 0 or (rate.value == 0 and is_heavy):
-            meaning = "has no meaning" if rate.value < 0 else "means every step of the simulation"
-            yield Finding(rate, f"{sensor.who}: an update rate of {rate.value:g} Hz {meaning}")
+            why = "must be > 0" if rate.value < 0 else "which means every step of the simulation"
+            yield Finding(rate, f"{sensor.who}: update rate is {rate.value:g} Hz, {why}")

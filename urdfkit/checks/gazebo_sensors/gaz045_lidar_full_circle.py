@@ -1,4 +1,4 @@
-"""A lidar's first and last beam point in the same direction, or its beams go round more than once.
+"""The first and last beam of a lidar have the same direction, or its beams go round more than once.
 
 The angles span a full circle, and both ends are sampled: the same place is measured twice, and
 programs that match scans see a seam. With more than a circle, many places are. Leave one step out:
@@ -40,12 +40,12 @@ def check(subject: Subject) -> Findings:
         if span > 2 * pi - step / 2:
             text = f"{first.value + 2 * pi - step:.6g}"
             edits = rewrite(last.at, text)
-            more = "a full circle: the first and the last coincide"
+            more = "the first and the last coincide"
             if span > 2 * pi + step / 2:
-                more = "more than a full circle: the last beams repeat the first"
+                more = "the last repeat the first"
             yield Finding(
                 last,
-                f"{sensor.who}: {count:g} beams over {span:g} rad, {more}",
+                f"{sensor.who}: {count:g} beams over {span:g} rad: {more}",
                 f"write {text}",
                 Fix.of(f"write {text}", edits),
             )

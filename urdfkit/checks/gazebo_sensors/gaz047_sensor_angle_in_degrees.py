@@ -41,11 +41,11 @@ def check(subject: Subject) -> Findings:
         for path in _ANGLES:
             angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
             if angle is not None and abs(angle.value) > 2 * pi + 1e-3:
-                text = f"{radians(angle.value):.6g}"
+                text, tag = f"{radians(angle.value):.6g}", path.rpartition("/")[2]
                 edits = rewrite(angle.at, text)
                 yield Finding(
                     angle,
-                    f"{sensor.who}: {angle.value:g} rad is more than a full turn",
+                    f"{sensor.who}: <{tag}> is {angle.value:g} rad, more than a full turn",
                     f"if it is in degrees, write {text}",
                     Fix.of(f"write {text}", edits),
                     confidence=Confidence.INFERRED,
@@ -66,7 +66,7 @@ def _turned_far(sensor: Sensor) -> Findings:
             edits = rewrite(pose, right)
             yield Finding(
                 pose,
-                f"{sensor.who}: <pose> turns it by {most:g} rad, more than a full turn",
+                f"{sensor.who}: <pose> rotates it by {most:g} rad, more than a full turn",
                 f"if it is in degrees, write {right}",
                 Fix.of(f"write {right}", edits),
                 confidence=Confidence.INFERRED,
@@ -83,7 +83,7 @@ def _field_of_view(sensor: Sensor) -> Findings:
         edits = rewrite(element, text) if value > 0 else None
         yield Finding(
             element,
-            f"{sensor.who}: <horizontal_fov> is {value:g} rad, not within 0 to 2 pi: {REJECTED}",
+            f"{sensor.who}: <horizontal_fov> is {value:g} rad, must be in (0, 2 pi]: {REJECTED}",
             f"if it is in degrees, write {text}" if value > 0 else "",
             Fix.of(f"write {text}", edits),
             severity=Severity.ERROR,

@@ -1,8 +1,8 @@
-"""A lidar's beams end inside the collision shape of its own link.
+"""The minimum range of a lidar is inside the collision geometry of its own link.
 
-The ray lidars of Gazebo hit every collision shape on their way, those of their own link too. With a
-least range that ends inside of it, every beam returns the housing and the world is never seen.
-Raise the least range beyond the housing, or make the collision shape smaller.
+The rays of Gazebo hit every collision shape, that of their own link too. With a minimum range
+inside of it, every ray returns the distance of the housing and the lidar sees nothing else. Raise
+the minimum range, or make the collision shape smaller.
 
 Sources:
     gazebosim/gazebo-classic#1564: https://github.com/gazebosim/gazebo-classic/issues/1564
@@ -36,7 +36,7 @@ BAD = """\
 GOOD = BAD.replace("<min>0.05</min>", "<min>0.2</min>")
 
 
-@rule(Severity.WARNING, help="raise the least range, or make the collision shape smaller")
+@rule(Severity.WARNING, help="raise the minimum range, or make the collision shape smaller")
 def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         link = subject.model.links_by_name.get(sensor.reference)
@@ -45,10 +45,8 @@ def check(subject: Subject) -> Findings:
             continue
         reach = max(map(_around_origin, link.collisions), default=0.0)
         if least.value < reach:
-            message = (
-                f"{sensor.who}: the least range of {least.value:g} m ends inside the collision"
-            )
-            yield Finding(least, f"{message} of '{link.name}', {reach:g} m around it")
+            message = f"{sensor.who}: minimum range {least.value:g} m is inside the collision of "
+            yield Finding(least, f"{message}link '{link.name}', which reaches {reach:g} m")
 
 
 def _around_origin(body: Body) -> float:

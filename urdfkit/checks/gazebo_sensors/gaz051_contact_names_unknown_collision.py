@@ -1,8 +1,8 @@
-"""A contact sensor names a collision that its link does not have in Gazebo, or none.
+"""A contact sensor names no collision, or one that its link does not have in Gazebo.
 
 Gazebo renames collisions when it converts URDF: an unnamed one becomes `LINK_collision`, and those
-of merged links `PARENT_fixed_joint_lump__LINK_collision`. A sensor that names another one never
-touches anything, nor does one that names none.
+of merged links `PARENT_fixed_joint_lump__LINK_collision`. A sensor that names another one, or none,
+never detects a contact.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -47,7 +47,7 @@ FIXED = GOOD
 def check(subject: Subject) -> Findings:
     for sensor in sensors(subject.model):
         if sensor.type == "contact" and sensor.find("contact/collision") is None:
-            message = f"{sensor.who} names no collision, and feels nothing"
+            message = f"{sensor.who}: no <collision> in <contact>, so it detects no contact"
             yield Finding(sensor.at, message, "add <contact> with a <collision> of its link")
         for contact in sensor.at.all("contact"):
             named = contact.child("collision")
@@ -62,17 +62,19 @@ def check(subject: Subject) -> Findings:
             renamed = [new for new, at in known.items() if name in _called(at)]
             suggested = renamed[0] if len(renamed) == 1 else Suggester(known).suggested(name)
             hint = (
-                f"; Gazebo calls it '{suggested}'" if renamed else f"; did you mean '{suggested}'?"
+                f"; its name in Gazebo is '{suggested}'"
+                if renamed
+                else f"; did you mean '{suggested}'?"
             )
             yield Finding(
                 named,
-                f"{sensor.who}: link '{link}' has no collision '{name}'{hint if suggested else ''}",
+                f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}",
                 fix=_fix(named, suggested),
             )
 
 
 def _called(collision: Element) -> tuple[str, ...]:
-    """What one may take for the name of a collision that Gazebo merges into another link."""
+    """Names that a collision may be expected to have in Gazebo."""
     own = collision.get("name") or ""
     link = collision.parent.get("name") if collision.parent else ""
     return (own, f"{own}_collision", f"{link}_collision")

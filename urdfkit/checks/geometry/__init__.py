@@ -4,33 +4,19 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 
-#: Codes and names of earlier versions, and the rules that report their defects now.
+#: Former codes and names, and the rules that report their findings now.
 REDIRECTS = {
-    "negative-size": "GEO001",
-    "GEO005": "GEO001",
-    "zero-scale": "GEO001",
-    "GEO012": "GEO001",
+    "negative-size": "GEO001", "GEO005": "GEO001", "zero-scale": "GEO001", "GEO012": "GEO001",
     "zero-size": "GEO001",
-    "visual-without-collision": "GEO002",
-    "GEO003": "GEO002",
-    "collision-without-visual": "GEO002",
-    "GEO008": "GEO002",
-    "no-geometry-robot": "GEO002",
-    "COL005": "GEO002",
+    "visual-without-collision": "GEO002", "GEO003": "GEO002", "collision-without-visual": "GEO002",
+    "GEO008": "GEO002", "no-geometry-robot": "GEO002", "COL005": "GEO002",
     "no-collision-geometry": "GEO002",
-    "collision-far-from-visual": "GEO004",
-    "GEO014": "GEO004",
-    "radius-is-diameter": "GEO004",
-    "GEO016": "GEO004",
-    "sizes-differ": "GEO004",
-    "GEO017": "GEO004",
+    "collision-far-from-visual": "GEO004", "GEO014": "GEO004", "radius-is-diameter": "GEO004",
+    "GEO016": "GEO004", "sizes-differ": "GEO004", "GEO017": "GEO004",
     "turned-against-collision": "GEO004",
     "invisible": "GEO010",
-    "GEO015": "",
-    "doubled-shape": "",
-    "GEO018": "",
-    "sensor-inside-a-body": "",
-}
+    "GEO015": "", "doubled-shape": "", "GEO018": "", "sensor-inside-a-body": "",
+}  # fmt: skip
 
 
 def applies(subject: Subject) -> bool:

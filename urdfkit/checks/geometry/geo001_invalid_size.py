@@ -19,17 +19,13 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.robot.shapes import shaped, sizes
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 
-BAD = """\
-<link name="arm">
-  <collision>
-    <geometry><box size="0.1 -0.2 0.3"/></geometry>
-  </collision>
-</link>"""
+BAD = link_xml("arm", collision_xml('<box size="0.1 -0.2 0.3"/>'))
 GOOD = BAD.replace("-0.2", "0.2")
 FIXED = GOOD
 

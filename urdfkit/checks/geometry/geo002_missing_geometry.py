@@ -21,27 +21,17 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
+from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <visual>
-    <geometry><box size="0.4 0.3 0.1"/></geometry>
-  </visual>
-  <collision>
-    <geometry><box size="0.4 0.3 0.1"/></geometry>
-  </collision>
-</link>
-<link name="mast">
-  <visual>
-    <geometry><cylinder radius="0.02" length="0.5"/></geometry>
-  </visual>
-</link>
-<joint name="mast_mount" type="fixed">
-  <parent link="base"/>
-  <child link="mast"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml(
+        "base", visual_xml('<box size="0.4 0.3 0.1"/>'), collision_xml('<box size="0.4 0.3 0.1"/>')
+    ),
+    link_xml("mast", visual_xml('<cylinder radius="0.02" length="0.5"/>')),
+    joint_xml("fixed", name="mast_mount", child="mast"),
+)
 GOOD = BAD.replace(
     """length="0.5"/></geometry>
   </visual>""",

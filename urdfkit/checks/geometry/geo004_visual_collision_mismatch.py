@@ -24,7 +24,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.core.spatial import Transform
+from urdfkit.core.spatial import Transform, minus
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, Mismatch, VisualCollisionPair
@@ -82,13 +82,22 @@ def _apart(one: VisualCollisionPair) -> Finding:
         wrong.at,
         f"link '{link.name}': the bounding boxes of collision and visual have only "
         f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{how}",
-        f"give the {wrong.at.tag} the <origin> of the {right.at.tag}",
+        _help(one, wrong, right),
         _fix(wrong.at, right.at) if how else None,
         (Related(right.at.span, f"the {right.at.tag}"),),
         confidence=Confidence.INFERRED,
         weight=1 - one.overlap,
         alike="moved" if how else "apart",
     )
+
+
+def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:
+    """The origin of the other body, or how far to move where that is no remedy."""
+    if wrong.origin != right.origin:
+        return f"give the {wrong.at.tag} the <origin> of the {right.at.tag}"
+    shift = minus(one.visual.bounds.center, one.collision.bounds.center)
+    way = " ".join(f"{round(part, 4) + 0.0:g}" for part in shift)
+    return f"add {way} to the <origin> of the collision, to center it on the visual"
 
 
 def _of_size(one: VisualCollisionPair, span: float) -> Finding:

@@ -16,15 +16,11 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.model import Shape
+from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.robot.shapes import shaped
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="left_arm">
-  <collision>
-    <geometry><mesh filename="right_arm.stl" scale="1 -1 1"/></geometry>
-  </collision>
-</link>"""
+BAD = link_xml("left_arm", collision_xml('<mesh filename="right_arm.stl" scale="1 -1 1"/>'))
 GOOD = BAD.replace("right_arm.stl", "left_arm.stl").replace(' scale="1 -1 1"', "")
 FILES = {"left_arm.stl": PLATE}
 

@@ -38,6 +38,9 @@ BAD = """\
 GOOD = BAD.replace("colision", "collision")
 FIXED = GOOD
 
+#: What replaced an element of early versions.
+_INSTEAD = {"joint_properties": "write <dynamics> instead, which has the same attributes"}
+
 #: Elements of one tag in the same wrong place that are shown.
 _SHOWN = 5
 
@@ -81,7 +84,7 @@ def _unknown(element: Element, suggested: str) -> Finding:
 def _help(element: Element, suggested: str) -> str:
     macro = calling_macro(element)
     if not suggested:
-        return ""
+        return _INSTEAD.get(element.tag, "")
     return f"rename it to <{suggested}>" + (f" in the call of macro '{macro}'" if macro else "")
 
 
@@ -92,7 +95,7 @@ def _fix(element: Element, suggested: str) -> Fix | None:
         fix = Fix.of(f"rename <{element.tag}> to <{suggested}>", edits)
         # What was not read as a block may move the robot once it is.
         return fix._replace(safe=False) if fix and calling_macro(element) else fix
-    if element.children or element.text.strip():
+    if element.attributes or element.children or element.text.strip():
         return None  # what somebody wrote there may belong elsewhere
     return Fix(f"remove the <{element.tag}>", remove_element(element))
 
@@ -124,10 +127,16 @@ def _in_place(
     if others:
         message += f" (and {len(others)} more like this)"
     related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
-    # The colour of a collision is not shown.
-    is_idle = element.tag == "material" and parent.tag == "collision"
+    # The colour of a collision is not shown; onshape-to-robot writes an <origin> of zeros in links.
+    is_idle = (element.tag == "material" and parent.tag == "collision") or _is_zero(element)
     severity = Severity.INFO if is_idle else None
     return Finding(element, message, f"move it into {places}", fix, related, severity=severity)
+
+
+def _is_zero(element: Element) -> bool:
+    """True for an origin that moves nothing, wherever it is."""
+    words = " ".join(attribute.value for attribute in element.attributes.values()).split()
+    return element.tag == "origin" and all(word.strip("+-0.") == "" for word in words)
 
 
 def _moved(element: Element, parent: Element) -> Fix | None:

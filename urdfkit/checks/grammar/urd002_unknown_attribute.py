@@ -15,20 +15,18 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text import schema
 from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rename_attribute
 from urdfkit.text.grammar import owner
 
-BAD = """\
-<link name="base"/>
-<link name="lid"/>
-<joint name="hinge" type="continuous">
-  <parent link="base"/>
-  <child link="lid"/>
-  <dynamics damping="0.1" fricton="0.2"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("lid"),
+    joint_xml("continuous", '<dynamics damping="0.1" fricton="0.2"/>', name="hinge", child="lid"),
+)
 GOOD = BAD.replace("fricton", "friction")
 FIXED = GOOD
 

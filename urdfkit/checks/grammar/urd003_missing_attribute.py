@@ -22,18 +22,14 @@ import re
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute
 from urdfkit.text.grammar import owner
 from urdfkit.text.source import Span
 
-BAD = """\
-<link name="wheel">
-  <visual>
-    <geometry><cylinder radus="0.1" length="0.05"/></geometry>
-  </visual>
-</link>"""
+BAD = link_xml("wheel", visual_xml('<cylinder radus="0.1" length="0.05"/>'))
 GOOD = BAD.replace("radus", "radius")
 FIXED = GOOD
 

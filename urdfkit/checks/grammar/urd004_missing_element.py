@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import inertial_xml, link_xml
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
@@ -27,13 +28,7 @@ BAD = """\
     <mass value="2"/>
   </inertial>
 </link>"""
-GOOD = """\
-<link name="base">
-  <inertial>
-    <mass value="2"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.02"/>
-  </inertial>
-</link>"""
+GOOD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
 
 
 @rule(Severity.ERROR, help="add the element")

@@ -18,26 +18,15 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import can_move
 from urdfkit.robot.model import Link
+from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="2"/>
-    <inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <inertial>
-    <mass value="0"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="axle" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base", inertial_xml("2", "0.02 0.02 0.02")),
+    link_xml("wheel", inertial_xml("0", "0.001 0.001 0.001")),
+    joint_xml("continuous", name="axle", child="wheel"),
+)
 GOOD = BAD.replace('"0"/>\n    <inertia ixx="0.001"', '"0.5"/>\n    <inertia ixx="0.001"')
 
 

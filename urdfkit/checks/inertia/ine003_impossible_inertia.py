@@ -26,15 +26,10 @@ from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.samples import inertial_xml, link_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <inertial>
-    <mass value="2"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.15"/>
-  </inertial>
-</link>"""
+BAD = link_xml("arm", inertial_xml("2", "0.01 0.01 0.15"))
 GOOD = BAD.replace('"0.15"', '"0.015"')
 FIXED = GOOD
 

@@ -25,26 +25,16 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
+from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, Conversion
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="2"/>
-    <inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <collision>
-    <geometry><sphere radius="0.1"/></geometry>
-  </collision>
-</link>
-<joint name="axle" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base", inertial_xml("2", "0.02 0.02 0.02")),
+    link_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
+    joint_xml("continuous", name="axle", child="wheel"),
+)
 GOOD = BAD.replace(
     '<link name="wheel">',
     """<link name="wheel">

@@ -24,23 +24,16 @@ from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="base"/>
-<link name="arm">
-  <collision>
-    <geometry><cylinder radius="0.05" length="0.2"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
-  </inertial>
-</link>
-<joint name="shoulder" type="continuous">
-  <parent link="base"/>
-  <child link="arm"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml(
+        "arm", collision_xml('<cylinder radius="0.05" length="0.2"/>'), inertial_xml("0.5", "0 0 0")
+    ),
+    joint_xml("continuous"),
+)
 GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
     '"0" iyz="0" izz="0"', '"0.00197917" iyz="0" izz="0.000625"'
 )

@@ -40,18 +40,14 @@ from urdfkit.robot.inertials.diagnosis import (
 )
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 from urdfkit.text.diagnostic import Confidence, Severity
 
-BAD = """\
-<link name="wheel">
-  <collision>
-    <geometry><cylinder radius="0.06" length="0.05"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
-  </inertial>
-</link>"""
+BAD = link_xml(
+    "wheel",
+    collision_xml('<cylinder radius="0.06" length="0.05"/>'),
+    inertial_xml("0.5", "0.1 0.1 0.1"),
+)
 FIXED = GOOD = BAD.replace(
     'ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"',
     'ixx="0.000554167" ixy="0" ixz="0" iyy="0.000554167" iyz="0" izz="0.0009"',

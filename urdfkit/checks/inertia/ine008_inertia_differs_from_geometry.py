@@ -17,18 +17,12 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
+from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 from urdfkit.text.diagnostic import Confidence, Severity
 
-BAD = """\
-<link name="imu">
-  <collision>
-    <geometry><box size="0.05 0.05 0.05"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="0.01"/>
-    <inertia ixx="1e-6" ixy="0" ixz="0" iyy="1e-6" iyz="0" izz="1e-6"/>
-  </inertial>
-</link>"""
+BAD = link_xml(
+    "imu", collision_xml('<box size="0.05 0.05 0.05"/>'), inertial_xml("0.01", "1e-6 1e-6 1e-6")
+)
 FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
 
 

@@ -19,18 +19,10 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.samples import inertial_xml, link_xml, visual_xml
 from urdfkit.text.diagnostic import Confidence, Severity
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="arm.stl"/></geometry>
-  </visual>
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-</link>"""
+BAD = link_xml("arm", visual_xml('<mesh filename="arm.stl"/>'), inertial_xml("1", "1 1 1"))
 GOOD = BAD.replace('="1" ixy', '="0.012" ixy').replace(
     '="1" iyz="0" izz="1"', '="0.011" iyz="0" izz="0.002"'
 )

@@ -25,19 +25,15 @@ from urdfkit.robot.inertials.defects import (
 )
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import rewrite
 
-BAD = """\
-<link name="wheel">
-  <collision>
-    <geometry><cylinder radius="0.05" length="0.03"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="350"/>
-    <inertia ixx="0.245" ixy="0" ixz="0" iyy="0.245" iyz="0" izz="0.4375"/>
-  </inertial>
-</link>"""
+BAD = link_xml(
+    "wheel",
+    collision_xml('<cylinder radius="0.05" length="0.03"/>'),
+    inertial_xml("350", "0.245 0.245 0.4375"),
+)
 GOOD = BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375", "0.0004375")
 FIXED = GOOD
 

@@ -14,31 +14,17 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base"/>
-<link name="steering">
-  <inertial>
-    <mass value="0.005"/>
-    <inertia ixx="1e-6" ixy="0" ixz="0" iyy="1e-6" iyz="0" izz="1e-6"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <inertial>
-    <mass value="15"/>
-    <inertia ixx="0.35" ixy="0" ixz="0" iyy="0.35" iyz="0" izz="0.675"/>
-  </inertial>
-</link>
-<joint name="steer" type="continuous">
-  <parent link="base"/>
-  <child link="steering"/>
-</joint>
-<joint name="axle" type="continuous">
-  <parent link="steering"/>
-  <child link="wheel"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("steering", inertial_xml("0.005", "1e-6 1e-6 1e-6")),
+    link_xml("wheel", inertial_xml("15", "0.35 0.35 0.675")),
+    joint_xml("continuous", name="steer", child="steering"),
+    joint_xml("continuous", name="axle", parent="steering", child="wheel"),
+)
 GOOD = BAD.replace('"0.005"', '"1"').replace('"1e-6"', '"0.001"')
 
 

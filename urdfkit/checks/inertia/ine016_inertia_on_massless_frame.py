@@ -14,26 +14,15 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import NOISE
+from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="3"/>
-    <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.05"/>
-  </inertial>
-</link>
-<link name="sonar">
-  <inertial>
-    <mass value="0"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-</link>
-<joint name="sonar_mount" type="fixed">
-  <parent link="base"/>
-  <child link="sonar"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base", inertial_xml("3", "0.03 0.03 0.05")),
+    link_xml("sonar", inertial_xml("0", "1 1 1")),
+    joint_xml("fixed", name="sonar_mount", child="sonar"),
+)
 GOOD = BAD.replace('"1"', '"0"')
 
 

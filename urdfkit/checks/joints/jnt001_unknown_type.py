@@ -17,20 +17,14 @@ from __future__ import annotations
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.schema import JOINT_TYPES
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="Revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>"""
+BAD = arm_xml("Revolute", '<limit lower="-1" upper="1" effort="10" velocity="1"/>')
 GOOD = BAD.replace("Revolute", "revolute")
 FIXED = GOOD
 

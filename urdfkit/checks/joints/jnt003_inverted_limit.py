@@ -17,17 +17,11 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Limit
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import swap
 
-BAD = """\
-<link name="base"/>
-<link name="camera"/>
-<joint name="pan" type="revolute">
-  <parent link="base"/>
-  <child link="camera"/>
-  <limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>
-</joint>"""
+BAD = arm_xml("revolute", '<limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>')
 GOOD = BAD.replace('lower="2.775" upper="-2.775"', 'lower="-2.775" upper="2.775"')
 FIXED = GOOD
 

@@ -17,17 +17,12 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base"/>
-<link name="wheel"/>
-<joint name="steering" type="revolute">
-  <parent link="base"/>
-  <child link="wheel"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="0" upper="0" effort="100" velocity="1"/>
-</joint>"""
+BAD = arm_xml(
+    "revolute", '<axis xyz="0 0 1"/>', '<limit lower="0" upper="0" effort="100" velocity="1"/>'
+)
 GOOD = BAD.replace('lower="0" upper="0"', 'lower="-0.5" upper="0.5"')
 
 

@@ -28,19 +28,14 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING
 from urdfkit.robot.model import Joint, Placed
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 
-BAD = """\
-<link name="base"/>
-<link name="drawer"/>
-<joint name="slide" type="prismatic">
-  <parent link="base"/>
-  <child link="drawer"/>
-  <axis xyz="0 3 4"/>
-  <limit lower="0" upper="0.5" effort="100" velocity="1"/>
-</joint>"""
+BAD = arm_xml(
+    "prismatic", '<axis xyz="0 3 4"/>', '<limit lower="0" upper="0.5" effort="100" velocity="1"/>'
+)
 GOOD = BAD.replace("0 3 4", "0 0.6 0.8")
 FIXED = GOOD
 

@@ -14,15 +14,10 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base"/>
-<link name="wheel"/>
-<joint name="axle" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-</joint>"""
+BAD = arm_xml("continuous")
 GOOD = BAD.replace("</joint>", '  <axis xyz="0 1 0"/>\n</joint>')
 
 _DOES = {"prismatic": "moves along", "planar": "moves in the plane across"}

@@ -36,16 +36,10 @@ from urdfkit.robot.joints import (
     unit,
 )
 from urdfkit.robot.model import Joint, Placed
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base"/>
-<link name="finger"/>
-<joint name="knuckle" type="revolute">
-  <parent link="base"/>
-  <child link="finger"/>
-  <limit lower="0" upper="1.7453" effort="0" velocity="2"/>
-</joint>"""
+BAD = arm_xml("revolute", '<limit lower="0" upper="1.7453" effort="0" velocity="2"/>')
 GOOD = BAD.replace('effort="0"', 'effort="1.2"')
 
 _HELP = {

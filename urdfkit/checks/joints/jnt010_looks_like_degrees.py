@@ -31,19 +31,13 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint, Placed, RobotModel, numbers
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import replace_value, scale_limits
 from urdfkit.text.grammar import owner
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="elbow" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <limit lower="-90" upper="90" effort="10" velocity="1"/>
-</joint>"""
+BAD = arm_xml("revolute", '<limit lower="-90" upper="90" effort="10" velocity="1"/>')
 GOOD = BAD.replace('lower="-90" upper="90"', 'lower="-1.570796327" upper="1.570796327"')
 FIXED = GOOD
 

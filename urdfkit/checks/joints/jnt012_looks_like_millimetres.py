@@ -23,22 +23,22 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, related, several
 from urdfkit.robot.model import RobotModel
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.editing.edits import scale_limits
 
-BAD = """\
-<link name="palm">
-  <visual>
-    <geometry><box size="0.1 0.1 0.05"/></geometry>
-  </visual>
-</link>
-<link name="finger"/>
-<joint name="slide" type="prismatic">
-  <parent link="palm"/>
-  <child link="finger"/>
-  <axis xyz="1 0 0"/>
-  <limit lower="0" upper="30" effort="10" velocity="0.1"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("palm", visual_xml('<box size="0.1 0.1 0.05"/>')),
+    link_xml("finger"),
+    joint_xml(
+        "prismatic",
+        '<axis xyz="1 0 0"/>',
+        '<limit lower="0" upper="30" effort="10" velocity="0.1"/>',
+        name="slide",
+        parent="palm",
+        child="finger",
+    ),
+)
 FIXED = GOOD = BAD.replace('"30"', '"0.03"')
 
 #: In m; few robots reach so far from one joint to the next, and in mm most do.

@@ -13,18 +13,15 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import all_or_none, remove_attribute
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="wrist" type="continuous">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-6.28" upper="6.28" effort="9" velocity="6.28"/>
-</joint>"""
+BAD = arm_xml(
+    "continuous",
+    '<axis xyz="0 0 1"/>',
+    '<limit lower="-6.28" upper="6.28" effort="9" velocity="6.28"/>',
+)
 GOOD = BAD.replace('lower="-6.28" upper="6.28" ', "")
 FIXED = GOOD
 

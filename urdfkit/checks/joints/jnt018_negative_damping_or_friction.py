@@ -15,17 +15,10 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import effort_unit, unit
 from urdfkit.robot.model import number
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="continuous">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <dynamics damping="-0.1"/>
-</joint>"""
+BAD = arm_xml("continuous", '<axis xyz="0 0 1"/>', '<dynamics damping="-0.1"/>')
 GOOD = BAD.replace("-0.1", "0.1")
 
 

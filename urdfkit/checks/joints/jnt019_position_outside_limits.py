@@ -28,18 +28,15 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
 from urdfkit.robot.model import Joint, RobotModel, number
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <limit lower="-1.5" upper="1.5" effort="30" velocity="1"/>
-  <safety_controller soft_lower_limit="-1.6" soft_upper_limit="1.4" k_velocity="10"/>
-</joint>"""
+BAD = arm_xml(
+    "revolute",
+    '<limit lower="-1.5" upper="1.5" effort="30" velocity="1"/>',
+    '<safety_controller soft_lower_limit="-1.6" soft_upper_limit="1.4" k_velocity="10"/>',
+)
 GOOD = BAD.replace("-1.6", "-1.4")
 
 #: Part of the range that is rounding.

@@ -13,17 +13,11 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_element
 
-BAD = """\
-<link name="base"/>
-<link name="camera"/>
-<joint name="camera_joint" type="fixed">
-  <parent link="base"/>
-  <child link="camera"/>
-  <axis xyz="0 1 0"/>
-</joint>"""
+BAD = arm_xml("fixed", '<axis xyz="0 1 0"/>')
 GOOD = BAD.replace('  <axis xyz="0 1 0"/>\n', "")
 FIXED = GOOD
 

@@ -18,19 +18,12 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import arm_xml, link_xml
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="odom"/>
-<link name="base"/>
-<joint name="drive" type="planar">
-  <parent link="odom"/>
-  <child link="base"/>
-  <axis xyz="0 0 1"/>
-</joint>"""
-GOOD = """\
-<link name="base"/>"""
+BAD = arm_xml("planar", '<axis xyz="0 0 1"/>')
+GOOD = link_xml("base")
 
 
 @rule(

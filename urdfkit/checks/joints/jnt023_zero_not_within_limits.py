@@ -15,16 +15,10 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, related, several, unit
 from urdfkit.robot.model import Joint, Limit
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="upper_arm"/>
-<link name="forearm"/>
-<joint name="elbow" type="revolute">
-  <parent link="upper_arm"/>
-  <child link="forearm"/>
-  <limit lower="0.5" upper="2.5" effort="30" velocity="1"/>
-</joint>"""
+BAD = arm_xml("revolute", '<limit lower="0.5" upper="2.5" effort="30" velocity="1"/>')
 GOOD = BAD.replace('lower="0.5"', 'lower="0"')
 
 #: Part of the range that is a margin, not a defect.

@@ -23,18 +23,21 @@ from urdfkit.core.spatial import Rotation, rotate
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Joint, numbers
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_value
 
-BAD = """\
-<link name="camera_link"/>
-<link name="camera_optical_frame"/>
-<joint name="optical_joint" type="fixed">
-  <parent link="camera_link"/>
-  <child link="camera_optical_frame"/>
-  <origin rpy="1.5707963 0 -1.5707963"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("camera_link"),
+    link_xml("camera_optical_frame"),
+    joint_xml(
+        "fixed",
+        '<origin rpy="1.5707963 0 -1.5707963"/>',
+        parent="camera_link",
+        child="camera_optical_frame",
+    ),
+)
 FIXED = GOOD = BAD.replace('"1.5707963 0 -1.5707963"', '"-1.5707963 0 -1.5707963"')
 
 #: From the frame of a camera to its optical frame; its columns are the optical axes.

@@ -22,21 +22,15 @@ from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.shapes import AXES, LinkSolid, MeshSolid, solid
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
-BAD = """\
-<link name="base"/>
-<link name="wheel">
-  <collision>
-    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-  </collision>
-</link>
-<joint name="wheel_joint" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-  <axis xyz="0 1 0"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("wheel", collision_xml('<cylinder radius="0.1" length="0.04"/>')),
+    joint_xml("continuous", '<axis xyz="0 1 0"/>', name="wheel_joint", child="wheel"),
+)
 GOOD = BAD.replace("<geometry>", '<origin rpy="1.5707963 0 0"/>\n    <geometry>', 1)
 
 #: Names of links whose cylinder need not roll.

@@ -19,18 +19,15 @@ from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint, number
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="elbow" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <limit lower="-2" upper="2" effort="10" velocity="3"/>
-  <dynamics damping="0.1" friction="500"/>
-</joint>"""
+BAD = arm_xml(
+    "revolute",
+    '<limit lower="-2" upper="2" effort="10" velocity="3"/>',
+    '<dynamics damping="0.1" friction="500"/>',
+)
 GOOD = BAD.replace('"500"', '"0.5"')
 
 #: A joint that is driven with all its effort and moves more slowly creeps, in rad/s and m/s.

@@ -29,16 +29,12 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.workspace.resolve import ResolvedReference
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="package://arm_description/meshes/forarm.stl"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "package://arm_description/meshes/forarm.stl")
 GOOD = BAD.replace("forarm", "forearm")
 FIXED = GOOD
 FILES = {

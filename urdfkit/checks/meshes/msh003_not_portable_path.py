@@ -23,16 +23,12 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="file:///home/student/arm_description/meshes/forearm.stl"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "file:///home/student/arm_description/meshes/forearm.stl")
 GOOD = BAD.replace("file:///home/student/arm_description", "package://arm_description")
 FIXED = GOOD
 FILES = {

@@ -21,14 +21,10 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import BY_SUFFIX
 from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="forearm.stl"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "forearm.stl")
 GOOD = BAD.replace("forearm.stl", "hand.stl")
 FILES = {
     "forearm.stl": b"ISO-10303-21;\nHEADER;\n",

@@ -25,14 +25,10 @@ from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_defects import MeshDefect, losses
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="meshes/comma.stl"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "meshes/comma.stl")
 GOOD = BAD.replace("comma", "plate")
 
 FILES = {

@@ -22,23 +22,16 @@ from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
 from urdfkit.robot.assets.mesh_uses import MeshUse
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import edits
 
-BAD = """\
-<link name="base"/>
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="forearm.stl"/></geometry>
-  </visual>
-</link>
-<joint name="shoulder" type="continuous">
-  <parent link="base"/>
-  <child link="arm"/>
-  <origin xyz="0 0 0.2"/>
-  <axis xyz="0 0 1"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("arm", visual_xml('<mesh filename="forearm.stl"/>')),
+    joint_xml("continuous", '<origin xyz="0 0 0.2"/>', '<axis xyz="0 0 1"/>'),
+)
 FIXED = GOOD = BAD.replace(
     'filename="forearm.stl"', 'filename="forearm.stl" scale="0.001 0.001 0.001"'
 )

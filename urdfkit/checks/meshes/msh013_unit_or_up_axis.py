@@ -35,17 +35,13 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.mesh.io.facts import MeshFacts
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="forearm.dae"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "forearm.dae")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.dae": collada('<unit name="millimeter" meter="0.001"/>'),

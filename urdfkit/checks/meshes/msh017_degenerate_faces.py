@@ -16,14 +16,10 @@ from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <collision>
-    <geometry><mesh filename="forearm.stl"/></geometry>
-  </collision>
-</link>"""
+BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.stl": stl([*box((0, 0, 0), (0.1, 0.1, 0.3)), [(0, 0, 0), (0.1, 0, 0), (0.1, 0, 0)]]),

@@ -31,14 +31,10 @@ from urdfkit.robot.assets.mesh_defects import (
     MUJOCO_MOST,
     MeshDefect,
 )
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <collision>
-    <geometry><mesh filename="forearm.stl"/></geometry>
-  </collision>
-</link>"""
+BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3)), copies=1700),

@@ -19,14 +19,10 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import MeshDefect, missing_textures
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <geometry><mesh filename="forearm.dae"/></geometry>
-  </visual>
-</link>"""
+BAD = mesh_xml("visual", "forearm.dae")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
     "forearm.dae": collada(look='<diffuse><texture texture="image" texcoord="UV"/></diffuse>'),

@@ -9,23 +9,14 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="left">
-  <visual>
-    <geometry><mesh filename="left.stl"/></geometry>
-  </visual>
-</link>
-<link name="right">
-  <visual>
-    <geometry><mesh filename="right.stl"/></geometry>
-  </visual>
-</link>
-<joint name="axle" type="fixed">
-  <parent link="left"/>
-  <child link="right"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("left", visual_xml('<mesh filename="left.stl"/>')),
+    link_xml("right", visual_xml('<mesh filename="right.stl"/>')),
+    joint_xml("fixed", name="axle", parent="left", child="right"),
+)
 GOOD = BAD.replace("right.stl", "left.stl")
 FILES = dict.fromkeys(("left.stl", "right.stl"), stl(box((0, 0, 0), (0.1, 0.1, 0.3))))
 

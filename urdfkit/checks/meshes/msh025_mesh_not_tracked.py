@@ -13,14 +13,10 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.mesh.samples import box, stl
+from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <collision>
-    <geometry><mesh filename="forearm.obj"/></geometry>
-  </collision>
-</link>"""
+BAD = mesh_xml("collision", "forearm.obj")
 GOOD = BAD.replace("forearm.obj", "hand.stl")
 FILES = {
     ".git/HEAD": b"ref: refs/heads/main\n",

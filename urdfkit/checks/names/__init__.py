@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 
-#: Codes and names of former rules, and the rules that report their findings now.
+#: Former codes and names, and the rules that report their findings now.
 REDIRECTS = {
-    "duplicate-link": "NAM001", "NAM002": "NAM001", "duplicate-joint": "NAM001",
-    "NAM006": "NAM001", "duplicate-material": "NAM001",
+    "duplicate-link": "NAM001", "NAM002": "NAM001", "duplicate-joint": "NAM001", "NAM006": "NAM001",
+    "duplicate-material": "NAM001",
     "illegal-character": "NAM004", "NAM005": "NAM004", "reserved-name": "NAM004",
     "NAM007": "NAM004", "tf-frame-slash": "NAM004", "NAM008": "NAM004", "leading-digit": "NAM004",
-    "NAM011": "", "names-differ-in-case": "",
     "unknown-link": "REF001", "REF004": "REF001", "unknown-mimic-joint": "REF001",
+    "NAM011": "", "names-differ-in-case": "",
 }  # fmt: skip
 
 

@@ -19,17 +19,16 @@ from collections.abc import Iterable
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="base"/>
-<link name="wheel"/>
-<link name="wheel"/>
-<joint name="left" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("wheel"),
+    link_xml("wheel"),
+    joint_xml("continuous", name="left", child="wheel"),
+)
 GOOD = BAD.replace('<link name="wheel"/>\n', "", 1)
 
 

@@ -18,15 +18,12 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="base"/>
-<link name="gripper"/>
-<joint name="gripper" type="continuous">
-  <parent link="base"/>
-  <child link="gripper"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"), link_xml("gripper"), joint_xml("continuous", name="gripper", child="gripper")
+)
 GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
 
 

@@ -16,19 +16,18 @@ from collections.abc import Iterator
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Link, Material, RobotModel
+from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="base">
-  <visual>
-    <geometry><box size="0.4 0.3 0.1"/></geometry>
-    <material name="body"><color rgba="1 1 1 1"/></material>
-  </visual>
-  <visual>
-    <geometry><sphere radius="0.1"/></geometry>
-    <material name="body"><color rgba="1 0 0 1"/></material>
-  </visual>
-</link>"""
+BAD = link_xml(
+    "base",
+    visual_xml(
+        '<box size="0.4 0.3 0.1"/>', '<material name="body"><color rgba="1 1 1 1"/></material>'
+    ),
+    visual_xml(
+        '<sphere radius="0.1"/>', '<material name="body"><color rgba="1 0 0 1"/></material>'
+    ),
+)
 GOOD = BAD.replace('"body"><color rgba="1 0', '"dome"><color rgba="1 0')
 
 

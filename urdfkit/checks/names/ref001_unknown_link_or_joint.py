@@ -21,18 +21,17 @@ from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import from_macro, insert_before, replace_value
 from urdfkit.text.grammar import is_expression
 
-BAD = """\
-<link name="base_link"/>
-<link name="lid"/>
-<joint name="hinge" type="fixed">
-  <parent link="base_lnk"/>
-  <child link="lid"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base_link"),
+    link_xml("lid"),
+    joint_xml("fixed", name="hinge", parent="base_lnk", child="lid"),
+)
 GOOD = BAD.replace("base_lnk", "base_link")
 FIXED = GOOD
 

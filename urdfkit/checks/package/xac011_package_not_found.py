@@ -1,10 +1,11 @@
 """A ROS package that a robot or a launch file needs is not found.
 
 Without it a xacro cannot be expanded, and no program here can load its meshes: an error, one for
-all meshes of a package. `roslaunch` stops with "ResourceNotFound", `ros2 launch` with "package not
-found": a warning, unless the package comes with ROS or `package.xml` declares it. That the package
-is not on this machine does not mean that the model is wrong: the message lists what was searched.
-Name its directory, put the package into the workspace, or source the ROS installation that has it.
+all meshes of a package. It is a warning if `package.xml` declares the package or ROS has it, since
+only this machine then lacks it. `roslaunch` stops with "ResourceNotFound", `ros2 launch` with
+"package not found": an info where `package.xml` does not declare the package, and a warning where
+its name is a typo. Name the directory of the package, put it into the workspace, or source the ROS
+installation that has it.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -16,14 +17,16 @@ Sources:
 
 from __future__ import annotations
 
+import re
+
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.rules import Finding, Findings, Location, reported, rule
 from urdfkit.robot.assets.mesh_files import MeshReference, is_typo
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.workspace.manifest import manifest_of
-from urdfkit.workspace.ros_packages import comes_with_ros
+from urdfkit.text.source import Span
+from urdfkit.workspace.manifest import is_known_dependency, manifest_of
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -36,6 +39,8 @@ GOOD = """\
 </robot>
 """
 
+_NAME = re.compile(r"^package '([^']+)'")
+
 
 @rule(
     Severity.ERROR,
@@ -43,8 +48,11 @@ GOOD = """\
     help="name its folder with --package NAME=DIR, or add the package to the workspace",
 )
 def check(subject: Subject) -> Findings:
-    for finding in reported(subject, "XAC011"):
-        yield finding._replace(alike=finding.help)  # which names the package
+    problems = subject.problems("XAC011")
+    for problem, finding in zip(problems, reported(subject, "XAC011"), strict=True):
+        (name,) = _NAME.findall(problem.message)
+        severity = _severity(subject, name, problem.span)
+        yield finding._replace(alike=finding.help, severity=severity)  # the help names the package
     if is_launch(subject.source.path):
         yield from _launched(subject)
         return
@@ -69,20 +77,31 @@ def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
         f"searched {', '.join(first.located.searched)}",
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
+        severity=_severity(subject, name, first.at.span),
     )
 
 
+def _severity(subject: Subject, name: str, at: Span) -> Severity | None:
+    is_known = is_known_dependency(name, at.source.path, subject.resolver)
+    return Severity.WARNING if is_known else None
+
+
 def _launched(subject: Subject) -> Findings:
-    manifest = manifest_of(subject.resolver, subject.source.path)
-    declared = manifest.dependencies if manifest else frozenset()
+    path, resolver = subject.source.path, subject.resolver
+    manifest, known = manifest_of(resolver, path), resolver.packages.known(path)
     for package in subject.launch.packages:
-        known = comes_with_ros(package.name) or package.name in declared
-        if package.searched is not None and not known:
-            yield Finding(
-                Location(package.span),
-                f"package '{package.name}' is not found",
-                "fix the name, or declare the package in package.xml; searched "
-                + ", ".join(package.searched),
-                alike="not found",
-                severity=Severity.WARNING,
-            )
+        name = package.name
+        if package.searched is None or is_known_dependency(name, path, resolver):
+            continue
+        suggested = did_you_mean(name, [one for one in known if is_typo(name, one)])
+        undeclared, help = "", "fix the name"
+        if manifest is not None:
+            undeclared = " and not declared in package.xml"
+            help += f", or add <{manifest.dependency_tag}>{name}</{manifest.dependency_tag}>"
+        yield Finding(
+            Location(package.span),
+            f"package '{name}' is not found{undeclared}{suggested}",
+            f"{help}; searched {', '.join(package.searched)}",
+            alike="" if suggested else "not found",
+            severity=Severity.WARNING if suggested else Severity.INFO,
+        )

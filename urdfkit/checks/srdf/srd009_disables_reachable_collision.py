@@ -86,7 +86,7 @@ def check(subject: Subject) -> Findings:
     said = [one for one in said if one[1] in known and one[2] in known and one[1] != one[2]]
     if not said:
         return
-    configurations = subject.collisions.in_moveit
+    configurations = subject.collisions.sampled_in_moveit
     said = [
         one
         for one in said

@@ -74,17 +74,17 @@ def check(subject: Subject) -> Findings:
     if srdf is None:
         return
     yield from _not_adjacent(subject, srdf)
-    if not srdf.disabled or not subject.is_crowded:
+    if not srdf.disabled:
         return
-    for one in subject.collisions.in_moveit.meetings:
-        pair = frozenset((one.small.link, one.large.link))
-        is_connected = one.is_adjacent or one.is_rigid
-        if is_connected and one.distance < -_DEEP and not srdf.disables(pair):
-            first, second = sorted(pair)
+    for pair in subject.collisions.contacts_in_moveit.pairs:
+        if not (pair.is_adjacent or pair.is_rigid) or srdf.disables(frozenset(pair.names)):
+            continue
+        if pair.contact and pair.contact.depth > _DEEP:
+            first, second = sorted(pair.names)
             yield Finding(
                 srdf.root,
                 f"connected links '{first}' and '{second}' overlap by "
-                f"{-1000 * one.distance:.3g} mm, but their collisions are not disabled",
+                f"{1000 * pair.contact.depth:.3g} mm, but their collisions are not disabled",
             )
 
 

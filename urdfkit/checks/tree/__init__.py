@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 
-#: Codes and names of former rules, and the rules that report their findings now.
+#: Former codes and names, and the rules that report their findings now.
 REDIRECTS = {
     "TRE006": "TRE003", "joint-to-itself": "TRE003",
     "TRE009": "", "deep-chain": "",

@@ -16,20 +16,16 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="base"/>
-<link name="crank"/>
-<link name="rod"/>
-<joint name="pivot" type="continuous">
-  <parent link="rod"/>
-  <child link="crank"/>
-</joint>
-<joint name="pin" type="continuous">
-  <parent link="crank"/>
-  <child link="rod"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("crank"),
+    link_xml("rod"),
+    joint_xml("continuous", name="pivot", parent="rod", child="crank"),
+    joint_xml("continuous", name="pin", parent="crank", child="rod"),
+)
 GOOD = BAD.replace('<parent link="rod"/>', '<parent link="base"/>')
 
 #: Links of a loop that a message names; the others are counted.

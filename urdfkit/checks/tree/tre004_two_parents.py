@@ -13,24 +13,17 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<link name="hand"/>
-<joint name="shoulder" type="fixed">
-  <parent link="base"/>
-  <child link="arm"/>
-</joint>
-<joint name="wrist" type="fixed">
-  <parent link="arm"/>
-  <child link="hand"/>
-</joint>
-<joint name="mount" type="fixed">
-  <parent link="base"/>
-  <child link="hand"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("arm"),
+    link_xml("hand"),
+    joint_xml("fixed"),
+    joint_xml("fixed", name="wrist", parent="arm", child="hand"),
+    joint_xml("fixed", name="mount", child="hand"),
+)
 GOOD = BAD[: BAD.index('\n<joint name="mount"')]
 
 

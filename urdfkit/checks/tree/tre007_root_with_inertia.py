@@ -14,16 +14,11 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Link, RobotModel
+from urdfkit.robot.samples import inertial_xml, link_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="2"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.02"/>
-  </inertial>
-</link>"""
+BAD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
 GOOD = (
     """\
 <link name="base_root"/>

@@ -20,23 +20,18 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Joint, number
+from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_before, replace_value
 from urdfkit.text.source import Span
 
-BAD = """\
-<link name="base_footprint"/>
-<link name="base_link">
-  <collision>
-    <geometry><box size="0.4 0.3 0.2"/></geometry>
-  </collision>
-</link>
-<joint name="base_footprint_joint" type="fixed">
-  <parent link="base_footprint"/>
-  <child link="base_link"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base_footprint"),
+    link_xml("base_link", collision_xml('<box size="0.4 0.3 0.2"/>')),
+    joint_xml("fixed", name="base_footprint_joint", parent="base_footprint", child="base_link"),
+)
 GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
 FIXED = GOOD
 

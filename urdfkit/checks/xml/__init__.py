@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 
+#: Former codes and names, and the rules that report their findings now.
 REDIRECTS = {"XML006": "XML001", "trailing-content": "XML001"}
 
 

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.lint.report import Report
-from urdfkit.lint.rules import NOT_CHECKED
+from urdfkit.lint.rule_index import NOT_CHECKED
 from urdfkit.output.formats._paths import posix
 from urdfkit.output.formats._xml import xml_text
 from urdfkit.text.diagnostic import Diagnostic, Severity

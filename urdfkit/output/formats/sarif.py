@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from urdfkit import __version__
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index, rules
 from urdfkit.lint.baseline import fingerprints
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
@@ -50,7 +50,7 @@ def _driver(codes: Iterable[str]) -> dict[str, Any]:
         "name": "urdfkit",
         "version": __version__,
         "semanticVersion": __version__,
-        "rules": [_rule(rules.get(code)) for code in codes],
+        "rules": [_rule(rule_index.get(code)) for code in codes],
     }
 
 
@@ -69,7 +69,7 @@ def _rule(rule: rules.Rule) -> dict[str, Any]:
 
 
 def _invocation(report: Report) -> dict[str, Any]:
-    found = [one for one in report.diagnostics if one.code == rules.NOT_CHECKED]
+    found = [one for one in report.diagnostics if one.code == rule_index.NOT_CHECKED]
     levels = {one.span.source.path: _LEVELS[one.severity] for one in found}
     notes = [
         {

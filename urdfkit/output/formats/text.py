@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Crashed, Report
-from urdfkit.lint.rules import NOT_CHECKED, foreign
+from urdfkit.lint.rule_index import NOT_CHECKED, foreign
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown

@@ -15,7 +15,7 @@ from typing import Any
 from urdfkit import __version__
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import finite
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
@@ -228,6 +228,6 @@ def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
 
 def _severity(found: Diagnostic, target: str) -> Severity:
     """How bad a finding is for one program alone."""
-    rule = rules.get(found.code)
+    rule = rule_index.get(found.code)
     is_by_target = found.targets and target in rule.by_target
     return rule.severity_for([target])[0] if is_by_target else found.severity

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from urdfkit.lint import rules
+from urdfkit.lint import rule_index
 from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Span
@@ -25,11 +25,11 @@ def findings(
     return [
         {
             **{key: value for key, value in entry.items() if key != "variants"},  # it is one
-            "family": rules.FAMILIES.get(found.code[:3], found.code[:3]),
+            "family": rule_index.FAMILIES.get(found.code[:3], found.code[:3]),
             "links": _unique(places.link(call.element) for call in found.calls),
             "joints": _unique(places.joint(call.element) for call in found.calls),
             "excerpt": excerpt(found.span),
-            "explanation": rules.get(found.code).explanation,
+            "explanation": rule_index.get(found.code).explanation,
         }
         for found, entry in zip(diagnostics, written, strict=True)
     ]

@@ -10,10 +10,9 @@ import coal
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays
 
-#: Bodies that overlap by no more than this, in m, touch.
-TOUCH = 1e-5
 #: coal's requests: without it coal misses hits of meshes (measured on a UR5).
 MARGIN = 1e-6
 #: Contacts of two meshes that are looked at for the deepest.

@@ -14,13 +14,9 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
 from urdfkit.physics.collision.batch_kinematics import matrix
+from urdfkit.physics.collision.bodies import LARGEST, THINNEST, primitive_size, why_omitted
 from urdfkit.robot.assets.triangles import Meshes
-from urdfkit.robot.model import RobotModel, Shape
-
-#: In m: bodies that are larger, or farther from their link, are left out.
-LARGEST = 1e6
-#: In m: thinner primitives are made so thick, and smaller meshes left out.
-THINNEST = 1e-6
+from urdfkit.robot.model import Link, RobotModel, Shape
 
 
 class CollisionArrays(NamedTuple):
@@ -71,46 +67,36 @@ def solids(
     found: list[CollisionArrays] = []
     omitted: list[OmittedCollision] = []
     for link in model.links_by_name.values():
-        for number, body in enumerate(link.collisions):
-            made = _made(body.shape, meshes, unit=unit)
-            frame = matrix(body.origin)
-            if not isinstance(made, str) and np.abs(frame[:3, 3]).max() > LARGEST:
-                made = f"it is more than {LARGEST:g} m from its link"
-            if isinstance(made, str):
-                omitted.append(OmittedCollision(link.name, number, made))
+        for number in range(len(link.collisions)):
+            made = arrays(link, number, meshes, unit=unit)
+            if isinstance(made, OmittedCollision):
+                omitted.append(made)
             else:
-                found.append(CollisionArrays(link.name, number, frame, *made))
+                found.append(made)
     return tuple(found), tuple(omitted)
 
 
-_Made = tuple[str, tuple[float, ...], Floats, Integers]
+def arrays(
+    link: Link, number: int, meshes: Meshes, *, unit: bool
+) -> CollisionArrays | OmittedCollision:
+    """One collision of a link, by its number from 0; the rest as for `solids`."""
+    body = link.collisions[number]
+    shape = body.shape
+    reason = why_omitted(body)
+    if shape is None or reason:
+        return OmittedCollision(link.name, number, reason)
+    frame = matrix(body.origin)
+    if shape.kind != "mesh":
+        size = primitive_size(shape)
+        return CollisionArrays(link.name, number, frame, shape.kind, size, NO_VERTICES, NO_FACES)
+    made = _mesh(shape, meshes, unit=unit)
+    if isinstance(made, str):
+        return OmittedCollision(link.name, number, made)
+    return CollisionArrays(link.name, number, frame, "mesh", (), *made)
 
 
-def _made(shape: Shape | None, meshes: Meshes, *, unit: bool) -> _Made | str:
-    """Kind, size, vertices and faces of a shape, or why it cannot be used."""
-    if shape is None:
-        return "it has no geometry"
-    if shape.kind == "mesh":
-        return _mesh(shape, meshes, unit=unit)
-    sizes = {
-        "box": shape.size,
-        "sphere": (shape.radius,),
-        "cylinder": (shape.radius, shape.length),
-        "capsule": (shape.radius, shape.length),
-    }
-    if shape.kind not in sizes:
-        return f"<{shape.kind}> is no shape of URDF"
-    size = [value for value in sizes[shape.kind] or () if value is not None]
-    if not size or len(size) < len(sizes[shape.kind] or ()):
-        return "a size is missing or cannot be read"
-    if min(size) < 0:
-        return "a size is negative"
-    if max(size) > LARGEST:
-        return f"it is larger than {LARGEST:g} m"
-    return shape.kind, tuple(max(value, THINNEST) for value in size), NO_VERTICES, NO_FACES
-
-
-def _mesh(shape: Shape, meshes: Meshes, *, unit: bool) -> _Made | str:
+def _mesh(shape: Shape, meshes: Meshes, *, unit: bool) -> tuple[Floats, Integers] | str:
+    """Vertices and faces, or why they cannot be used."""
     mesh = meshes.mesh(shape)
     vertices = meshes.vertices(shape, unit=unit)
     if mesh is None or vertices is None:
@@ -122,7 +108,7 @@ def _mesh(shape: Shape, meshes: Meshes, *, unit: bool) -> _Made | str:
         return f"it is larger than {LARGEST:g} m"
     if np.ptp(vertices, axis=0).max() < THINNEST:
         return f"it is smaller than {THINNEST:g} m"
-    return "mesh", (), vertices, faces
+    return vertices, faces
 
 
 def _sound(vertices: Floats, faces: Integers) -> tuple[Floats, Integers]:

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from urdfkit.mesh.geometry import Floats, Integers
 from urdfkit.physics.collision.batch_kinematics import BatchTransform, Branch
+from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.bounds import apart
-from urdfkit.physics.collision.collision_geometry import TOUCH, DistanceQuery
+from urdfkit.physics.collision.collision_geometry import DistanceQuery
 from urdfkit.physics.collision.pair_queries import Examiner, Pair, relative
 
 #: Configurations to begin in, each the nearest one of its share of those that were drawn: for the

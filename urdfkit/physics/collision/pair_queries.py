@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from urdfkit.mesh.geometry import Floats, Integers
 from urdfkit.physics.collision.batch_kinematics import Chain
+from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.bounds import DistanceBound, apart, moved, poses
-from urdfkit.physics.collision.collision_geometry import TOUCH, CollisionGeometry, DistanceQuery
+from urdfkit.physics.collision.collision_geometry import CollisionGeometry, DistanceQuery
 
 #: Two links, by their numbers in the chain, the first one before the second.
 Pair = tuple[int, int]

@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats
-from urdfkit.physics.collision.collision_geometry import TOUCH
+from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.local_minimisation import closest
 from urdfkit.physics.collision.pair_queries import Examiner, Pair
 

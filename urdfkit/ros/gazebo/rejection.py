@@ -16,7 +16,7 @@ REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset("JNT001 JNT002 NAM001 REF001 TRE001 TRE002 TRE003 URD015".split())
 #: Rules with findings that reject the robot, as their messages say.
-SOMETIMES = frozenset("GAZ004 GAZ010 GAZ027 GAZ040 GAZ047".split())
+SOMETIMES = frozenset("GAZ004 GAZ010 GAZ040 GAZ047".split())
 #: Rules whose findings reject the robot where they are about a joint.
 IN_JOINTS = frozenset("URD003 URD004 URD005".split())
 #: Errors that reject the robot where they are about its root element.

@@ -59,10 +59,12 @@ def unknown_to_included(
             continue
         word = rf"(?<!\w){re.escape(name)}(?!\w)".encode()
         is_used = ros == 2 and re.search(word, source.data)
-        if not is_used and (ros == 1 or taken.is_whole or is_typo(name, taken.names)):
+        is_mistyped = is_typo(name, taken.names)
+        if not is_used and (ros == 1 or taken.is_whole or is_mistyped):
             file = os.path.basename(source.path)
             message = f"'{file}' has no argument '{name}'{did_you_mean(name, taken.names)}"
-            yield Problem("LAU005", span, message, frame=frame)
+            severity = Severity.INFO if ros == 2 and not is_mistyped else None
+            yield Problem("LAU005", span, message, frame=frame, severity=severity)
 
 
 def missing_in_include(

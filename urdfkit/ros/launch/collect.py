@@ -102,7 +102,7 @@ class Collector:
         """A file that is the robot description, expanded with arguments; None is not known."""
         if not os.path.exists(path):
             path = self.resolver.installed(path) or path
-        if self.file(path, span, "the robot description"):
+        if self.file(path, span, "robot description"):
             known = {name: value for name, value in arguments.items() if value is not None}
             is_whole = len(known) == len(arguments)
             self.descriptions.append(LaunchedDescription(path, known, frame, is_whole))

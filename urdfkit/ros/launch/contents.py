@@ -8,7 +8,7 @@ from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
 
 #: What a file of parameters is called in messages.
-PARAMETERS = "the parameter file"
+PARAMETERS = "parameter file"
 
 #: Launch files that include one another.
 MAX_DEPTH = 8
@@ -40,7 +40,7 @@ class FileUse(Record):
         path: with its expressions resolved; absolute.
         exists: False if nothing is there.
         span: where it is named.
-        purpose: such as ``the RViz configuration``.
+        purpose: such as ``RViz configuration``.
     """
 
     text: str

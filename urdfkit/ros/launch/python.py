@@ -92,7 +92,7 @@ class _Reader:
         listed = self.values.items(words) if words else []
         for flag, value in pairwise(listed):
             if value and self.values.text(flag) in ("-d", "--display-config"):
-                self._file(value, "the RViz configuration")
+                self._file(value, "RViz configuration")
         parameters = argument(call, None, "parameters")
         for value in self.values.items(parameters) if parameters else ():
             if value and (self.values.text(value) or "").endswith(_PARAMETER_FILES):
@@ -133,7 +133,7 @@ class _Reader:
         path = "" if path is None else self.values.path(path)
         is_there = False
         if node is not None and path:
-            is_there = self.collector.file(path, self.values.span(node), "the included launch file")
+            is_there = self.collector.file(path, self.values.span(node), "included launch file")
         self.collector.is_whole = self.collector.is_whole and is_there
         self.collector.problems += self.configurations.include(call, path)
         passed = self.configurations.given(call)

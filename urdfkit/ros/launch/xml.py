@@ -183,10 +183,11 @@ class _File:
 
     def _include(self, element: Element) -> None:
         for child in element.children:
-            self._look_at(child)
+            if child.tag in ("arg", "env", "let"):  # roslaunch does not read any other
+                self._look_at(child)
         attribute = element.attributes.get("file")
         path = self._path_in(attribute) if attribute else None
-        purpose = "the included launch file"
+        purpose = "included launch file"
         if attribute and path and self.collector.file(path, attribute.span, purpose):
             self._included(element, path)
             return
@@ -290,7 +291,7 @@ class _File:
             found = _RVIZ.search(self.text(arguments) or "")
             if found:
                 path = self._path(found.group(1))
-                self.collector.file(path, arguments.span, "the RViz configuration")
+                self.collector.file(path, arguments.span, "RViz configuration")
         executable = element.attributes.get("exec") or element.attributes.get("type")
         started = StartedProgram(
             name or "",

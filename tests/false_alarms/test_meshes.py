@@ -1,0 +1,28 @@
+"""Meshes that are right."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.workspaces import add_file, mesh_link
+from urdfkit.core.spatial import Vector
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.mesh.samples import BOX, box, stl
+
+OUTER = box((0, 0, 0), (1, 1, 1))
+
+
+@pytest.mark.parametrize(
+    ("around", "count"),
+    [(OUTER, 0), (OUTER[1:], 0), (box((2, 0, 0), (3, 1, 1)), 1)],
+    ids=["closed", "with a gap", "elsewhere"],
+)
+def test_a_cavity_faces_inwards(tmp_path: Path, around: list[list[Vector]], count: int) -> None:
+    """Doosan's arms: a housing with open edges, and the hollow in it."""
+    hollow = box((0.3, 0.3, 0.3), (0.7, 0.7, 0.7), (face[::-1] for face in BOX))
+    add_file(tmp_path / "arm.stl", stl([*around, *hollow]))
+    robot = add_file(tmp_path / "arm.urdf", whole_robot(mesh_link("arm.stl")).encode())
+    assert len(engine.check(robot, select=["MSH016"]).diagnostics) == count

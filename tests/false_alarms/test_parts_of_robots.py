@@ -1,0 +1,49 @@
+"""A part whose include is commented out is no robot of its own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.workspaces import add_file
+from urdfkit.lint import engine
+
+HEAD = b'<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="rover">\n'
+SENSOR = (
+    HEAD
+    + b"""  <joint name="gps_joint" type="fixed">
+    <parent link="base_link"/>
+    <child link="gps_link"/>
+  </joint>
+  <link name="gps_link"><xacro:inertial_box mass="1"/></link>
+</robot>
+"""
+)
+
+
+def _whole(include: bytes) -> bytes:
+    return HEAD + b'  <link name="base_link"/>\n  ' + include + b"\n</robot>\n"
+
+
+@pytest.mark.parametrize(
+    "include",
+    [
+        b'<!--xacro:include filename="gps.xacro"/-->',
+        b'<!-- <xacro:include filename="gps.xacro"/> -->',
+    ],
+)
+def test_a_part_that_only_a_comment_includes(tmp_path: Path, include: bytes) -> None:
+    add_file(tmp_path / "rover.urdf.xacro", _whole(include))
+    add_file(tmp_path / "gps.xacro", SENSOR)
+    report = engine.check(tmp_path, select=["REF", "XAC"])
+    assert report.diagnostics == ()
+    assert len(report.files) == 1
+
+
+def test_a_whole_robot_is_checked_whatever_a_comment_says(tmp_path: Path) -> None:
+    add_file(tmp_path / "rover.urdf.xacro", _whole(b'<!--xacro:include filename="other.xacro"/-->'))
+    add_file(tmp_path / "other.xacro", _whole(b""))
+    assert len(engine.check(tmp_path).files) == 2
+    add_file(tmp_path / "gps.xacro", SENSOR)  # which nothing names
+    assert {found.code for found in engine.check(tmp_path).diagnostics} >= {"XAC001"}

@@ -1,0 +1,58 @@
+"""Force-torque sensors and ``<provideFeedback>`` on joints that Gazebo merges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings
+from urdfkit.robot.model import RobotModel
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.values import is_true
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import insert_before
+
+_KEEP = "<preserveFixedJoint>true</preserveFixedJoint>"
+
+
+def merged_force_sensors(subject: Subject) -> Findings:
+    """The fixed joints whose forces are measured, but which are not simulated."""
+    kept = {joint.joint.name for joint in subject.gazebo.joints}
+    for name, at, who in _measuring(subject.model):
+        joint = subject.model.joints_by_name.get(name)
+        if joint is not None and joint.kind == "fixed" and name not in kept:
+            yield Finding(
+                at,
+                f"{who} is on fixed joint '{name}', which Gazebo merges: nothing is measured",
+                f"add {_KEEP} to the <gazebo reference> of the joint",
+                Fix("keep the joint in Gazebo", insert_before(at, (_KEEP,))),
+                alike="merged",
+                severity=Severity.ERROR if _is_read(subject.model, name, at) else None,
+            )
+
+
+def _is_read(model: RobotModel, name: str, at: Element) -> bool:
+    """True if the sensor has a topic or a plugin, or something else reads the forces."""
+    if at.tag == "sensor" and (at.child("topic") or at.child("plugin")):
+        return True
+    plugins = [plugin for block in model.gazebo for plugin in block.all("plugin")]
+    if any(value.text.strip() == name for plugin in plugins for value in plugin.children):
+        return True
+    sensors_of_control = [one for block in model.ros2_controls for one in block.all("sensor")]
+    interfaces = [state for one in sensors_of_control for state in one.all("state_interface")]
+    return any((one.get("name") or "").startswith(("force", "torque")) for one in interfaces)
+
+
+def _measuring(model: RobotModel) -> Iterator[tuple[str, Element, str]]:
+    """The joints whose forces are measured, the element that asks for them, and its name."""
+    measured: set[str] = set()
+    for sensor in sensors(model):
+        if sensor.type == "force_torque":
+            measured.add(sensor.reference)
+            yield sensor.reference, sensor.at, sensor.who
+    for block in model.gazebo:
+        name = block.get("reference") or ""
+        for feedback in block.all("provideFeedback"):
+            if name not in measured and is_true(feedback):
+                yield name, feedback, "<provideFeedback>"

@@ -1,0 +1,309 @@
+"""Reads the configuration of a project from pyproject.toml or urdfkit.toml.
+
+A setting that does not exist is an error with the nearest name: to ignore a typo would check
+something else than was asked for.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from math import inf
+from typing import Any, TypeVar
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import RuleError, UnknownRule
+from urdfkit.lint import rule_index
+from urdfkit.lint.config import Config, ConfigError, FileIgnore, RobotEntry
+from urdfkit.text.diagnostic import Confidence, Severity
+from urdfkit.text.source import why_unreadable
+
+C = TypeVar("C", Confidence, Severity)
+
+
+def load(path: str, *, trusted: bool = True) -> Config:
+    """The configuration in a file.
+
+    Args:
+        path: of the file.
+        trusted: False if it comes with a robot from anywhere. What would let it run code, the
+            setting ``trust`` and modules as ``rule-packages``, is then an error.
+
+    Raises:
+        ConfigError: there is none, or it cannot be understood.
+    """
+    table = _table(path)
+    if table is None:
+        raise ConfigError(f"{path}: no [tool.urdfkit] in this file")
+    return _read(_Reader(path, table, ""), trusted=trusted)
+
+
+def _table(path: str) -> dict[str, Any] | None:
+    """urdfkit's settings in a file; None if a pyproject.toml has none."""
+    try:
+        with open(path, "rb") as file:
+            data = file.read()
+    except OSError as error:
+        raise ConfigError(f"{path}: {why_unreadable(path, error)}") from error
+    own_file = os.path.basename(path) != "pyproject.toml"
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    try:
+        document: dict[str, Any] = tomllib.loads(data.decode())
+    except (ValueError, RecursionError) as error:  # the latter of brackets within brackets
+        raise ConfigError(f"{path}: not TOML: {error}") from error
+    if own_file:
+        return document
+    tools = document.get("tool")
+    table = tools.get("urdfkit") if isinstance(tools, dict) else None
+    return table if isinstance(table, dict) else None
+
+
+def _read(reader: _Reader, *, trusted: bool) -> Config:
+    foreign = reader.rule_packages(trusted=trusted)  # before other settings name their codes
+    ignoring = reader.tables("per-file-ignores")
+    select, named = reader.codes("select")
+    ignored = reader.ignored("ignore")
+    config = Config(
+        reader.path,
+        select=select,
+        ignore=ignored.codes,
+        but_errors=ignored.but_errors,
+        fail_on=reader.choice("fail-on", Severity.WARNING),
+        targets=reader.targets(),
+        packages=reader.packages(),
+        arguments=reader.arguments("arguments"),
+        severities=reader.severities(),
+        file_ignores=tuple(_file_ignore(inner) for inner in ignoring),
+        robots=tuple(
+            robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
+        ),
+        exclude=reader.texts("exclude"),
+        foreign_rules=foreign,
+        preview=reader.take("preview", bool, False),
+        named=named,
+        min_confidence=reader.choice("min-confidence", Confidence.GUESSED),
+        options=reader.options(),
+        trust=reader.trust(trusted=trusted),
+        width=reader.width(),
+    )
+    reader.finish()
+    warnings = [warning for each in (reader, *ignoring) for warning in each.warnings]
+    return config._replace(warnings=tuple(warnings))
+
+
+def _file_ignore(reader: _Reader) -> FileIgnore:
+    files, ignored = reader.texts("files"), reader.ignored("codes")
+    reason = str(reader.take("reason", str, ""))
+    entry = FileIgnore(files, ignored.codes, ignored.but_errors, reason)
+    reader.finish()
+    if not entry.files or not (entry.codes or reader.warnings):
+        raise reader.error("it needs 'files' and 'codes'")
+    return entry
+
+
+def _robots(reader: _Reader, folder: str) -> list[RobotEntry]:
+    """The variants of one entry point; every one with the common arguments too."""
+    file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
+    if not os.path.isfile(file):
+        raise reader.error(f"file not found: '{file}'")
+    common = reader.arguments("arguments")
+    variants = reader.take("variants", dict, {})
+    reader.finish()
+    if not variants:
+        return [RobotEntry(file, "", common)]
+    robots = []
+    for name, arguments in variants.items():
+        inner = _Reader(reader.path, {"arguments": arguments}, f"{reader.where}.variants.{name}")
+        robots.append(RobotEntry(file, name, {**common, **inner.arguments("arguments")}))
+    return robots
+
+
+#: What TOML calls the values that settings have.
+_KINDS = {
+    bool: "true or false",
+    dict: "a table",
+    int: "a whole number",
+    list: "a list",
+    str: "text",
+}
+
+
+class _Reader:
+    """Takes settings out of a table one by one; what is left at the end does not exist."""
+
+    def __init__(self, path: str, table: dict[str, Any], where: str) -> None:
+        self.path = path
+        self.folder = os.path.dirname(os.path.abspath(path))
+        self.where = where
+        self.warnings: list[str] = []
+        self._left = dict(table)
+        self._known: list[str] = []
+
+    def error(self, message: str) -> ConfigError:
+        where = f"{self.where}: " if self.where else ""
+        return ConfigError(f"{self.path}: {where}{message}")
+
+    def take(self, key: str, kind: type, default: Any) -> Any:
+        self._known.append(key)
+        value = self._left.pop(key, default)
+        if not isinstance(value, kind):
+            raise self.error(f"'{key}' must be {_KINDS[kind]}, not {value!r}")
+        return value
+
+    def width(self) -> int:
+        value = self.take("width", int, 0)
+        if value and not 40 <= value <= 400:
+            raise self.error(f"'width' must be from 40 to 400, not {value}")
+        return int(value)
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        values = self.take(key, list, [])
+        for value in values:
+            if not isinstance(value, str):
+                raise self.error(f"'{key}' must hold strings, not {value!r}")
+        return tuple(values)
+
+    def rule_packages(self, *, trusted: bool) -> tuple[str, ...]:
+        """The codes of the rules of other packages."""
+        names = self.texts("rule-packages")
+        if not names:
+            return ()
+        from urdfkit.lint.rule_packages import add
+
+        try:
+            return tuple(add(names, modules=trusted, beside=self.folder))
+        except RuleError as error:
+            raise self.error(f"'rule-packages': {error}") from error
+
+    def trust(self, *, trusted: bool) -> bool:
+        wanted: bool = self.take("trust", bool, False)
+        if wanted and not trusted:
+            raise self.error(
+                "'trust' must be confirmed on the command line: pass --trust or --config FILE"
+            )
+        return wanted
+
+    def codes(self, key: str) -> tuple[frozenset[str], frozenset[str]]:
+        """The codes that a list of words means, and those that it names whole."""
+        words = self.texts(key)
+        found = frozenset(code for word in words for code in self.matching(key, word))
+        return found, rule_index.named(words)
+
+    def matching(self, key: str, word: str) -> list[str]:
+        """The codes that a word of a setting means; warns of a former code."""
+        self._note(key, word)
+        try:
+            return rule_index.matching(word)
+        except UnknownRule as error:
+            raise self.error(f"'{key}': {error}") from error
+
+    def _note(self, key: str, word: str) -> None:
+        if note := rule_index.note(word):
+            self.warnings.append(str(self.error(f"'{key}': {note}")))
+
+    def options(self) -> dict[str, dict[str, float]]:
+        """The values of options of rules, ``[rules.CODE]``."""
+        found: dict[str, dict[str, float]] = {}
+        for word, values in self._rules_table().items():
+            self._note("rules", word)
+            try:
+                rule = rule_index.find_rule(word)
+            except UnknownRule as error:
+                raise self.error(f"'rules': {error}") from error
+            if not isinstance(values, dict):
+                raise self.error(f"'rules.{word}' must be a table of options, not {values!r}")
+            inner = _Reader(self.path, values, f"rules.{word}")
+            found[rule.code] = {
+                name: inner.number(name, default) for name, default in rule.options.items()
+            }
+            inner.finish("option")
+        return found
+
+    def _rules_table(self) -> dict[str, Any]:
+        table = self.take("rules", object, {})
+        if not isinstance(table, dict):
+            raise self.error(
+                "'rules' holds options, as [rules.MSH019]; did you mean 'rule-packages'?"
+            )
+        return table
+
+    def number(self, key: str, default: float) -> float:
+        """A number that is not below 0; a whole one where the default is."""
+        self._known.append(key)
+        value = self._left.pop(key, default)
+        is_whole = isinstance(default, int)
+        is_number = isinstance(value, int if is_whole else (int, float))
+        if not is_number or isinstance(value, bool) or not 0 <= value < inf:
+            kind = "a whole number" if is_whole else "a number"
+            raise self.error(f"'{key}' must be {kind} from 0, not {value!r}")
+        return float(value) if not is_whole else int(value)
+
+    def ignored(self, key: str) -> rule_index.Ignored:
+        """The rules that are left out; a word that means none leaves out nothing."""
+        words = self.texts(key)
+        found = rule_index.ignored(words)
+        notes = [*filter(None, map(rule_index.ignore_note, words)), *map(str, found.unknown)]
+        self.warnings += (str(self.error(f"'{key}': {note}")) for note in notes)
+        return found
+
+    def choice(self, key: str, default: C) -> C:
+        return self._as(type(default), key, self.take(key, str, default.value))
+
+    def _as(self, kind: type[C], key: str, value: Any) -> C:
+        known = [one.value for one in kind]
+        if value not in known:
+            raise self.error(f"'{key}' must be one of {', '.join(known)}, not {value!r}")
+        return kind(value)
+
+    def severities(self) -> dict[str, Severity]:
+        table = self.take("severity", dict, {})
+        found: dict[str, Severity] = {}
+        for word, value in table.items():
+            severity = self._as(Severity, f"severity.{word}", value)
+            codes = self.matching("severity", word)
+            if rule_index.redirect(word) and severity is not Severity.ERROR:
+                # It was merged with others, whose errors nobody wanted to lower.
+                self.warnings[-1] += ": its severity is not changed"
+                continue
+            found.update(dict.fromkeys(codes, severity))
+        return found
+
+    def targets(self) -> tuple[str, ...]:
+        from urdfkit.ros.targets import UnknownTarget, parse
+
+        try:
+            return parse(self.texts("targets")).names
+        except UnknownTarget as error:
+            raise self.error(str(error)) from error
+
+    def packages(self) -> dict[str, str]:
+        table = self.take("packages", dict, {})
+        folders = {name: os.path.join(self.folder, str(value)) for name, value in table.items()}
+        for name, folder in folders.items():
+            if not os.path.isdir(folder):
+                raise self.error(f"'packages.{name}': no such directory '{folder}'")
+        return {name: os.path.normpath(folder) for name, folder in folders.items()}
+
+    def arguments(self, key: str) -> dict[str, str]:
+        """Values as the command line would give them: ``true``, ``0.5``, ``left_``."""
+        table = self.take(key, dict, {})
+        for name, value in table.items():
+            if not isinstance(value, (str, int, float)):
+                raise self.error(f"'{key}.{name}' must be a string, a number or a boolean")
+        return {
+            name: str(value).lower() if isinstance(value, bool) else str(value)
+            for name, value in table.items()
+        }
+
+    def tables(self, key: str) -> list[_Reader]:
+        values = self.take(key, object, [])
+        if not (isinstance(values, list) and all(isinstance(value, dict) for value in values)):
+            raise self.error(f"'{key}' must be tables, written [[{key}]]")
+        return [_Reader(self.path, value, f"{key}[{i}]") for i, value in enumerate(values, 1)]
+
+    def finish(self, what: str = "setting") -> None:
+        for key in self._left:
+            raise self.error(f"unknown {what} '{key}'{did_you_mean(key, self._known)}")

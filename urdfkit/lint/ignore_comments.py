@@ -1,0 +1,73 @@
+"""Ignore comments in a model: findings that its authors have seen and accept.
+
+``<!-- urdfkit: ignore[INE006, MSH] reason -->`` holds for the element that follows it, with
+everything in it. Before the root element it holds for the whole file. A finding in a macro is
+suppressed for all calls by a comment in the macro, and for one call by a comment at the call.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+
+from urdfkit.core.record import Record
+from urdfkit.text.comments import comments
+from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import read_xml
+
+_IGNORE = re.compile(rb"\s*urdfkit\s*:\s*ignore\s*\[([^\]]*)\](.*)", re.DOTALL)
+_CODE = re.compile(rb"[A-Za-z0-9_-]+")
+
+
+class Ignore(Record):
+    """One ignore comment.
+
+    Attributes:
+        span: of the comment.
+        codes: as written, each with its place; beginnings of codes and names count too.
+        reason: as written.
+        start, end: bytes of the source that it holds for.
+    """
+
+    span: Span
+    codes: tuple[tuple[str, Span], ...]
+    reason: str
+    start: int
+    end: int
+
+    def covers(self, span: Span) -> bool:
+        """True if a place is in the element that the comment is about."""
+        return span.source is self.span.source and self.start <= span.start < self.end
+
+
+def ignores(source: Source) -> tuple[Ignore, ...]:
+    """The ignore comments of a file; none of a file that is not well formed."""
+    if b"urdfkit" not in source.data:
+        return ()
+    found_comments = [
+        (Span(source, *comment.span()), said)
+        for comment in comments(source.data)
+        if (said := _IGNORE.fullmatch(source.data, *comment.span(1)))
+    ]
+    if not found_comments:
+        return ()
+    elements = _elements(source)
+    found = []
+    for span, said in found_comments:
+        following = bisect_left(elements, (span.end,))
+        if following < len(elements):
+            codes = tuple(
+                (code.group().decode(), Span(source, *code.span()))
+                for code in _CODE.finditer(source.data, *said.span(1))
+            )
+            reason = said.group(2).strip().decode("utf-8", "replace")
+            found.append(Ignore(span, codes, reason, *elements[following]))
+    return tuple(found)
+
+
+def _elements(source: Source) -> list[tuple[int, int]]:
+    """First and last byte of every element, in the order of their start tags."""
+    document, _ = read_xml(source)
+    if document is None:
+        return []
+    return [element.tag_at.whole_span[1:] for element in document.root.walk()]

@@ -1,0 +1,386 @@
+"""The links that overlap where a robot begins: what a check can afford.
+
+Boxes around the bodies show which pairs may overlap and how deep at most; closed forms measure most
+primitives. coal is loaded for what these leave open: meshes, and inclined cylinders. Lengths in m.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cached_property
+from math import dist, hypot
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Transform, minus
+from urdfkit.physics.collision.bodies import (
+    THINNEST,
+    TOUCH,
+    CollisionBody,
+    collision_bodies,
+)
+from urdfkit.physics.collision.closed_forms import box_distance, point_distance, signed_distance
+from urdfkit.robot.adjacency import Adjacency
+from urdfkit.robot.joints import span, start_of
+from urdfkit.robot.kinematics import SLIDING, TURNING, MimicLaw, frames, laws, motion
+
+if TYPE_CHECKING:
+    from urdfkit.physics.collision.exact import ExactDistances
+    from urdfkit.robot import Robot
+    from urdfkit.robot.model import Joint
+
+#: Drawn poses that a pair which always overlaps must overlap in, too.
+_SAMPLES = 50
+
+#: Of a joint without a name.
+_STILL = MimicLaw("", 0.0, 0.0)
+
+#: Two bodies whose boxes overlap, and a lower bound of their signed distance.
+BoundedPair = tuple[CollisionBody, CollisionBody, float]
+
+
+class Contact(Record):
+    """The two bodies of a pair of links that overlap most where the robot begins.
+
+    Attributes:
+        small: the smaller one of the two.
+        large: the other one.
+        depth: how deep the two overlap.
+        is_solid: both are convex, so that the depth is true.
+    """
+
+    small: CollisionBody
+    large: CollisionBody
+    depth: float
+    is_solid: bool
+
+    @property
+    def part(self) -> float:
+        """The depth as a part of the thickness of the smaller body."""
+        return self.depth / max(self.small.thickness, TOUCH)
+
+
+class LinkPair:
+    """Two links with bodies whose boxes overlap where the robot begins.
+
+    Attributes:
+        names: of the links.
+        is_adjacent: a joint holds the links together, or nothing with bodies lies between.
+        is_rigid: only fixed joints lie between.
+
+    Args:
+        robot: that has the links.
+        bounds: of their bodies.
+    """
+
+    def __init__(self, robot: Contacts, names: tuple[str, str], bounds: list[BoundedPair]) -> None:
+        self.names = names
+        self.is_adjacent = robot.adjacency.is_adjacent(*names)
+        self.is_rigid = robot.adjacency.is_rigid(*names)
+        self._robot = robot
+        self._bounds = bounds
+
+    @property
+    def largest_part(self) -> float:
+        """An upper bound of the `part` of a contact of convex bodies, without measuring it."""
+        return max(
+            (
+                -bound / max(_by_size(first, second)[0].thickness, TOUCH)
+                for first, second, bound in self._bounds
+                if first.may_be_convex and second.may_be_convex
+            ),
+            default=0.0,
+        )
+
+    @cached_property
+    def contact(self) -> Contact | None:
+        """The bodies that overlap most; None if none overlap."""
+        robot, best = self._robot, -TOUCH
+        nearest: tuple[CollisionBody, CollisionBody] | None = None
+        for first, second, bound in self._bounds:
+            if bound < best:
+                at = relative(first, second, robot.frames)
+                distance = robot.distance(first, second, at)
+                if distance < best:
+                    best, nearest = distance, (first, second)
+        if nearest is None:
+            return None
+        return Contact(*_by_size(*nearest), -best, all(map(robot.is_convex, nearest)))
+
+    @cached_property
+    def is_contained(self) -> bool:
+        """True if all bodies of the smaller one's link are in the inside of the large one."""
+        if not self._may_be_contained or self.contact is None:
+            return False
+        return self._robot.contains(self.contact.large, self.contact.small.link)
+
+    @property
+    def is_out_of_reach(self) -> bool:
+        """True if so are those of all links that fixed joints bind to it."""
+        if not self.is_contained or self.contact is None:
+            return False
+        robot, own = self._robot, self.contact.small.link
+        return all(
+            robot.contains(self.contact.large, link)
+            for link in robot.bodies
+            if robot.adjacency.is_rigid(link, own)
+        )
+
+    @cached_property
+    def is_permanent(self) -> bool:
+        """True if the two overlap with each joint at its limits, and in some drawn poses."""
+        return all(self._robot.overlap(self.names, pose) for pose in self._poses())
+
+    @property
+    def is_at_zero(self) -> bool:
+        """True if no joint above the two begins elsewhere than at zero.
+
+        A robot that cannot be at zero is never there: its users begin in a pose of their own.
+        """
+        joints = [joint for name in self.names for joint in self._robot.way(name)]
+        return not any(map(start_of, self._robot.leaders(joints)))
+
+    @property
+    def _may_be_contained(self) -> bool:
+        """False if no body of one link can hold the other link, by the boxes around them."""
+        first, second = self.names
+        return any(
+            self._robot.may_contain(large, own)
+            for own, other in ((first, second), (second, first))
+            for large in self._robot.bodies[other]
+        )
+
+    def _poses(self) -> Iterator[dict[str, float]]:
+        """Where the robot begins, each joint between the two at its limits, and drawn poses."""
+        yield {}
+        joints = [joint for way in self._robot.ways(self.names) for joint in way]
+        spans = {joint.name: span(joint) for joint in self._robot.leaders(joints)}
+        for name, ends in spans.items():
+            yield from ({name: end} for end in ends)
+        from random import Random  # which takes 2 ms to import
+
+        random = Random(0)
+        for _ in range(_SAMPLES):
+            yield {name: random.uniform(*ends) for name, ends in spans.items()}
+
+
+class Contacts:
+    """The links of a robot that may overlap where it begins.
+
+    Attributes:
+        bodies: of each link that has any, by its name.
+        frames: of the links where the robot begins, in that of their root.
+        adjacency: of the links.
+
+    Args:
+        robot: with its meshes.
+        load: makes what measures bodies by coal; called when it is needed.
+        unit: apply the unit that a COLLADA file states.
+    """
+
+    def __init__(self, robot: Robot, load: Callable[[], ExactDistances], *, unit: bool) -> None:
+        tree = self._tree = robot.tree
+        self._load = load
+        self._joints = tree.model.joints_by_name
+        self._laws = laws(self._joints)
+        self._start = {name: start_of(joint) for name, joint in self._joints.items()}
+        self._above = {joint.child.value: joint for joint in tree.spanning if joint.child}
+        self.adjacency = Adjacency(tree)
+        self.frames = frames(tree, self._start)
+        self.bodies: dict[str, list[CollisionBody]] = {}
+        for body in collision_bodies(robot, unit=unit):
+            if body.link in self.frames:
+                self.bodies.setdefault(body.link, []).append(body)
+
+    @cached_property
+    def pairs(self) -> tuple[LinkPair, ...]:
+        """The pairs of links with bodies whose boxes overlap, in the order of the document."""
+        order = {name: number for number, name in enumerate(self.bodies)}
+        found: dict[tuple[str, str], list[BoundedPair]] = {}
+        for near in _near(self._every, self.frames):
+            first, second = sorted(near, key=lambda body: order[body.link])
+            names = (first.link, second.link)
+            bound = _lower_bound(first, second, relative(first, second, self.frames))
+            if bound < -TOUCH and self._are_connected(names):
+                found.setdefault(names, []).append((first, second, bound))
+        pairs = sorted(found.items(), key=lambda pair: [order[name] for name in pair[0]])
+        return tuple(LinkPair(self, names, bounds) for names, bounds in pairs)
+
+    @property
+    def beginning(self) -> str:
+        """Where the joints begin, in words."""
+        elsewhere = ", ".join(
+            f"{joint.name} {start:.3g}"
+            for joint in self.leaders(self._joints.values())
+            if (start := start_of(joint))
+        )
+        return "where all joints are at zero" + (
+            f" ({elsewhere}: zero is beyond the limits)" if elsewhere else ""
+        )
+
+    def distance(self, first: CollisionBody, second: CollisionBody, at: Transform) -> float:
+        """The signed distance of two bodies: exact where they overlap, else only more than 0.
+
+        Args:
+            first: a body.
+            second: another one.
+            at: the frame of the second in that of the first.
+        """
+        found = signed_distance(first.kind, first.size, second.kind, second.size, at)
+        return self._exact.distance(first, second, at) if found is None else found
+
+    def is_convex(self, body: CollisionBody) -> bool:
+        """True for primitives, and meshes that fill their hull."""
+        return body.may_be_convex and (body.kind != "mesh" or self._exact.is_convex(body))
+
+    def overlap(self, names: tuple[str, str], given: Mapping[str, float]) -> bool:
+        """True if two links overlap.
+
+        Args:
+            names: of the links.
+            given: positions of joints between the two; the others are where they begin.
+        """
+        placed = {
+            name: self._placed(way, given)
+            for name, way in zip(names, self.ways(names), strict=True)
+        }
+        for first in self.bodies[names[0]]:
+            for second in self.bodies[names[1]]:
+                at = relative(first, second, placed)
+                if (
+                    _lower_bound(first, second, at) < -TOUCH
+                    and self.distance(first, second, at) < -TOUCH
+                ):
+                    return True
+        return False
+
+    def contains(self, large: CollisionBody, link: str) -> bool:
+        """True if all bodies of a link are in the inside of a convex body."""
+        return (
+            self.may_contain(large, link)
+            and self.is_convex(large)
+            and all(self._is_inside(body, large) for body in self.bodies[link])
+        )
+
+    def may_contain(self, large: CollisionBody, link: str) -> bool:
+        """False if boxes show that a body is not convex, or that the link reaches out of it."""
+        box = (2 * large.half[0], 2 * large.half[1], 2 * large.half[2])
+        return large.may_be_convex and all(
+            point_distance("box", box, minus(at.apply(point), large.center)) < 0
+            for body in self.bodies[link]
+            for at in (relative(large, body, self.frames),)
+            for point in body.points
+        )
+
+    def _is_inside(self, body: CollisionBody, large: CollisionBody) -> bool:
+        """True if a body, or the box around a primitive, is in the inside of a convex body."""
+        at = relative(large, body, self.frames)
+        if large.kind == "mesh":
+            return self._exact.is_inside(body, large, at)
+        points = self._exact.vertices(body) if body.kind == "mesh" else body.points
+        return all(
+            point_distance(large.kind, large.size, at.apply(point)) < -THINNEST for point in points
+        )
+
+    def way(self, link: str) -> list[Joint]:
+        """The joints from the root to a link."""
+        found: list[Joint] = []
+        while joint := self._above.get(link):
+            found.append(joint)
+            assert joint.parent is not None
+            link = joint.parent.value
+        return found[::-1]
+
+    def ways(self, names: tuple[str, str]) -> tuple[list[Joint], list[Joint]]:
+        """The joints to two links from the last link above both."""
+        first, second = map(self.way, names)
+        shared = sum(one is other for one, other in zip(first, second, strict=False))
+        return first[shared:], second[shared:]
+
+    def leaders(self, joints: Iterable[Joint]) -> list[Joint]:
+        """The joints that some move with, each once: themselves, or those that they mimic."""
+        names = dict.fromkeys(
+            self._laws[joint.name].leader
+            for joint in joints
+            if joint.kind in (*TURNING, *SLIDING) and joint.name in self._laws
+        )
+        return [self._joints[name] for name in names if name in self._joints]
+
+    @cached_property
+    def _exact(self) -> ExactDistances:
+        return self._load()
+
+    @property
+    def _every(self) -> list[CollisionBody]:
+        return [body for bodies in self.bodies.values() for body in bodies]
+
+    def _are_connected(self, names: tuple[str, str]) -> bool:
+        """True for two links of one tree with nothing but joints of one number between them."""
+        first, second = self.ways(names)
+        return self._tree.root_of[names[0]] == self._tree.root_of[names[1]] and not any(
+            joint.kind in ("planar", "floating") for joint in (*first, *second)
+        )
+
+    def _placed(self, way: Iterable[Joint], given: Mapping[str, float]) -> Transform:
+        """Where a way of joints leads, in the frame where it begins."""
+        found = Transform()
+        for joint in way:
+            leader, factor, shift = self._laws.get(joint.name, _STILL)
+            position = factor * given.get(leader, self._start.get(leader, 0.0)) + shift
+            found = found @ joint.origin @ motion(joint, position)
+        return found
+
+
+def relative(
+    first: CollisionBody, second: CollisionBody, frames: Mapping[str, Transform]
+) -> Transform:
+    """The frame of one body in that of another, given the frames of their links."""
+    placed = frames[first.link] @ first.origin
+    return placed.inverse @ frames[second.link] @ second.origin
+
+
+def _lower_bound(first: CollisionBody, second: CollisionBody, at: Transform) -> float:
+    """The signed distance of the boxes around two bodies, which that of the bodies is not below.
+
+    Args:
+        first: a body.
+        second: another one.
+        at: the frame of the second in that of the first.
+    """
+    between = Transform(at.rotation, minus(at.apply(second.center), first.center))
+    return box_distance(first.half, second.half, between)
+
+
+def _near(
+    bodies: Iterable[CollisionBody], frames: Mapping[str, Transform]
+) -> Iterator[tuple[CollisionBody, CollisionBody]]:
+    """The bodies of different links whose bounding spheres overlap.
+
+    Only those are compared that overlap along the axis on which the spheres are spread most.
+    """
+    spheres = [
+        ((frames[body.link] @ body.origin).apply(body.center), hypot(*body.half), body)
+        for body in bodies
+    ]
+    spread = (
+        [
+            max(center[axis] for center, _, _ in spheres)
+            - min(center[axis] for center, _, _ in spheres)
+            for axis in range(3)
+        ]
+        if spheres
+        else [0.0]
+    )
+    axis = spread.index(max(spread))
+    spheres.sort(key=lambda sphere: sphere[0][axis] - sphere[1])
+    for number, (center, radius, body) in enumerate(spheres):
+        for other_center, other_radius, other in spheres[number + 1 :]:
+            if other_center[axis] - other_radius > center[axis] + radius:
+                break
+            if body.link != other.link and dist(center, other_center) < radius + other_radius:
+                yield body, other
+
+
+def _by_size(first: CollisionBody, second: CollisionBody) -> tuple[CollisionBody, CollisionBody]:
+    """The smaller and the larger of two bodies."""
+    return (first, second) if first.radius < second.radius else (second, first)

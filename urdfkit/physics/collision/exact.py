@@ -1,0 +1,84 @@
+"""Distances of single bodies by coal, for those that have no closed form."""
+
+from __future__ import annotations
+
+from math import inf
+
+import numpy as np
+
+from urdfkit.core.spatial import Transform, Vector
+from urdfkit.physics.collision.bodies import THINNEST, CollisionBody
+from urdfkit.physics.collision.collision_geometry import CollisionGeometry, DistanceQuery, form
+from urdfkit.physics.collision.geometry_arrays import (
+    NO_FACES,
+    NO_VERTICES,
+    CollisionArrays,
+    OmittedCollision,
+    arrays,
+)
+from urdfkit.robot import Robot
+
+_POINT = form(CollisionArrays("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES))
+
+
+class ExactDistances:
+    """Measures bodies of one robot; each is loaded once.
+
+    Args:
+        robot: with its meshes.
+        unit: apply the unit that a COLLADA file states.
+    """
+
+    def __init__(self, robot: Robot, *, unit: bool) -> None:
+        self._robot = robot
+        self._unit = unit
+        self._known: dict[tuple[str, int], CollisionGeometry | None] = {}
+
+    def distance(self, first: CollisionBody, second: CollisionBody, at: Transform) -> float:
+        """The signed distance of two bodies, in m; infinite for one that cannot be used.
+
+        Args:
+            first: a body.
+            second: another one.
+            at: the frame of the second in that of the first.
+        """
+        one, other = self._geometry(first), self._geometry(second)
+        if one is None or other is None:
+            return inf
+        query = DistanceQuery(one, other)
+        return query.distance(np.array(at.rotation), np.array(at.position), 0.0)
+
+    def is_convex(self, body: CollisionBody) -> bool:
+        """True for a body that fills its hull."""
+        found = self._geometry(body)
+        return found is not None and found.is_convex
+
+    def is_inside(self, body: CollisionBody, large: CollisionBody, at: Transform) -> bool:
+        """True if a body, or the box around a primitive, is in the inside of a convex body.
+
+        Args:
+            body: perhaps inside.
+            large: the convex body.
+            at: the frame of the body in that of the large one.
+        """
+        around = self._geometry(large)
+        if around is None:
+            return False
+        query = DistanceQuery(around, _POINT)
+        points = np.array(self.vertices(body)) @ np.array(at.rotation).T + at.position
+        return all(query.distance(np.eye(3), point, inf) < -2 * THINNEST for point in points)
+
+    def vertices(self, body: CollisionBody) -> tuple[Vector, ...]:
+        """Of a mesh, or the corners of the box around a primitive, in the frame of the body."""
+        found = self._geometry(body)
+        if body.kind != "mesh" or found is None:
+            return body.points
+        return tuple((x, y, z) for x, y, z in found.solid.vertices.tolist())
+
+    def _geometry(self, body: CollisionBody) -> CollisionGeometry | None:
+        key = (body.link, body.number)
+        if key not in self._known:
+            link = self._robot.model.links_by_name[body.link]
+            made = arrays(link, body.number, self._robot.meshes, unit=self._unit)
+            self._known[key] = None if isinstance(made, OmittedCollision) else form(made)
+        return self._known[key]

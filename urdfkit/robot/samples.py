@@ -1,0 +1,61 @@
+"""Small robots as text, for the examples of rules."""
+
+from __future__ import annotations
+
+
+def robot_xml(*parts: str) -> str:
+    """Elements one below the other."""
+    return "\n".join(parts)
+
+
+def link_xml(name: str, *inside: str) -> str:
+    """A ``<link>`` with some elements in it."""
+    return _element(f'link name="{name}"', *inside)
+
+
+def joint_xml(
+    kind: str, *inside: str, name: str = "shoulder", parent: str = "base", child: str = "arm"
+) -> str:
+    """A ``<joint>`` of a type, with other elements after its parent and child."""
+    ends = f'<parent link="{parent}"/>', f'<child link="{child}"/>'
+    return _element(f'joint name="{name}" type="{kind}"', *ends, *inside)
+
+
+def arm_xml(kind: str, *inside: str) -> str:
+    """Two links without shape or mass, and a joint of a type between them."""
+    return robot_xml(link_xml("base"), link_xml("arm"), joint_xml(kind, *inside))
+
+
+def visual_xml(shape: str, *others: str) -> str:
+    """A ``<visual>`` with a shape, such as ``<sphere radius="0.1"/>``, and other elements."""
+    return _element("visual", f"<geometry>{shape}</geometry>", *others)
+
+
+def collision_xml(shape: str, *others: str) -> str:
+    """A ``<collision>`` with a shape, such as ``<sphere radius="0.1"/>``, and other elements."""
+    return _element("collision", f"<geometry>{shape}</geometry>", *others)
+
+
+def inertial_xml(mass: str, moments: str) -> str:
+    """An ``<inertial>``.
+
+    Args:
+        mass: in kg.
+        moments: about x, y and z, in kg m^2, such as ``0.1 0.1 0.2``.
+    """
+    x, y, z = moments.split()
+    tensor = f'<inertia ixx="{x}" ixy="0" ixz="0" iyy="{y}" iyz="0" izz="{z}"/>'
+    return _element("inertial", f'<mass value="{mass}"/>', tensor)
+
+
+def mesh_xml(role: str, filename: str) -> str:
+    """A link with a mesh as its visual or collision."""
+    shape = f'<mesh filename="{filename}"/>'
+    return link_xml("arm", visual_xml(shape) if role == "visual" else collision_xml(shape))
+
+
+def _element(tag: str, *inside: str) -> str:
+    if not inside:
+        return f"<{tag}/>"
+    indented = "\n".join(inside).replace("\n", "\n  ")
+    return f"<{tag}>\n  {indented}\n</{tag.partition(' ')[0]}>"
