@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import os
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from zlib import crc32
 
 import pytest
 from hypothesis import settings
@@ -17,8 +19,9 @@ from urdfkit.workspace import packages
 os.environ["URDFKIT_CACHE_DIR"] = ""
 
 # How long an example takes is the machine's affair.
-settings.register_profile("urdfkit", deadline=None)
-settings.load_profile("urdfkit")
+settings.register_profile("default", deadline=None, max_examples=25, derandomize=True)
+settings.register_profile("thorough", deadline=None, max_examples=150)
+settings.load_profile("default")
 
 ROOT = Path(__file__).resolve().parents[1]
 MODELS = ROOT / "models"
@@ -90,9 +93,68 @@ SLOW = (
 )
 
 
+#: Tests with many parameters of a kind, and of how many one is run unless ``--thorough``.
+SAMPLED = {
+    "tests/test_fixing_corpus.py": 12,
+    "tests/test_planted.py::test_it_is_found": 6,
+    "tests/test_bad_input.py::test_huge": 4,
+    "tests/test_corpus.py": 3,
+    "tests/cli/test_pages.py": 3,
+    "tests/xacro/test_identity.py": 6,
+    "tests/physics/collision/test_sampling.py::test_three_seeds": 3,
+}
+#: The same of tests with a parameter for each robot of the corpus.
+SAMPLED_ROBOTS = 6
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--thorough",
+        action="store_true",
+        help="all parameters of the sampled tests, and more examples for each property",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.getoption("thorough"):
+        settings.load_profile("thorough")
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
+    """Processes for a whole run only: a file of tests is run sooner than they start."""
+    return None if config.args_source is pytest.Config.ArgsSource.TESTPATHS else 0
+
+
 def pytest_itemcollected(item: pytest.Item) -> None:
     if item.nodeid.startswith(SLOW):
         item.add_marker(pytest.mark.slow)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what is not sampled, unless tests are chosen by name."""
+    chosen = config.getoption("keyword") or any("::" in argument for argument in config.args)
+    if chosen or config.getoption("thorough"):
+        return
+    seen: Counter[str] = Counter()
+    kept: list[pytest.Item] = []
+    left_out: list[pytest.Item] = []
+    for item in items:
+        name = item.nodeid.partition("[")[0]
+        number = seen[name] + crc32(name.encode())  # other robots for other tests
+        seen[name] += 1
+        (left_out if number % _one_of(item) else kept).append(item)
+    items[:] = kept
+    config.hook.pytest_deselected(items=left_out)
+
+
+def _one_of(item: pytest.Item) -> int:
+    """Of how many tests like this one is run."""
+    parameters = item.callspec.params if hasattr(item, "callspec") else {}
+    if not parameters:
+        return 1
+    every = SAMPLED_ROBOTS if "entry" in parameters else 1
+    return next((n for start, n in SAMPLED.items() if item.nodeid.startswith(start)), every)
 
 
 @pytest.fixture

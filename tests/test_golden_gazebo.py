@@ -57,7 +57,10 @@ def test_for_ros2_the_old_tags_and_the_old_laser_are_told() -> None:
     assert laser.span.text == "libgazebo_ros_laser.so"
     assert "use libgazebo_ros_ray_sensor.so" in laser.help
     old = [one for one in heard if one.code == "GAZ016" and one.severity.value == "warning"]
-    assert Counter(one.span.text.strip("<>") for one in old) == Counter(OLD_TAGS)
+    spans = [span for one in old for span in (one.span, *(place.span for place in one.related))]
+    assert Counter(span.text.strip("<>") for span in spans) == Counter(OLD_TAGS)
+    assert len({one.span.source for one in old}) == 1
+    assert len(old) == 3  # one for each plugin
 
 
 @pytest.mark.parametrize("target", ["gz-fortress", "gz-harmonic", "gz-jetty"])

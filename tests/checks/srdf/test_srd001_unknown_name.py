@@ -151,6 +151,7 @@ def test_a_solver_for_no_group(tmp_path: Path, place: str) -> None:
     robot = tmp_path if place == "." else tmp_path / "srdf"
     (found,) = findings(robot, GROUPS, "SRD001")
     assert found.message == "settings of unknown group 'hnad'; did you mean 'hand'?"
+    assert "('arm', 'hand')" in found.help
     assert (found.span.line, found.span.text) == (3, "hnad")
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterable
+
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location
@@ -9,6 +12,9 @@ from urdfkit.ros.moveit.config import group_entries, joint_entries, names_withou
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.diagnostic import Severity
+
+#: Groups that a help names.
+_NAMED = 8
 
 
 def unknown_names(subject: Subject, srdf: Srdf) -> Findings:
@@ -43,9 +49,17 @@ def _groups(subject: Subject, srdf: Srdf) -> Findings:
             yield Finding(
                 Location(entry.name.span),
                 f"settings of unknown group '{entry.name}'{did_you_mean(entry.name, known)}",
-                "use the name of a group of the SRDF",
+                f"name a group of {os.path.basename(srdf.path)} ({_few(known)}), or remove "
+                "the settings",
                 severity=Severity.WARNING,
             )
+
+
+def _few(names: Iterable[str]) -> str:
+    """Some names; the first ones of many."""
+    every = [f"'{name}'" for name in sorted(names)]
+    more = [f"{len(every) - _NAMED} more"] if len(every) > _NAMED else []
+    return ", ".join([*every[:_NAMED], *more])
 
 
 def _controllers(subject: Subject, srdf: Srdf) -> Findings:

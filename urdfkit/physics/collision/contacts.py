@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 #: Drawn poses that a pair which always overlaps must overlap in, too.
 _SAMPLES = 50
 
+#: Of the range of a joint: zero is 2 % from two limits of the Panda that MoveIt ships.
+_NEAR_END = 0.05
+
 #: Of a joint without a name.
 _STILL = MimicLaw("", 0.0, 0.0)
 
@@ -133,10 +136,14 @@ class LinkPair:
 
     @property
     def is_at_zero(self) -> bool:
-        """True if no joint above the two begins elsewhere than at zero.
+        """True if no joint above the two begins elsewhere than at zero, nor between them nearly.
 
-        A robot that cannot be at zero is never there: its users begin in a pose of their own.
+        A robot that cannot be at zero is never there: its users begin in a pose of their own. So
+        they do where zero is next to the end of a range, but not the end itself.
         """
+        between = [joint for way in self._robot.ways(self.names) for joint in way]
+        if any(map(_ends_near_zero, self._robot.leaders(between))):
+            return False
         joints = [joint for name in self.names for joint in self._robot.way(name)]
         return not any(map(start_of, self._robot.leaders(joints)))
 
@@ -384,3 +391,9 @@ def _near(
 def _by_size(first: CollisionBody, second: CollisionBody) -> tuple[CollisionBody, CollisionBody]:
     """The smaller and the larger of two bodies."""
     return (first, second) if first.radius < second.radius else (second, first)
+
+
+def _ends_near_zero(joint: Joint) -> bool:
+    """True if zero is next to an end of a joint's range, but not the end itself."""
+    lower, upper = span(joint)
+    return 0 < min(abs(lower), abs(upper)) < _NEAR_END * (upper - lower)
