@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.lint.ignore_comments import Ignore
+    from urdfkit.lint.report import Launched
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
@@ -112,6 +113,7 @@ class Subject:
         progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the runner alone.
         rule_options: configured options of rules, by code and name; set by the runner.
+        launched: the arguments that were not given, and where they are from; set by `loading`.
         unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
@@ -135,6 +137,7 @@ class Subject:
         self._given_targets = targets
         self.outcome = Outcome()
         self.rule_options: Mapping[str, Mapping[str, float]] = {}
+        self.launched: tuple[Launched, ...] = ()
         self.unchecked: tuple[UncheckedValues, ...] = ()
         self.source = source
         self.resolver = resolver
@@ -295,7 +298,7 @@ class Subject:
         """The robot in the document."""
         from urdfkit.robot.model import RobotModel
 
-        return RobotModel(self.document)
+        return RobotModel(self.document, self.resolver.packages.explicit)
 
     @cached_property
     def tree(self) -> KinematicTree:
