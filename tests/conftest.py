@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import sys
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from zlib import crc32
 
 import pytest
 from hypothesis import settings
@@ -17,8 +20,9 @@ from urdfkit.workspace import packages
 os.environ["URDFKIT_CACHE_DIR"] = ""
 
 # How long an example takes is the machine's affair.
-settings.register_profile("urdfkit", deadline=None)
-settings.load_profile("urdfkit")
+settings.register_profile("default", deadline=None, max_examples=25, derandomize=True)
+settings.register_profile("thorough", deadline=None, max_examples=150)
+settings.load_profile("default")
 
 ROOT = Path(__file__).resolve().parents[1]
 MODELS = ROOT / "models"
@@ -60,6 +64,9 @@ def model_id(entry: object) -> str | None:
 #: Folders and files of tests that check whole robots, write documents or start other programs:
 #: minutes, where the rest takes seconds. ``pytest -m "not slow"`` leaves them out.
 SLOW = (
+    "tests/cli/mesh/test_shaping.py",
+    "tests/cli/test_pages.py",
+    "tests/cli/test_render.py",
     "tests/false_alarms/",
     "tests/integration/",
     "tests/lint/test_engine.py",
@@ -85,14 +92,78 @@ SLOW = (
     "tests/text/editing/test_formatter.py",
     "tests/viewer/",
     "tests/xacro/test_bombs.py",
+    "tests/xacro/test_budget.py",
     "tests/xacro/test_identity.py",
     "tests/xacro/test_upstream.py",
 )
 
 
+#: Tests of which one of so many is run unless ``--thorough``; none if 0.
+SAMPLED = {
+    "tests/integration/test_action.py::test_each_variant": 0,
+    "tests/integration/test_action.py::test_it_installs": 0,
+    "tests/integration/test_action.py::test_the_script_of_gitlab": 0,
+    "tests/test_docs.py::test_the_road_in_readme": 0,
+    "tests/test_fixing_corpus.py": 12,
+    "tests/test_planted.py::test_it_is_found": 6,
+    "tests/test_bad_input.py::test_huge": 4,
+    "tests/test_corpus.py": 3,
+    "tests/cli/test_pages.py": 3,
+    "tests/xacro/test_identity.py": 6,
+    "tests/physics/collision/test_sampling.py::test_three_seeds": 3,
+}
+#: The same of tests with a parameter for each robot of the corpus.
+SAMPLED_ROBOTS = 6
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--thorough",
+        action="store_true",
+        help="all parameters of the sampled tests, and more examples for each property",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.getoption("thorough"):
+        settings.load_profile("thorough")
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
+    """Processes for a whole run only: a file of tests is run sooner than they start."""
+    return None if config.args_source is pytest.Config.ArgsSource.TESTPATHS else 0
+
+
 def pytest_itemcollected(item: pytest.Item) -> None:
     if item.nodeid.startswith(SLOW):
         item.add_marker(pytest.mark.slow)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what is not sampled, unless tests are chosen by name."""
+    chosen = config.getoption("keyword") or any("::" in argument for argument in config.args)
+    if chosen or config.getoption("thorough"):
+        return
+    seen: Counter[str] = Counter()
+    kept: list[pytest.Item] = []
+    left_out: list[pytest.Item] = []
+    for item in items:
+        name = item.nodeid.partition("[")[0]
+        number = seen[name] + crc32(name.encode())  # other robots for other tests
+        seen[name] += 1
+        every = _one_of(item)
+        (left_out if not every or number % every else kept).append(item)
+    items[:] = kept
+    config.hook.pytest_deselected(items=left_out)
+
+
+def _one_of(item: pytest.Item) -> int:
+    """Of how many tests like this one is run."""
+    parameters = item.callspec.params if hasattr(item, "callspec") else {}
+    every = SAMPLED_ROBOTS if "entry" in parameters else 1
+    found = next((n for start, n in SAMPLED.items() if item.nodeid.startswith(start)), every)
+    return found if parameters else min(found, 1)
 
 
 @pytest.fixture
@@ -114,4 +185,7 @@ def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iter
         shared = packages._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
         patch.setattr(packages, "_SHARED_BY_ALL", shared)
         patch.setenv("TMPDIR", str(base))  # the same for processes
+        if sys.dont_write_bytecode:  # each process would compile all of urdfkit
+            patch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
+            patch.setenv("PYTHONPYCACHEPREFIX", str(base / "bytecode"))
         yield

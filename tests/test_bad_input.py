@@ -58,9 +58,7 @@ NUMBERS = [
 ENCODINGS = ["utf-8-sig", "utf-16", "utf-16-le", "utf-32", "latin-1", "cp1252", "gbk", "cp037"]
 
 bounded = settings(
-    max_examples=200,
     derandomize=True,
-    deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
 
@@ -156,19 +154,19 @@ class TestDamage:
                 parts[one], parts[other] = parts[other], parts[one]
         assert is_refused_aloud(path, b"".join(parts))
 
-    @settings(bounded, max_examples=60)
+    @bounded
     @given(files, st.sampled_from(ENCODINGS))
     def test_other_encodings(self, path: Path, encoding: str) -> None:
         text = path.read_bytes().decode()
         assert is_refused_aloud(path, text.encode(encoding, "replace"))
 
-    @settings(bounded, max_examples=60)
+    @bounded
     @given(files, st.binary(max_size=300))
     def test_anything(self, path: Path, data: bytes) -> None:
         assert is_refused_aloud(path, data)
 
 
-@settings(bounded, max_examples=150)
+@bounded
 @given(st.sampled_from([path for path in OURS if path.suffix == ".xacro"]), st.data())
 def test_what_stock_xacro_refuses_is_an_error(
     tmp_path_factory: pytest.TempPathFactory, path: Path, draw: st.DataObject

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,7 @@ from tests.conftest import CORPUS, manifest, model_id, needs_corpus
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import engine
 from urdfkit.lint.context import Subject
+from urdfkit.lint.report import Crashed
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -117,15 +120,23 @@ FILES = sorted(path for path in CORPUS.rglob("*") if path.suffix in (".urdf", ".
 MODELS = {folder / model["path"] for folder, model in ENTRIES}
 
 
+@cache
+def alone(file: Path) -> tuple[tuple[Crashed, ...], tuple[str, ...]]:
+    """The rules that crash on a file alone, and the codes of its errors."""
+    report = engine.check(file)
+    errors = (one.code for one in report.diagnostics if one.severity is Severity.ERROR)
+    return report.crashed, tuple(errors)
+
+
 @pytest.mark.parametrize(
     "file", [path for path in FILES if path not in MODELS], ids=lambda p: str(p.relative_to(CORPUS))
 )
 def test_no_rule_crashes_on_a_file_alone(file: Path) -> None:
     try:
-        report = engine.check(file)
+        crashed, _ = alone(file)
     except UrdfkitError as error:
         pytest.fail(f"cannot be checked: {error}")
-    assert report.crashed == ()
+    assert crashed == ()
 
 
 #: What a maintained part or library must not be told when it is checked alone: that what its
@@ -135,10 +146,5 @@ ERRORS_ALONE = {"XAC001": 1, "XAC002": 4, "XAC011": 17, "XML001": 1}
 
 
 def test_parts_and_libraries_checked_alone_are_calm() -> None:
-    found: dict[str, int] = {}
-    for file in FILES:
-        if file not in MODELS:
-            for one in engine.check(file).diagnostics:
-                if one.severity is Severity.ERROR:
-                    found[one.code] = found.get(one.code, 0) + 1
+    found = Counter(code for file in FILES if file not in MODELS for code in alone(file)[1])
     assert found == ERRORS_ALONE

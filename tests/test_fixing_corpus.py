@@ -140,7 +140,7 @@ def _robots() -> list[Path]:
     ]
 
 
-@settings(max_examples=25, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
 def test_a_damaged_robot_is_mended_once_and_for_all(data: st.DataObject) -> None:
     """In memory, where the files beside the robot are found as ever."""

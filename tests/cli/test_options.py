@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from urdfkit.cli import options, quick
@@ -55,7 +55,6 @@ ODD = st.lists(
 )
 
 
-@settings(deadline=None)
 @given(ORDINARY, FILES)
 def test_both_parsers_read_the_ordinary_alike(words: list[str], file: list[str]) -> None:
     words = words + file
@@ -64,7 +63,6 @@ def test_both_parsers_read_the_ordinary_alike(words: list[str], file: list[str])
     assert values == by_click(words)
 
 
-@settings(deadline=None, max_examples=500)
 @given(st.one_of(ODD, st.lists(st.text(max_size=8), max_size=5)))
 @example(["a", "--", "--trust"])
 @example(["a", "--select", "--trust"])

@@ -47,6 +47,17 @@ def test_without_a_fix_for_each_there_is_none() -> None:
     assert finding.fix is None
 
 
+def test_fixes_of_which_one_is_unsafe_are_an_unsafe_fix() -> None:
+    def is_safe(*safe: bool) -> bool:
+        alike = zip(reported("URD001", links(len(safe))), safe, strict=True)
+        (finding,) = grouped([d._replace(fix=d.fix and d.fix._replace(safe=s)) for d, s in alike])
+        assert finding.fix is not None
+        return finding.fix.safe
+
+    assert is_safe(True, True, True)
+    assert not is_safe(True, True, False)
+
+
 def test_tags_of_one_link_are_moved_once() -> None:
     pairs = "".join(
         f'<link name="l{i}">\n  <mu1>1</mu1>\n  <mu1>1</mu1>\n</link>' for i in range(5)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -160,6 +161,38 @@ def test_two_defects_of_one_plain_place_stay_two(judged) -> None:
     assert [d.message for d in judged(rule(find)).diagnostics] == ["first", "second"]
 
 
+def test_two_places_of_one_macro_that_begin_together_stay_two(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        for link in one.model.links:
+            start = Span(link.at.span.source, link.at.span.start, link.at.span.start + 5)
+            yield Finding(link.at, "whole")
+            yield Finding(Location(start, link.at.frame), "start")
+
+    found = judged(rule(find)).diagnostics
+    assert [(d.message, len(d.calls)) for d in found] == [
+        ("whole", 1), ("start", 1), ("whole", 4), ("start", 4),
+    ]  # fmt: skip
+
+
+def test_two_defects_of_one_place_in_a_robot_of_a_launch_file_stay_two(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        if one.source.path.endswith(".urdf"):
+            yield from (Finding(one.document.root, text) for text in ("first", "second"))
+
+    (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    launch = tmp_path / "r.launch"
+    launch.write_text(
+        f'<launch><param name="robot_description" textfile="{tmp_path}/r.urdf"/></launch>'
+    )
+    run_only(monkeypatch, [rule(find)])
+    found = check(launch).diagnostics
+    assert [(d.message, [step.kind for step in d.calls[0].via]) for d in found] == [
+        ("first", ["launch"]), ("second", ["launch"]),
+    ]  # fmt: skip
+
+
 def test_two_rules_are_never_folded(judged) -> None:
     find = of_links(lambda name, at: Finding(at, name))
     verdict = judged(rule(find), rule(find, code="ABC002", name="other-defect"))
@@ -255,7 +288,16 @@ def test_a_rule_is_stopped_at_a_thousand_findings(judged) -> None:
         while True:
             yield Finding(one.document.root, "again")
 
-    assert len(judged(rule(endless)).diagnostics) == runner.MAX_FINDINGS
+    assert len(judged(rule(endless)).diagnostics) == 1000
+
+
+def test_ten_places_in_data_files_are_listed(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        places = tuple(Related(Span(one.source, n, n + 1), "") for n in range(12))
+        yield Finding(one.document.root, "numbers", data=places)
+
+    (found,) = judged(rule(find)).diagnostics
+    assert [note.span.start for note in found.related] == list(range(10))
 
 
 def test_a_message_is_bounded_whatever_names_are_in_it() -> None:

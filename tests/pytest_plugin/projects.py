@@ -1,4 +1,4 @@
-"""Projects with robots and tests, in which pytest runs as a process of its own."""
+"""Projects with robots and tests, in which pytest runs."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ SETTINGS = 'select = ["XML", "XAC", "URD", "REF", "TRE"]\n'
 
 
 class Project:
-    """A folder with models and tests in which pytest runs as a process of its own."""
+    """A directory with models and tests in which pytest runs."""
 
     def __init__(self, pytester: pytest.Pytester) -> None:
         self.pytester = pytester
@@ -63,11 +63,19 @@ class Project:
         path.write_text(text, encoding="utf-8")
 
     def run(self, *words: str) -> pytest.RunResult:
+        """A run in this process, which has imported what it needs already."""
+        return self.pytester.runpytest_inprocess(*PLUGIN, *words)
+
+    def run_process(self, *words: str) -> pytest.RunResult:
+        """A run in a process of its own."""
         return self.pytester.runpytest_subprocess(*PLUGIN, *words)
+
+    def write_test(self, text: str) -> None:
+        self.write("test_it.py", f"import pytest\nfrom urdfkit.testing import *\n\n{text}\n")
 
     def test(self, text: str, *words: str) -> pytest.RunResult:
         """The outcome of a test module."""
-        self.write("test_it.py", f"import pytest\nfrom urdfkit.testing import *\n\n{text}\n")
+        self.write_test(text)
         return self.run("-v", *words)
 
 

@@ -69,13 +69,11 @@ def test_several_processes_agree(project: Project) -> None:
     pytest.importorskip("xdist")
     project.write("urdfkit.toml", SETTINGS + ROBOT_TABLES)
     project.write("pytest.ini", "[pytest]\nurdf_files = urdf/*.urdf urdf/*.xacro\n")
-    result = project.test(
+    project.write_test(
         """
 @pytest.mark.urdf("urdf/arm.urdf.xacro", args={"side": ["left", "right"]})
 def test_it(robot_model): assert_dof(robot_model, 1)
-""",
-        "-n",
-        "2",
+"""
     )
-    text = outcome(result, passed=4, failed=1)
+    text = outcome(project.run_process("-v", "-n", "2"), passed=4, failed=1)
     assert "urdf/broken.urdf:3:63: error REF001" in text

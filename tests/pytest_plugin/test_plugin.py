@@ -43,7 +43,7 @@ def test_it_imports_only_pytest_until_it_is_used(project: Project) -> None:
         "    assert ours == {'urdfkit', 'urdfkit.pytest_plugin'}\n"
         "    assert not {'xacro', 'lxml', 'yaml', 'click', 'numpy'} & set(sys.modules)\n",
     )
-    outcome(project.run(), passed=1)
+    outcome(project.run_process(), passed=1)
 
 
 def test_the_example_is_green_as_a_user_runs_it(tmp_path: Path) -> None:

@@ -319,7 +319,7 @@ MODEL = (MODELS / "good" / "gripper.urdf").read_bytes()
 PIECES = [b"<", b">", b'"', b"&", b"/", b"--", b"</link>", b"<link>", b"]]>", b" ", b"=", b"\0"]
 
 
-@settings(max_examples=300, derandomize=True, deadline=None)
+@settings(derandomize=True)
 @given(
     st.integers(0, len(MODEL)),
     st.integers(0, 40),

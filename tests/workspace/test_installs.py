@@ -3,7 +3,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from urdfkit.workspace import installs
@@ -101,7 +101,6 @@ def test_loops_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert len(rules(tmp_path, text)) <= 1000
 
 
-@settings(deadline=None)
 @given(st.text('installforeachd(DIRECTORY DESTINATION set)$"#\\[]{};/\n x', max_size=200))
 def test_any_text_is_read(text: str) -> None:
     reader = installs._Reader(installs.known_variables("arm"))

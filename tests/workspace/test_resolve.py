@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.workspaces import add_file, add_package, record_listings
@@ -328,7 +328,6 @@ class TestFence:
         assert not resolver().allows("a\0b", near)
 
 
-@settings(deadline=None)
 @given(st.text(max_size=60))
 def test_any_reference_is_answered(reference: str) -> None:
     located = Resolver(environment={}).locate(reference, "/no/such/folder/robot.urdf")
@@ -336,7 +335,6 @@ def test_any_reference_is_answered(reference: str) -> None:
     assert located.path is None or os.path.exists(located.path)
 
 
-@settings(deadline=None)
 @given(
     st.sampled_from(["package://", "model://", "file://", "file:", "", "x://", "C:"]),
     st.text("ab/\\.% 2F0~$:\0é", max_size=30),

@@ -4,7 +4,7 @@ import struct
 from math import inf, nan
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.mesh import made
@@ -96,7 +96,6 @@ def test_a_part_of_a_file_can_be_not_finite_too() -> None:
     assert not_finite == "corner 1 of triangle 1 is (nan, 0, 0)"
 
 
-@settings(deadline=None)
 @given(st.lists(st.tuples(*[st.floats(width=32)] * 9), min_size=1, max_size=20))
 def test_exactly_what_is_not_finite_is_told(rows: list[tuple[float, ...]]) -> None:
     data = made.binary_stl([(row[0:3], row[3:6], row[6:9]) for row in rows])

@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from tests.conftest import CORPUS, needs_corpus
@@ -151,7 +151,6 @@ def test_very_large_files_are_only_recognised(
     assert sniff_file(str(path)) == MeshFacts("", len(data) - 1)
 
 
-@settings(deadline=None)
 @given(st.binary(max_size=300), st.sampled_from(SUFFIXES))
 @example(b"\xff\xfe<\0", ".dae")
 @example(b"ply\nformat ascii 1.0\nelement face 1\nproperty list float int x\nend_header\n", ".ply")
@@ -161,7 +160,6 @@ def test_any_bytes_are_judged(data: bytes, suffix: str) -> None:
     assert facts.defect or facts.format
 
 
-@settings(deadline=None)
 @given(st.sampled_from(sorted(made.SOUND)), st.data())
 def test_any_damage_is_judged(which: tuple[str, str], data: st.DataObject) -> None:
     sound = made.SOUND[which]

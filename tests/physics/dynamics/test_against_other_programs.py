@@ -189,13 +189,13 @@ def drawn(text: str) -> tuple[Dynamics, dict[str, float]]:
     return ours, positions(robot.tree, free)
 
 
-@settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow], derandomize=True)
+@settings(suppress_health_check=[HealthCheck.too_slow], derandomize=True)
 @given(robots((*HINGES, "fixed", "planar", "floating")))
 def test_trees_against_pinocchio(text: str) -> None:
     compare(text.encode(), *drawn(text))
 
 
-@settings(max_examples=40, suppress_health_check=[HealthCheck.too_slow], derandomize=True)
+@settings(suppress_health_check=[HealthCheck.too_slow], derandomize=True)
 @given(robots((*HINGES, "fixed")))
 def test_trees_against_mujoco(text: str) -> None:
     mujoco = pytest.importorskip("mujoco")

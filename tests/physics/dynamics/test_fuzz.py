@@ -7,7 +7,7 @@ import pytest
 np = pytest.importorskip("numpy")
 pytest.importorskip("pinocchio")
 
-from hypothesis import event, given, settings
+from hypothesis import event, given
 from hypothesis import strategies as st
 
 from tests.output.test_overview import of
@@ -59,7 +59,6 @@ def robots(draw: st.DrawFn) -> str:
     return text
 
 
-@settings(max_examples=150)
 @given(robots(), st.floats(-4, 4))
 def test_odd_numbers(text: str, position: float) -> None:
     robot = of(text)

@@ -8,7 +8,7 @@ from typing import Any
 from xml import sax
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
@@ -219,7 +219,6 @@ _trees = st.recursive(
 )
 
 
-@settings(max_examples=300)
 @given(st.lists(st.tuples(_blanks, _trees), max_size=4), st.integers(20, 120))
 def test_twice_is_once_and_means_the_same(parts: list[tuple[str, str]], width: int) -> None:
     text = f'<robot name="r" {XACRO}>{"".join(a + b for a, b in parts)}</robot>'
@@ -280,7 +279,6 @@ def test_real_files_mean_the_same_and_twice_is_once() -> None:
 
 
 @needs_corpus
-@settings(max_examples=40)
 @given(st.data())
 def test_damaged_real_files_are_refused_or_laid_out(data: st.DataObject) -> None:
     file = data.draw(st.sampled_from(corpus_files()))

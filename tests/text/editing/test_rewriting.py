@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from urdfkit.errors import UnwritableFile
@@ -55,7 +55,6 @@ def test_what_has_changed_meanwhile_stops_all(tmp_path: Path):
 
 
 @pytest.mark.skipif(shutil.which("patch") is None, reason="it needs patch")
-@settings(max_examples=100, deadline=None)
 @given(*[st.lists(st.sampled_from("abc"), max_size=12)] * 2)
 def test_a_diff_is_the_smallest_and_patch_takes_it(old: list[str], new: list[str]) -> None:
     before, after = ("".join(f"{line}\n" for line in lines) for lines in (old, new))

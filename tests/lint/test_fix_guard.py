@@ -1,0 +1,110 @@
+"""What forbids a fix, by hand-made reports of a check before it and one after it."""
+
+from __future__ import annotations
+
+import pytest
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.fix_guard import _is_used, harm, useless
+from urdfkit.lint.report import Crashed, Report, Skipped
+from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Severity
+from urdfkit.text.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
+
+SOURCE = Source("r.urdf", b"<robot/>")
+ONE_LINK = '<link name="a"/>'
+TWO_LINKS = '<link name="a"/><link name="b"><visual/></link>'
+
+
+def found(code: str, *elements: str) -> Diagnostic:
+    calls = tuple(Call("", (), element) for element in elements)
+    span = Span(SOURCE, 0, 1)
+    confidence = Confidence.MEASURED
+    return Diagnostic(code, "x", Severity.ERROR, confidence, "message", span, calls, (), "", None)
+
+
+def report(
+    *errors: Diagnostic, skipped: tuple[str, ...] = (), crashed: tuple[str, ...] = ()
+) -> Report:
+    return Report(
+        ("r.urdf",),
+        errors,
+        tuple(Skipped(code, "r.urdf", "") for code in skipped),
+        tuple(Crashed(code, "r.urdf", "") for code in crashed),
+        (),
+        errors=(errors,),
+    )
+
+
+def judged(before: Report, after: Report, old: str = ONE_LINK, new: str = TWO_LINKS) -> str:
+    def robots(body: str) -> list[Subject]:
+        source = Source("r.urdf", f'<robot name="r">{body}</robot>'.encode())
+        return [Subject(source, Resolver(environment={}))]
+
+    return harm(before, after, lambda: robots(old), lambda: robots(new))
+
+
+def test_a_rule_that_cannot_look_any_more_forbids_a_fix() -> None:
+    lost = report(skipped=("ABC001",))
+    assert judged(report(), lost) == "dropped: with it, r.urdf could not be checked any more"
+    assert judged(lost, lost) == ""
+
+
+def test_a_rule_that_fails_forbids_a_fix() -> None:
+    failed = report(crashed=("ABC001",))
+    assert judged(report(), failed) == "dropped: with it, ABC001 fails"
+    assert judged(failed, failed) == ""
+
+
+def test_an_error_of_a_rule_that_could_not_look_before_was_there() -> None:
+    after = report(found("ABC001", "link/a"))
+    assert judged(report(), after) == "skipped: it would add ABC001"
+    assert judged(report(skipped=("ABC001",)), after) == ""
+
+
+@pytest.mark.parametrize(
+    ("elements", "is_revealed"),
+    [
+        (["link/b"], True),
+        (["link/b@name"], True),
+        (["link/b/visual"], True),
+        (["link/a"], False),
+        (["link/b", "link/a"], False),
+        ([], False),
+    ],
+)
+def test_an_error_of_elements_that_were_hidden_was_there(
+    elements: list[str], is_revealed: bool
+) -> None:
+    after = report(found("ABC001", *elements))
+    assert judged(report(), after) == ("" if is_revealed else "skipped: it would add ABC001")
+
+
+def test_an_element_with_another_name_was_not_hidden() -> None:
+    after = report(found("ABC001", "link/b"))
+    assert judged(report(), after, new='<link name="b"/>') == "skipped: it would add ABC001"
+
+
+def test_one_more_error_of_a_code_forbids_a_fix() -> None:
+    one, two = report(found("ABC001", "link/a")), report(*[found("ABC001", "link/a")] * 2)
+    assert judged(one, two) == "skipped: it would add ABC001"
+    assert judged(two, one) == ""
+
+
+def test_a_fix_that_leaves_its_finding_is_useless() -> None:
+    one = found("ABC001", "link/a")
+    assert useless(report(one), report(one), [one]) == "skipped: it does not remove the finding"
+    assert useless(report(one), report(), [one]) == ""
+    assert useless(report(one, one), report(one), [one]) == ""
+
+
+@pytest.mark.parametrize(
+    ("edit", "is_used"),
+    [((5, 10), False), ((9, 11), True), ((19, 21), True), ((20, 25), False), ((10, 10), False)],
+)
+def test_an_edit_concerns_a_robot_by_the_start_tags_that_it_changes(
+    edit: tuple[int, int], is_used: bool
+) -> None:
+    tags = {"r.urdf": [(0, 5), (10, 20), (25, 30)]}
+    assert _is_used(("r.urdf", *edit, ""), tags) is is_used
+    assert not _is_used(("other.urdf", *edit, ""), tags)

@@ -1,0 +1,77 @@
+"""The bounds of the sandbox: what is as large as allowed is made, and nothing larger."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import factorial, inf
+from typing import Any
+
+import pytest
+
+from urdfkit.text.xml_reader import DocumentTooLarge
+from urdfkit.xacro.budget import Budget
+from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression, extent
+
+
+def sandbox() -> Sandbox:
+    return Sandbox(Budget(inf))
+
+
+def nested(levels: int) -> list[Any]:
+    value: list[Any] = []
+    for _ in range(levels - 1):
+        value = [value]
+    return value
+
+
+#: What makes a value of a size, and the largest size.
+LARGEST: dict[str, tuple[Callable[[int], object], int]] = {
+    "a text": (lambda n: sandbox().keep("a" * n), 1_000_000),
+    "two texts": (lambda n: sandbox().keep(["a" * (n - 100), "b" * 98]), 1_000_000),
+    "a shared text": (lambda n: sandbox().keep(["a" * n] * 10), 99_999),
+    "a range": (lambda n: sandbox().keep(range(n)), 1_000_000),
+    "a range of steps": (lambda n: sandbox().keep(range(0, 7 * n, 7)), 1_000_000),
+    "a table": (lambda n: extent(dict.fromkeys(range(n))), 500_000),
+    "levels": (lambda n: extent(nested(n)), 100),
+    "a sum of texts": (lambda n: sandbox().add("a" * 10, "a" * (n - 10)), 1_000_000),
+    "a repeated text": (lambda n: sandbox().times("ab", n), 500_000),
+    "a power": (lambda n: sandbox().power(2, n), 10_000),
+    "a shift": (lambda n: sandbox().shift(1, n), 19_999),
+    "a shift of a large number": (lambda n: sandbox().shift(2**9_999, n), 10_000),
+    "a factorial": (lambda n: sandbox().call(factorial, n), 2_000),
+    "digits": (lambda n: sandbox().call(int, "f" * n, 16), 5_000),
+    "rounding": (lambda n: sandbox().call(round, 1, -n), 5_000),
+    "a set": (lambda n: sandbox().call(set, range(n)), 10_000),
+    "keys": (lambda n: sandbox().call(dict.fromkeys, range(n)), 10_000),
+    "center": (lambda n: sandbox().call("a".center, n), 1_000_000),
+    "ljust": (lambda n: sandbox().call("a".ljust, n), 1_000_000),
+    "rjust": (lambda n: sandbox().call("a".rjust, n), 1_000_000),
+    "zfill": (lambda n: sandbox().call("a".zfill, n), 1_000_000),
+    "ljust of the class": (lambda n: sandbox().call(str.ljust, "a", n), 1_000_000),
+    "a list that grows": (lambda n: sandbox().call([0].extend, [0] * (n - 1)), 1_000_000),
+    "fields": (lambda n: sandbox().modulo("%s" * 500, ("a" * (n - 499), *"b" * 499)), 1_500),
+}
+
+
+@pytest.mark.parametrize("what", LARGEST)
+def test_a_value_as_large_as_allowed(what: str) -> None:
+    make, largest = LARGEST[what]
+    make(largest)
+    with pytest.raises(TooLarge):
+        make(largest + 1)
+
+
+def test_fields_of_three_digits() -> None:
+    assert len(sandbox().modulo("%999d", 1)) == 999
+    with pytest.raises(TooLarge):
+        sandbox().modulo("%1000d", 1)
+    assert len(sandbox().call(sandbox().format("{:999}"), 1)) == 999
+    with pytest.raises(UnsafeExpression):
+        sandbox().call(sandbox().format("{:1000}"), 1)
+
+
+def test_the_budget_of_one_expansion() -> None:
+    budget = Budget(inf)
+    budget.charge(30_000_000)
+    with pytest.raises(DocumentTooLarge):
+        budget.charge(1000)  # it looks no more often
