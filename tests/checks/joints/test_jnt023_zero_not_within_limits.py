@@ -18,7 +18,7 @@ from tests.reported import messages, places, reported
 def test_0_is_outside(kind: str, lower: str, upper: str, unit: str) -> None:
     text = robot(joint("j", kind, limit(lower, upper)))
     assert messages("JNT023", text) == [
-        f"joint 'j': 0 is not within the limits {lower} to {upper} {unit}"
+        f"joint 'j': position 0 is outside the limits [{lower}, {upper}] {unit}"
     ]
     assert places("JNT023", text) == [(4, limit(lower, upper))]
 

@@ -68,4 +68,4 @@ def test_slides_are_compared_with_slides() -> None:
     fingers = joint("finger", "prismatic", limit("0", "0.1", "50000", "100"))
     assert messages("JNT039", arm(*REST) + fingers) == []
     (message,) = messages("JNT039", arm(*REST, ("90000", "3"), kind="prismatic"))
-    assert message.startswith("joint 'j3': the effort of 90000 N is")
+    assert message.startswith("joint 'j3': effort limit 90000 N is")

@@ -24,8 +24,8 @@ def test_friction_over_the_effort() -> None:
 def test_damping_that_takes_all_of_the_effort() -> None:
     assert messages("JNT041", arm('damping="1000"')) == [
         (
-            "joint 'j': with damping 1000 N m s/rad, the effort limit of 10 N m reaches 0.01 rad/s; "
-            "the velocity limit is 2"
+            "joint 'j': with damping 1000 N m s/rad, the effort limit of 10 N m reaches 0.01 "
+            "rad/s; the velocity limit is 2"
         )
     ]
     assert messages("JNT041", arm('damping="99"')) == []

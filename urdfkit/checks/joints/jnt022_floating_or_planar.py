@@ -35,6 +35,6 @@ def check(subject: Subject) -> Findings:
         if joint.kind in ("floating", "planar") and joint.type:
             yield Finding(
                 joint.type,
-                f"joint '{joint.name}' is {joint.kind}: Gazebo drops the joint, and KDL reads it as "
-                "fixed",
+                f"joint '{joint.name}' is {joint.kind}: Gazebo drops the joint, and KDL reads it "
+                "as fixed",
             )

@@ -44,7 +44,7 @@ def check(subject: Subject) -> Findings:
         lower, upper = bounds(first) or (0.0, 0.0)
         yield Finding(
             limit.at,
-            f"{several([joint for joint, _ in found])}: position 0 is outside the limits [{lower:g}, "
-            f"{upper:g}] {unit(first)}",
+            f"{several([joint for joint, _ in found])}: position 0 is outside the limits "
+            f"[{lower:g}, {upper:g}] {unit(first)}",
             related=related((joint, limit.at.span) for joint, limit in found),
         )

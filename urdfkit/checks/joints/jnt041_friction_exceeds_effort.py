@@ -60,8 +60,8 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
     if reached < min(_CREEPS[unit(joint)], _SLOW * speed):
         yield Finding(
             dynamics.attributes["damping"],
-            f"{who}: with damping {damping:g} {of} s/{unit(joint)}, the effort limit of {most:g} {of} "
-            f"reaches {reached:.2g} {unit(joint)}/s; the velocity limit is {speed:g}",
+            f"{who}: with damping {damping:g} {of} s/{unit(joint)}, the effort limit of {most:g} "
+            f"{of} reaches {reached:.2g} {unit(joint)}/s; the velocity limit is {speed:g}",
             weight=speed / reached,
             alike="damping",
         )
