@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings
@@ -118,7 +120,7 @@ def _fix(at: Element | Attribute, suggested: str) -> Fix | None:
     return Fix.of(f"write {suggested}", edits)
 
 
-def _typo(name: str, standard: list[str]) -> str:
+def _typo(name: str, standard: Sequence[str]) -> str:
     """The standard name that differs from a name in one letter; empty if there is none."""
     if name in standard:
         return ""
