@@ -6,7 +6,7 @@ Positions are in rad or m, by the name of the joint.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import isfinite
+from math import atan2, cos, isfinite, pi, sin
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotation_about, unit
@@ -153,3 +153,12 @@ def motion(joint: Joint, position: float) -> Transform:
 def direction(joint: Joint) -> Vector:
     """The unit vector of the axis; x where none is written or it has no direction."""
     return unit(joint.axis.value) if joint.axis and any(joint.axis.value) else (1.0, 0.0, 0.0)
+
+
+def best_angle(a: float, b: float, ends: tuple[float, float]) -> float:
+    """The angle between two ends at which ``a cos q + b sin q`` is largest, the nearest to 0."""
+    top = atan2(b, a)
+    inside = [q for q in (top - 2 * pi, top, top + 2 * pi) if ends[0] <= q <= ends[1]]
+    if inside:
+        return min(inside, key=abs)
+    return max(ends, key=lambda q: a * cos(q) + b * sin(q))
