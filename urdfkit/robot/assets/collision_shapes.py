@@ -133,8 +133,8 @@ def _proposal(
     fitted: dict[tuple[object, ...], Fits],
 ) -> CollisionProposal:
     """The collision of a link; ``fitted`` holds what was found for other links with its meshes."""
+    from urdfkit.mesh.convex_hull import NoHull
     from urdfkit.mesh.fitting import fit, rolling
-    from urdfkit.mesh.hull import NoHull
     from urdfkit.mesh.repair.soup import soup_of
 
     fits, bounds = [], []
