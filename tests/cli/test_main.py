@@ -190,7 +190,7 @@ def test_an_exception_of_ours_asks_to_report_it(
     def fail(*_: object, **__: object) -> None:
         raise ValueError("boom")
 
-    monkeypatch.setattr(checking, "check", fail)
+    monkeypatch.setattr(checking, "check_with", fail)
     monkeypatch.delenv("URDFKIT_DEBUG", raising=False)
     assert main(["check", GOOD]) == 3
     captured = capsys.readouterr()
@@ -212,7 +212,7 @@ def test_ctrl_c_exits_with_130(
     def stop(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(checking, "check", stop)
+    monkeypatch.setattr(checking, "check_with", stop)
     assert main(words) == 130
     captured = capsys.readouterr()
     assert (captured.out, captured.err.strip()) == ("", "")
@@ -351,7 +351,7 @@ def test_a_machine_that_is_full_is_no_bug(
     def fail(*_: object, **__: object) -> None:
         raise error
 
-    monkeypatch.setattr(checking, "check", fail)
+    monkeypatch.setattr(checking, "check_with", fail)
     assert main(["check", GOOD]) == 2
     assert capsys.readouterr().err == message
 

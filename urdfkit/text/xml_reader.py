@@ -10,7 +10,7 @@ import gc
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
-from urdfkit.text.diagnostic import Edit, Fix, Problem, Related
+from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_declaration import encoding_problems, forgiven
@@ -187,7 +187,8 @@ def unbound_prefixes(source: Source) -> list[Problem]:
             text = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
             edit = Edit(Span(source, end, end), text)
             fix = Fix("declare the prefix on the root element", (edit,), safe=True)
-        found.append(problem._replace(code="XML004", help=help, fix=fix))
+        error = problem._replace(help=help, fix=fix, severity=Severity.ERROR)
+        found.append(error)
     return found or [_expat_problem(source, source.data, namespaces=True)]
 
 
