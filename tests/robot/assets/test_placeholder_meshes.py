@@ -215,7 +215,7 @@ def test_mass_and_inertia_give_a_block(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("visual", "reason"),
     [
-        ("b.stl", "neither its name nor its link tells"),
+        ("b.stl", "neither its name nor its link says"),
         ("b.step", "only .dae, .stl"),
         ("package://not_there/b.stl", "package 'not_there' not found"),
         ("http://example.org/b.stl", "'http://' leads to no file"),
