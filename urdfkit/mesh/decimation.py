@@ -104,7 +104,7 @@ def _is_solid(soup: TriangleSoup) -> bool:
 
 
 def _coarser_solid(soup: TriangleSoup) -> _Coarser:
-    """By manifold3d, which tells the parts of a solid by their runs of triangles."""
+    """By manifold3d, which keeps the parts of a solid as runs of triangles."""
     from manifold3d import Manifold, Mesh64
 
     order = np.argsort(soup.parts, kind="stable")

@@ -54,17 +54,17 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
     """
     found: dict[str, MimicLaw] = {}
     for start in joints:
-        name, way = start, list[tuple[str, Mimic]]()
+        name, chain = start, list[tuple[str, Mimic]]()
         while name in joints and name not in found:
             mimic = joints[name].mimic
             if mimic is None or mimic.joint is None:
                 found[name] = MimicLaw(name, 1.0, 0.0)
                 break
-            found[name] = _STILL  # unless the way leads out, and not back here
-            way.append((name, mimic))
+            found[name] = _STILL  # unless the chain ends, and does not come back here
+            chain.append((name, mimic))
             name = mimic.joint.value
         law = found.get(name, _ABSENT)
-        for follower, mimic in reversed(way):
+        for follower, mimic in reversed(chain):
             law = _followed(law, mimic)
             found[follower] = law
     return found
@@ -126,7 +126,7 @@ def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: 
         seen: name of the link that it is seen from.
 
     Raises:
-        UnknownLink: there is no such link, or no way between the two.
+        UnknownLink: there is no such link, or no joints between the two.
     """
     for name in (link, seen):
         if name not in tree.model.links_by_name:

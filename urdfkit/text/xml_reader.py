@@ -129,7 +129,7 @@ class _Builder:
         self._text[-1].append(data)
 
     def undeclared_prefixes(self, *, strict: bool = False) -> list[Problem]:
-        """Prefixes without ``xmlns``: strict readers refuse them, urdfdom does not."""
+        """Prefixes without ``xmlns``: strict parsers reject them, urdfdom does not."""
         found = []
         for prefix, first in self._prefixed.items():
             element: Element | None = first
@@ -219,21 +219,21 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
             mistake.message,
             mistake.help or ("move it into the root element" if mistake.trailing else ""),
             related=tuple(Related(Span(source, *place), text) for *place, text in mistake.notes),
-            fix=_remedy(source, mistake),
+            fix=_fix(source, mistake),
         )
         for mistake in syntax_mistakes(data)
     ]
     return problems or [_expat_problem(source, data)]
 
 
-def _remedy(source: Source, mistake: SyntaxMistake) -> Fix | None:
-    """What puts a slip right; it is known for comments, which no reader of robots heeds."""
-    edits = tuple(Edit(Span(source, *place), text) for *place, text in mistake.remedy)
+def _fix(source: Source, mistake: SyntaxMistake) -> Fix | None:
+    """The fix of a mistake; it is known for comments, which no URDF parser reads."""
+    edits = tuple(Edit(Span(source, *place), text) for *place, text in mistake.fix)
     return Fix(mistake.help, edits, safe=True) if edits else None
 
 
 def _expat_problem(source: Source, data: bytes, *, namespaces: bool = False) -> Problem:
-    """What expat says, for a file that only expat refuses."""
+    """What expat says, for a file that only expat rejects."""
     parser = expat.ParserCreate("utf-8", " " if namespaces else None)
     try:
         parser.Parse(data, True)

@@ -1,4 +1,4 @@
-"""The lists of numbers in a glTF file: accessors, which look through views at buffers.
+"""The lists of numbers in a glTF file: accessors of buffer views.
 
 Source: glTF 2.0 Specification, chapter "Binary Data Storage",
 https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html#binary-data-storage.

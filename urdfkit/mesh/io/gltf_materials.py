@@ -19,7 +19,7 @@ _DIFFUSE = ("diffuseFactor", "diffuseTexture")
 _AS_THEY_ARE = np.eye(2, 3)
 
 
-class TexturedMaterial(NamedTuple):
+class GltfMaterial(NamedTuple):
     """A material, and what its texture asks of the coordinates.
 
     Attributes:
@@ -51,9 +51,9 @@ class GltfMaterials:
         self._root = root
         self._lists = lists
         self._files = files
-        self._known: dict[int, TexturedMaterial] = {}
+        self._known: dict[int, GltfMaterial] = {}
 
-    def material(self, index: int) -> TexturedMaterial:
+    def material(self, index: int) -> GltfMaterial:
         """A material, by its place in the file.
 
         Raises:
@@ -63,7 +63,7 @@ class GltfMaterials:
             self._known[index] = self._read(self._root.one_of("materials", index))
         return self._known[index]
 
-    def _read(self, material: GltfObject) -> TexturedMaterial:
+    def _read(self, material: GltfObject) -> GltfMaterial:
         base, factor, textured = material.inner("pbrMetallicRoughness"), *_BASE
         if "pbrMetallicRoughness" not in material and _OLDER in material.inner("extensions"):
             base, factor, textured = material.inner("extensions", _OLDER), *_DIFFUSE
@@ -72,12 +72,12 @@ class GltfMaterials:
             alpha = 1.0
         found = MeshMaterial(material.text("name"), (red, green, blue, alpha))
         if textured not in base:
-            return TexturedMaterial(found)
+            return GltfMaterial(found)
         texture = base.inner(textured)
         transform = texture.inner("extensions", "KHR_texture_transform")
         image = self._image(self._root.one_of("textures", texture.whole("index")))
         which = transform.whole("texCoord", texture.whole("texCoord", 0))
-        return TexturedMaterial(found._replace(texture=image), which, _matrix(transform))
+        return GltfMaterial(found._replace(texture=image), which, _matrix(transform))
 
     def _image(self, texture: GltfObject) -> str | bytes | None:
         """The file or the bytes of an image; None if it is not there, or of a newer format."""

@@ -25,8 +25,8 @@ from urdfkit.mesh.io.assemble import (
     transformed,
 )
 from urdfkit.mesh.io.collada_geometry import ColladaTriangles, Geometries
-from urdfkit.mesh.io.collada_materials import ColladaMaterials, TexturedMaterial
-from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
+from urdfkit.mesh.io.collada_materials import ColladaMaterial, ColladaMaterials
+from urdfkit.mesh.io.collada_tree import ColladaTree, Element, child, children, tag, text
 from urdfkit.mesh.io.numbers import floats
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
@@ -53,7 +53,7 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
         NoTriangles: it shows nothing, or is not to be read.
     """
     try:
-        return _Reader(Tree(data, recover=recover), folder).mesh(unplaced=recover)
+        return _ColladaReader(ColladaTree(data, recover=recover), folder).mesh(unplaced=recover)
     except NoTriangles:
         comma = _DECIMAL_COMMA.search(data)
         if comma is None:
@@ -62,8 +62,8 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
         raise NoTriangles(f"writes numbers with commas for points, such as '{number}'") from None
 
 
-class _Reader:
-    def __init__(self, tree: Tree, folder: str) -> None:
+class _ColladaReader:
+    def __init__(self, tree: ColladaTree, folder: str) -> None:
         self._tree = tree
         self._losses = LostData()
         self._geometries = Geometries(tree, self._losses)
@@ -171,10 +171,10 @@ class _Reader:
         geometry = self._tree.named(skin.get("source"), "geometry")
         return geometry, np.eye(4) if bound is None else bound
 
-    def _bound(self, instance: Element) -> dict[str, tuple[TexturedMaterial, Element]]:
+    def _bound(self, instance: Element) -> dict[str, tuple[ColladaMaterial, Element]]:
         """The materials of an instance by the symbols that its surfaces use."""
         bindings = child(instance, "bind_material", "technique_common")
-        found: dict[str, tuple[TexturedMaterial, Element]] = {}
+        found: dict[str, tuple[ColladaMaterial, Element]] = {}
         for binding in children(bindings, "instance_material"):
             material = self._materials.material(binding.get("target", ""))
             if material is None:
@@ -184,7 +184,7 @@ class _Reader:
         return found
 
     def _part(
-        self, surface: ColladaTriangles, materials: dict[str, tuple[TexturedMaterial, Element]]
+        self, surface: ColladaTriangles, materials: dict[str, tuple[ColladaMaterial, Element]]
     ) -> MeshPart | None:
         self._triangles += len(surface.position.rows)
         if self._triangles > MAX_TRIANGLES:

@@ -28,7 +28,7 @@ from urdfkit.mesh.io.assemble import (
     transformed,
 )
 from urdfkit.mesh.io.gltf_accessors import Accessors
-from urdfkit.mesh.io.gltf_materials import GltfMaterials, TexturedMaterial
+from urdfkit.mesh.io.gltf_materials import GltfMaterial, GltfMaterials
 from urdfkit.mesh.io.gltf_tree import GltfObject
 from urdfkit.mesh.io.polygons import fans, strips
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
@@ -59,7 +59,7 @@ def read(data: bytes, form: str, folder: str) -> Mesh:
     for extension in root.texts("extensionsRequired"):
         if extension in _COMPRESSED:
             raise NoTriangles(f"is compressed with {_COMPRESSED[extension]}, which is not read")
-    return _Reader(root, binary, folder).mesh()
+    return _GltfReader(root, binary, folder).mesh()
 
 
 def _chunks(data: bytes) -> tuple[bytes, bytes]:
@@ -68,7 +68,7 @@ def _chunks(data: bytes) -> tuple[bytes, bytes]:
     return data[20 : 20 + size], data[28 + size :]
 
 
-class _Reader:
+class _GltfReader:
     def __init__(self, root: GltfObject, binary: bytes, folder: str) -> None:
         self._root = root
         self._losses = LostData()
@@ -145,7 +145,7 @@ class _Reader:
         rows = _triangles(corners, mode)
         self._read += len(rows)
         self._bound()
-        textured = TexturedMaterial()
+        textured = GltfMaterial()
         if "material" in primitive:
             textured = self._materials.material(primitive.whole("material"))
         uv = self._values(lists, f"TEXCOORD_{textured.coordinates}", 2)

@@ -139,7 +139,7 @@ def propose(
         lump: take links that fixed joints hold together as one body.
 
     Raises:
-        UnknownLink: one of the links is not in the robot.
+        NoSuchLink: one of the links is not in the robot.
     """
     known = robot.model.links_by_name
     for name in links:
@@ -183,7 +183,7 @@ def _declared(inertial: Inertial | None) -> MassProperties | None:
 
 
 def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProposal:
-    """Links as one body in the frame of the first; a link that weighs nothing adds nothing."""
+    """Links as one body in the frame of the first; a link without mass adds nothing."""
     first = each[0]
     if len(each) == 1:
         return first

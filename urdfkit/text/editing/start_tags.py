@@ -117,7 +117,7 @@ _VECTOR = re.compile(r"\s*[-+.\deE]+(?:\s+[-+.\deE]+)*\s*")
 
 
 def _vector(value: str) -> str:
-    """Numbers one space apart, each spelt as it was; anything else as it is."""
+    """Numbers one space apart, each as written; anything else as it is."""
     return " ".join(value.split()) if _VECTOR.fullmatch(value) else value
 
 
