@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -63,6 +64,9 @@ def model_id(entry: object) -> str | None:
 #: Folders and files of tests that check whole robots, write documents or start other programs:
 #: minutes, where the rest takes seconds. ``pytest -m "not slow"`` leaves them out.
 SLOW = (
+    "tests/cli/mesh/test_shaping.py",
+    "tests/cli/test_pages.py",
+    "tests/cli/test_render.py",
     "tests/false_alarms/",
     "tests/integration/",
     "tests/lint/test_engine.py",
@@ -88,13 +92,18 @@ SLOW = (
     "tests/text/editing/test_formatter.py",
     "tests/viewer/",
     "tests/xacro/test_bombs.py",
+    "tests/xacro/test_budget.py",
     "tests/xacro/test_identity.py",
     "tests/xacro/test_upstream.py",
 )
 
 
-#: Tests with many parameters of a kind, and of how many one is run unless ``--thorough``.
+#: Tests of which one of so many is run unless ``--thorough``; none if 0.
 SAMPLED = {
+    "tests/integration/test_action.py::test_each_variant": 0,
+    "tests/integration/test_action.py::test_it_installs": 0,
+    "tests/integration/test_action.py::test_the_script_of_gitlab": 0,
+    "tests/test_docs.py::test_the_road_in_readme": 0,
     "tests/test_fixing_corpus.py": 12,
     "tests/test_planted.py::test_it_is_found": 6,
     "tests/test_bad_input.py::test_huge": 4,
@@ -143,7 +152,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         name = item.nodeid.partition("[")[0]
         number = seen[name] + crc32(name.encode())  # other robots for other tests
         seen[name] += 1
-        (left_out if number % _one_of(item) else kept).append(item)
+        every = _one_of(item)
+        (left_out if not every or number % every else kept).append(item)
     items[:] = kept
     config.hook.pytest_deselected(items=left_out)
 
@@ -151,10 +161,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def _one_of(item: pytest.Item) -> int:
     """Of how many tests like this one is run."""
     parameters = item.callspec.params if hasattr(item, "callspec") else {}
-    if not parameters:
-        return 1
     every = SAMPLED_ROBOTS if "entry" in parameters else 1
-    return next((n for start, n in SAMPLED.items() if item.nodeid.startswith(start)), every)
+    found = next((n for start, n in SAMPLED.items() if item.nodeid.startswith(start)), every)
+    return found if parameters else min(found, 1)
 
 
 @pytest.fixture
@@ -176,4 +185,7 @@ def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iter
         shared = packages._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
         patch.setattr(packages, "_SHARED_BY_ALL", shared)
         patch.setenv("TMPDIR", str(base))  # the same for processes
+        if sys.dont_write_bytecode:  # each process would compile all of urdfkit
+            patch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)
+            patch.setenv("PYTHONPYCACHEPREFIX", str(base / "bytecode"))
         yield

@@ -25,4 +25,4 @@ def test_a_cavity_faces_inwards(tmp_path: Path, around: list[list[Vector]], coun
     hollow = box((0.3, 0.3, 0.3), (0.7, 0.7, 0.7), (face[::-1] for face in BOX))
     add_file(tmp_path / "arm.stl", stl([*around, *hollow]))
     robot = add_file(tmp_path / "arm.urdf", whole_robot(mesh_link("arm.stl")).encode())
-    assert len(engine.check(robot, select=["MSH016"]).diagnostics) == count
+    assert len(engine.check(robot, select=["MSH015"]).diagnostics) == count

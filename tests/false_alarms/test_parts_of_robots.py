@@ -8,6 +8,7 @@ import pytest
 
 from tests.workspaces import add_file
 from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Severity
 
 HEAD = b'<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="rover">\n'
 SENSOR = (
@@ -47,3 +48,15 @@ def test_a_whole_robot_is_checked_whatever_a_comment_says(tmp_path: Path) -> Non
     assert len(engine.check(tmp_path).files) == 2
     add_file(tmp_path / "gps.xacro", SENSOR)  # which nothing names
     assert {found.code for found in engine.check(tmp_path).diagnostics} >= {"XAC001"}
+
+
+def test_a_file_that_the_build_makes_is_not_missing(tmp_path: Path) -> None:
+    """Hector's quadrotor: CMake writes its plugins. The robot is not checked, and no error."""
+    add_file(tmp_path / "robot.xacro", _whole(b'<xacro:include filename="plugins.xacro"/>'))
+    add_file(tmp_path / "plugins.xacro.in", HEAD + b"@PLUGINS@</robot>")
+    (found,) = engine.check(tmp_path / "robot.xacro").diagnostics
+    assert (found.code, found.severity) == ("XAC001", Severity.WARNING)
+    assert "plugins.xacro.in" in found.message
+    (tmp_path / "plugins.xacro.in").unlink()
+    (found,) = engine.check(tmp_path / "robot.xacro").diagnostics
+    assert (found.code, found.severity) == ("XAC001", Severity.ERROR)

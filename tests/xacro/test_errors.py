@@ -211,7 +211,7 @@ def test_warnings_have_places(tmp_path: Path) -> None:
         "XAC017 robot.xacro:2:41 2",
         "XAC017 robot.xacro:3:26 none*",
         "XAC017 robot.xacro:4:23 pi",
-        "XAC015 robot.xacro:5:9 sorted",
+        "XAC017 robot.xacro:5:9 sorted",
         "XAC017 robot.xacro:6:1 <a b=\"${xacro.warning('beware')}\"/>",
     ]
 

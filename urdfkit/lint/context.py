@@ -8,19 +8,15 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
-from urdfkit.lint.reading import Reading
-from urdfkit.text.diagnostic import Severity
-from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
+from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
+from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
-    from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
     from urdfkit.robot.assets.mesh_files import Files
@@ -32,30 +28,31 @@ if TYPE_CHECKING:
     from urdfkit.robot.tree import KinematicTree
     from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import Conversion
-    from urdfkit.ros.gazebo.parameters import UnreadParameter
     from urdfkit.ros.gazebo.plugins import PluginUse
-    from urdfkit.ros.launch.contents import FileUse, Launch
+    from urdfkit.ros.launch.contents import FileUse
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.targets import Targets
-    from urdfkit.text.diagnostic import Diagnostic, Related
+    from urdfkit.text.diagnostic import Diagnostic
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
-    from urdfkit.xacro import Xacro
 
+__all__ = [
+    "MAX_BODIES",
+    "NotApplicable",
+    "Outcome",
+    "Reading",
+    "Subject",
+    "Unavailable",
+    "UncheckedValues",
+    "need_coal",
+    "need_pinocchio",
+]
 
 _WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
 _WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
 
 #: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
 MAX_BODIES = 2000
-
-
-class Unavailable(Exception):
-    """A part that a rule needs is not to be had for this description; the text says why."""
-
-
-class NotApplicable(Unavailable):
-    """A description is of another kind than a rule is about; nothing is missing."""
 
 
 def need_coal() -> None:
@@ -68,6 +65,16 @@ def need_coal() -> None:
         libraries.load("coal")
     except ImportError as error:
         raise Unavailable(_WITHOUT_COAL) from error
+
+
+def need_pinocchio() -> None:
+    """Find Pinocchio.
+
+    Raises:
+        Unavailable: it is not installed.
+    """
+    if libraries.find("pinocchio") is None:
+        raise Unavailable(_WITHOUT_PINOCCHIO.format("no module 'pinocchio'"))
 
 
 class Outcome(Record):
@@ -98,18 +105,13 @@ class UncheckedValues(Record):
     why: str
 
 
-class Subject:
-    """One description, its model and what belongs to it.
+class Subject(DescriptionFile):
+    """What rules know of one description: the file as it was read, the robot in it, its files.
 
     Attributes:
-        source: the file.
-        resolver: finds packages and files.
-        arguments: ``name:=value`` for xacro.
-        trust: True if the model's expressions and files are not fenced in.
-        frame: the launch file that asks for it; None if it was named itself.
-        parameters: the files of parameters that this launch file loads.
+        parameters: the parameter files that the launch file loads which asks for it.
         cache: True if measures of meshes may be kept for the next run.
-        progress: is told how many of the model's mesh files have been read, and how many it has.
+        progress: called with the number of mesh files read and of all.
         outcome: what the rules before the present one found; set by the runner alone.
         rule_options: configured options of rules, by code and name; set by the runner.
         unchecked: other values of its arguments, with which nobody checks it; set by the plan.
@@ -128,7 +130,7 @@ class Subject:
         cache: bool = False,
         progress: Callable[[int, int], None] | None = None,
     ) -> None:
-        self.frame = frame
+        super().__init__(source, resolver, arguments, trust=trust, frame=frame)
         self.parameters = parameters
         self.cache = cache
         self.progress = progress
@@ -136,115 +138,7 @@ class Subject:
         self.outcome = Outcome()
         self.rule_options: Mapping[str, Mapping[str, float]] = {}
         self.unchecked: tuple[UncheckedValues, ...] = ()
-        self.source = source
-        self.resolver = resolver
-        self.arguments = dict(arguments or {})
-        self.trust = trust
         self._beside: dict[tuple[object, ...], Subject] = {}
-
-    @cached_property
-    def reading(self) -> Reading:
-        if not is_xacro(self.source):
-            document, problems = read_xml(self.source, self.frame)
-            return Reading(document, tuple(problems), None)
-        from urdfkit.xacro import expand
-
-        xacro = expand(
-            self.source, self.resolver, self.arguments, trust=self.trust, frame=self.frame
-        )
-        met = xacro.problems
-        if any(problem.code == "XAC010" for problem in met):
-            from urdfkit.lint.argument_values import with_values
-
-            met = tuple(with_values(met, xacro, self.resolver))
-        return Reading(xacro.document, met, xacro)
-
-    @property
-    def is_readable(self) -> bool:
-        """False for a description that cannot be read, on which hardly any rule can run."""
-        return is_launch(self.source.path) or self.reading.document is not None
-
-    def problems(self, code: str) -> list[Problem]:
-        """What reading met that a rule explains, in a description or a launch file."""
-        read = self.launch if is_launch(self.source.path) else self.reading
-        return [problem for problem in read.problems if problem.code == code]
-
-    @property
-    def is_fragment(self) -> bool:
-        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
-        return any(problem.severity is Severity.INFO for problem in self.problems("XAC001"))
-
-    @property
-    def xacro(self) -> Xacro:
-        """What the expansion met.
-
-        Raises:
-            NotApplicable: the description is plain XML.
-            Unavailable: it did not expand.
-        """
-        if self.reading.xacro is None:
-            raise NotApplicable("not a xacro")
-        if self.reading.document is None:
-            raise Unavailable("the xacro does not expand")
-        return self.reading.xacro
-
-    @property
-    def document(self) -> Document:
-        """The expanded document.
-
-        Raises:
-            Unavailable: it could not be read.
-        """
-        if self.reading.document is None:
-            what = "xacro does not expand" if self.reading.xacro else "description cannot be read"
-            raise Unavailable(f"the {what}")
-        return self.reading.document
-
-    @property
-    def text(self) -> bytes:
-        """The URDF, expanded.
-
-        Raises:
-            Unavailable: it could not be read.
-        """
-        if self.reading.xacro is None:
-            return self.source.data
-        return self.xacro.text().encode("utf-8", "replace")
-
-    @cached_property
-    def _traced(self) -> Xacro:
-        """The expansion once more, with notes of where every value comes from."""
-        from urdfkit.xacro import expand
-
-        return expand(self.source, self.resolver, self.arguments, trust=self.trust, traced=True)
-
-    def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
-        """Where in YAML files the values stand that expressions wrote at a place of the document.
-
-        Expands a second time, if the first one read YAML files and there is an expression.
-        """
-        reading = self.reading
-        element = at if isinstance(at, Element) else at.element
-        if reading.xacro is None or not reading.xacro.data_files or not self._has(element):
-            return ()
-        attributes = at.attributes.values() if isinstance(at, Element) else (at,)
-        if not any("$" in attribute.span.text for attribute in attributes):
-            return ()
-        return self._traced.data_places(at)
-
-    def _has(self, element: Element) -> bool:
-        """True for an element of the document, not of an SRDF or a manifest beside it."""
-        while element.parent is not None:
-            element = element.parent
-        return self.reading.document is not None and element is self.reading.document.root
-
-    @cached_property
-    def uses(self) -> Mapping[Tag, int]:
-        """How often each tag stands in the document: those of a macro, once for each call."""
-        from collections import Counter
-        from operator import attrgetter
-
-        return Counter(map(attrgetter("tag_at"), self.document.root.walk()))
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
@@ -304,17 +198,10 @@ class Subject:
 
         return KinematicTree(self.model)
 
-    @cached_property
-    def ignores(self) -> tuple[Ignore, ...]:
-        """The ignore comments in its files."""
-        sources: tuple[Source, ...] = (self.source,)
-        if not is_launch(self.source.path) and self.reading.xacro:
-            sources = self.reading.xacro.sources
-        if not any(b"urdfkit" in source.data for source in sources):
-            return ()
-        from urdfkit.lint.ignore_comments import ignores
-
-        return tuple(ignore for source in sources for ignore in ignores(source))
+    @property
+    def given_targets(self) -> tuple[str, ...]:
+        """The consumers that were named; none where they are to be inferred."""
+        return self._given_targets.names if self._given_targets else ()
 
     @cached_property
     def targets(self) -> Targets:
@@ -353,13 +240,6 @@ class Subject:
         return uses(self.model, self.targets)
 
     @cached_property
-    def unread(self) -> tuple[tuple[PluginUse, UnreadParameter], ...]:
-        """The tags that those plugins are given and do not read."""
-        from urdfkit.ros.gazebo.parameters import unread
-
-        return tuple((use, found) for use in self.plugins for found in unread(use))
-
-    @cached_property
     def controllers(self) -> tuple[tuple[ParameterFile, list[Controller]], ...]:
         """The controllers in the parameter files of the robot."""
         if not (self.parameters or self.model.gazebo):
@@ -385,19 +265,6 @@ class Subject:
         from urdfkit.ros.moveit.srdf_variant import other_variant
 
         return other_variant(self, self.srdf)
-
-    @cached_property
-    def launch(self) -> Launch:
-        """What the launch file needs.
-
-        Raises:
-            NotApplicable: the file is no launch file.
-        """
-        from urdfkit.ros.launch import read_launch
-
-        if not is_launch(self.source.path):
-            raise NotApplicable("not a launch file")
-        return read_launch(self.source, self.resolver, self.arguments)
 
     def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:
         """Another description, read in the same way; the same one each time."""
@@ -464,24 +331,6 @@ class Subject:
         if bodies > MAX_BODIES:
             raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
         return Collisions(self, need_coal)
-
-    @cached_property
-    def opinion(self) -> PinocchioReading:
-        """What Pinocchio itself makes of the text.
-
-        Raises:
-            Unavailable: Pinocchio is not installed.
-        """
-        if libraries.find("pinocchio") is None:
-            raise Unavailable(_WITHOUT_PINOCCHIO.format("no module 'pinocchio'"))
-        from urdfkit.physics.dynamics.pinocchio_reading import opinion
-
-        return opinion(self.text)
-
-    @property
-    def given_targets(self) -> tuple[str, ...]:
-        """The consumers that were named; none where they are to be inferred."""
-        return self._given_targets.names if self._given_targets else ()
 
     @cached_property
     def files(self) -> Files:

@@ -236,7 +236,11 @@ def _result(job: Job, subject: Subject, options: Options) -> FileResult:
 
 def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
     """A description that cannot be read, of which no error says so, is skipped as a whole."""
-    errors = {d.code for d in result.diagnostics if d.severity is Severity.ERROR}
+    errors = {
+        d.code
+        for d in result.diagnostics
+        if d.severity is Severity.ERROR or d.code in rule_index.NOT_EXPANDED
+    }
     if subject.is_readable or subject.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
         return result
     from urdfkit.lint.unchecked import why_unchecked

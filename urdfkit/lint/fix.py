@@ -41,10 +41,6 @@ if TYPE_CHECKING:
 
 MAX_ROUNDS = 10
 
-#: Fixes that compute from other values of the robot wait until those are settled: a tensor comes
-#: from the shapes of its link, which other fixes turn, move and scale.
-_LAST = ("INE", "XAC014")
-
 #: Robots, or variants of one, share the text and not the finding.
 _DISPUTED = "skipped: another robot uses this text and is correct as it is"
 
@@ -312,7 +308,8 @@ class _Session:
             for one in report.diagnostics
             if one.fix and one.code in self._asked and not self._reason(one)
         ]
-        settled = [one for one in ready if not one.code.startswith(_LAST)]
+        # A tensor comes from the shapes of its link, which other fixes turn, move and scale.
+        settled = [one for one in ready if not rule_index.get(one.code).computes_fix]
         chosen: list[Diagnostic] = []
         taken: dict[str, list[_Piece]] = {}
         for diagnostic in settled or ready:

@@ -11,13 +11,14 @@ from itertools import chain, zip_longest
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint import rule_index, rules
+from urdfkit.lint import rule_index
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check_with, subjects
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
-from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
+from urdfkit.lint.rules import Need
+from urdfkit.text.diagnostic import Diagnostic, Edit
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -33,8 +34,8 @@ Place = tuple[str, int, int, str]
 #: Reads the robots of a report, in its order.
 Robots = Callable[[], Iterable[Subject | None]]
 
-#: Rules that simulate the robot and so take long; they know no error, and have no fix.
-SLOW = rule_index.of_family("collision") | frozenset("SRD009 SRD010 DYN003 DYN004 DYN005".split())
+#: What takes long to compute. The rules that need it have no fix.
+SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
 
 
 def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
@@ -139,8 +140,7 @@ class Look:
 
     def guard(self, texts: Mapping[str, bytes]) -> Report:
         """What fixes start from and are judged by, without the rules that cannot matter."""
-        raised = {code for code, one in self.config.severities.items() if one is Severity.ERROR}
-        return self._check(self._files, texts, self._codes - (SLOW - raised))
+        return self._check(self._files, texts, self._codes, only_errors=SLOW)
 
     def guard_others(self, texts: Mapping[str, bytes], files: Iterable[str]) -> Report:
         """Whether robots that were not asked for have errors."""
@@ -163,25 +163,23 @@ class Look:
         files: Iterable[str | os.PathLike[str]],
         texts: Mapping[str, bytes],
         codes: Iterable[str],
+        *,
+        only_errors: frozenset[Need] = frozenset(),
     ) -> Report:
         # The others are not among the codes; of these the errors are.
         former = tuple(filter(rule_index.redirect, self._options.ignore))
         now = self._with_texts(texts)._replace(select=tuple(codes), ignore=former)
-        return check_with(now, files, self.resolver)
+        return check_with(now._replace(only_errors=only_errors), files, self.resolver)
 
     def _with_texts(self, texts: Mapping[str, bytes]) -> Options:
         return self._options._replace(texts={**self._options.texts, **texts})
 
     @cached_property
     def _errors(self) -> list[str]:
-        """The rules that may find errors."""
-
-        def severities(rule: rules.Rule) -> Iterable[Severity]:
-            configured = self.config.severities.get(rule.code)
-            return (configured,) if configured else (rule.severity, *rule.by_target.values())
-
+        """The rules that may report errors."""
+        severities = self.config.severities
         found = map(rule_index.get, self._codes)
-        return [rule.code for rule in found if Severity.ERROR in severities(rule)]
+        return [rule.code for rule in found if rule.may_report_errors(severities.get(rule.code))]
 
 
 class RegressionGuard:

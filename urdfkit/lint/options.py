@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.text.diagnostic import Confidence
+
+if TYPE_CHECKING:
+    from urdfkit.lint.rules import Need
 
 
 class Options(Record):
@@ -33,6 +36,7 @@ class Options(Record):
             checked, each once.
         jobs: processes that check at the same time.
         cache: keep the measures of mesh files for the next run.
+        only_errors: of the rules that need one of these, only those that may report errors run.
         texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
         progress: called with the number of descriptions done and of all; of a single one, with
             those of its mesh files.
@@ -52,6 +56,7 @@ class Options(Record):
     changed: bool = False
     jobs: int = 1
     cache: bool = True
+    only_errors: frozenset[Need] = frozenset()
     texts: Mapping[str, bytes] = {}
     progress: Callable[[int, int], None] | None = None
 

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 #: it is ignored by name.
 NOT_CHECKED = "CFG003"
 
+#: The rules that say why a robot does not expand, whatever their severity.
+NOT_EXPANDED = frozenset(("XAC001", "XAC011"))
+
 #: Families of urdfkit's own rules, and what they are about; other packages take other letters.
 FAMILIES = {
     "CFG": "urdfkit itself",

@@ -99,6 +99,9 @@ def reported(subject: Subject, code: str) -> Findings:
 
 Check = Callable[["Subject"], Findings]
 
+#: The attributes that name links and joints.
+NAMES = ("name", "link", "joint", "reference")
+
 #: Bytes of a file that a page shows whole.
 _SHORT = 500
 
@@ -122,6 +125,12 @@ class Rule(Record):
         preview: True for a rule that may still change; it runs only where it is asked for.
         since: the version of urdfkit that brought it.
         options: numbers that a configuration may change, with their defaults.
+        hides_parts: attributes of which a finding means that links or joints are missing; an
+            empty name for all findings.
+        reports_missing: True for a rule that reports what is missing. Where a rule that hides
+            parts has found the cause, its findings are consequences.
+        computes_fix: True for fixes that compute from other values of the robot; they wait until
+            those are fixed.
     """
 
     code: str
@@ -136,10 +145,18 @@ class Rule(Record):
     preview: bool = False
     since: str = FIRST_VERSION
     options: Mapping[str, float] = {}
+    hides_parts: tuple[str, ...] = ()
+    reports_missing: bool = False
+    computes_fix: bool = False
 
     def option(self, subject: Subject, name: str) -> float:
         """The value of an option: as configured, else its default."""
         return subject.rule_options.get(self.code, self.options).get(name, self.options[name])
+
+    def may_report_errors(self, configured: Severity | None) -> bool:
+        """True if a finding may be an error, with the severity that the configuration gives it."""
+        severities = (configured,) if configured else (self.severity, *self.by_target.values())
+        return Severity.ERROR in severities
 
     def severity_for(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
         """The severity for some targets, and those of them that suffer most.
@@ -210,6 +227,9 @@ def rule(
     preview: bool = False,
     since: str = FIRST_VERSION,
     options: Mapping[str, float] | None = None,
+    hides_parts: tuple[str, ...] = (),
+    reports_missing: bool = False,
+    computes_fix: bool = False,
 ) -> Callable[[Check], Rule]:
     """Declare a rule; the decorated function becomes its Rule.
 
@@ -239,6 +259,9 @@ def rule(
             preview,
             since,
             options or {},
+            hides_parts,
+            reports_missing,
+            computes_fix,
         )
 
     return declare

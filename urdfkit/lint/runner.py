@@ -22,15 +22,6 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-#: A macro that is not called makes no link, and a name that is not expanded is none: what then says
-#: that something is missing is the same defect again.
-_UNEXPANDED = frozenset(("XAC002", "XAC003", "XAC021"))
-_NAMES = frozenset(("name", "link", "joint", "reference"))
-_OF_HIDDEN_PARTS = frozenset(
-    "GAZ001 GAZ021 GAZ058 GEO002 INE004 RCT001 RCT013 RCT029 REF001 REF003 SRD001 SRD003 SRD025 "
-    "TRE001 TRE002".split()
-)
-
 #: The family of the rules about the checking itself.
 OWN_FAMILY = "checking"
 
@@ -91,8 +82,7 @@ def judge(
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
         wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
-        is_explained = run.has_errors() or any(one.code == "XAC011" for one in run.diagnostics)
-        is_unexplained = wants_arguments or not is_explained
+        is_unexplained = wants_arguments or not run.says_why()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
             run.rules([rule_index.NOT_CHECKED])
@@ -113,6 +103,7 @@ class _Run:
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
         self.ran: set[str] = set()
+        self._asked: dict[str, Rule] = {}
         self.ignores: tuple[Ignore, ...] = ()
 
     def guarded(self, look: Callable[[], T], otherwise: T) -> T:
@@ -130,11 +121,19 @@ class _Run:
             families.setdefault(rule_index.family_of(code), []).append(code)
         for family, codes in families.items():
             if self._applies(family, codes):
-                for rule in map(rule_index.get, codes):
-                    if not rule.preview or self.options.previews(rule.code):
-                        self._rule(rule)
+                for rule in filter(self._is_chosen, map(rule_index.get, codes)):
+                    self._rule(rule)
+
+    def _is_chosen(self, rule: Rule) -> bool:
+        """False for a preview rule that nobody asked for, and for one that takes too long."""
+        if rule.preview and not self.options.previews(rule.code):
+            return False
+        configured = self.config.severities.get(rule.code)
+        is_skipped = bool(rule.needs & self.options.only_errors)
+        return not is_skipped or rule.may_report_errors(configured)
 
     def _rule(self, rule: Rule) -> None:
+        self._asked[rule.code] = rule
         findings = self._findings(rule)
         try:
             findings = self._undisputed(findings)
@@ -200,9 +199,12 @@ class _Run:
         severity = self.config.severities.get(diagnostic.code)
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
-    def has_errors(self) -> bool:
-        """True if there is an error that nothing suppresses."""
-        return any(found.severity is Severity.ERROR for found in self._kept())
+    def says_why(self) -> bool:
+        """True if an error that nothing suppresses says why the robot is not read."""
+        return any(
+            found.severity is Severity.ERROR or found.code in rule_index.NOT_EXPANDED
+            for found in self._kept()
+        )
 
     def _kept(self) -> tuple[Diagnostic, ...]:
         """The findings that neither the configuration nor a comment suppresses."""
@@ -216,7 +218,7 @@ class _Run:
     def verdict(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
-        diagnostics, consequences = _without_consequences(diagnostics)
+        diagnostics, consequences = _without_consequences(diagnostics, self._asked)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return FileResult(
             diagnostics,
@@ -245,26 +247,33 @@ class _Run:
 
 
 def _without_consequences(
-    diagnostics: tuple[Diagnostic, ...],
+    diagnostics: tuple[Diagnostic, ...], rules: Mapping[str, Rule]
 ) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
     """Findings without what follows from others, which are then as severe as that; and that."""
-    if not any(map(_hides_parts, diagnostics)):
+    causes = [one for one in diagnostics if _hides_parts(one, rules[one.code])]
+    if not causes:
         return diagnostics, ()
-    hidden = tuple(d for d in diagnostics if d.code in _OF_HIDDEN_PARTS)
-    kept = [d for d in diagnostics if d.code not in _OF_HIDDEN_PARTS]
+    kept: list[Diagnostic] = []
+    hidden: list[Diagnostic] = []
+    for one in diagnostics:
+        (hidden if rules[one.code].reports_missing else kept).append(one)
     for place, found in enumerate(kept):
-        if _hides_parts(found):
+        if found in causes:
             worst = min((found, *hidden), key=lambda one: one.severity.rank)
             kept[place] = found._replace(severity=worst.severity)
-    return tuple(kept), hidden
+    return tuple(kept), tuple(hidden)
 
 
-def _hides_parts(diagnostic: Diagnostic) -> bool:
-    """True if the robot lacks parts for a tag or a name that xacro did not expand."""
-    if diagnostic.code not in _UNEXPANDED or diagnostic.code == "XAC002":
-        return diagnostic.code == "XAC002"
+def _hides_parts(diagnostic: Diagnostic, rule: Rule) -> bool:
+    """True if the robot lacks parts for a tag or a name that xacro did not expand.
+
+    A macro that is not called makes no link, and a name that is not expanded is none: what then
+    says that something is missing is the same defect again.
+    """
+    if not rule.hides_parts or "" in rule.hides_parts:
+        return bool(rule.hides_parts)
     places = [call.element for call in diagnostic.calls]
-    return any(not place or place.rpartition("@")[2] in _NAMES for place in places)
+    return any(not place or place.rpartition("@")[2] in rule.hides_parts for place in places)
 
 
 def _bounded(finding: Finding) -> Finding:

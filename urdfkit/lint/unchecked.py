@@ -13,7 +13,7 @@ from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.lint.reading import Reading
+    from urdfkit.lint.description_file import Reading
 
 
 def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:

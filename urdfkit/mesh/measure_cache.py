@@ -18,7 +18,7 @@ from urdfkit.mesh.io.facts import MAX_BYTES
 from urdfkit.mesh.measures import Measures, from_json, to_json
 
 #: Goes up when measures change, or what they are made from.
-VERSION = 8
+VERSION = 9
 
 #: The folder of the cache; where it is set and empty, there is none.
 VARIABLE = "URDFKIT_CACHE_DIR"

@@ -236,8 +236,11 @@ def without_folder(text: str, folder: str, instead: str = "") -> str:
 
     >>> without_folder("tried /ws/arm/a.stl and /opt/ws/a.stl", "/ws")
     'tried arm/a.stl and /opt/ws/a.stl'
+    >>> without_folder("file:///ws/arm/a.stl", "/ws")
+    'arm/a.stl'
     """
     prefix = os.path.join(folder, "")
     if prefix not in text or os.path.dirname(folder) == folder:
         return text
+    text = re.sub(rf"\bfile:/*(?={re.escape(prefix)})", "", text)
     return re.sub(rf"(?<![\w./\\-]){re.escape(prefix)}", lambda _: instead, text)

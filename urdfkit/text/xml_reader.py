@@ -348,7 +348,8 @@ def unbound_prefixes(source: Source) -> list[Problem]:
             text = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
             edit = Edit(Span(source, end, end), text)
             fix = Fix("declare the prefix on the root element", (edit,), safe=True)
-        found.append(problem._replace(code="XML004", help=help, fix=fix))
+        error = problem._replace(help=help, fix=fix, severity=Severity.ERROR)
+        found.append(error)
     return found or [_expat_problem(source, source.data, namespaces=True)]
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
-from urdfkit.text.diagnostic import Edit, Fix, Related
+from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import DocumentTooLarge, Problem
 from urdfkit.xacro.definitions import Definitions, annotations_of
@@ -269,12 +269,12 @@ def _is_near(text: str, value: float) -> bool:
 
 def _deprecated_call(node: Node, old: str, new: str) -> Problem:
     """A function that moved into a name space; the fix renames the one call in the tag."""
-    message = f"{old}() without its name space is deprecated"
+    message, help = f"{old}() without its namespace is deprecated", f"write {new}()"
     pattern = re.compile(rb"(?<![\w.])" + old.encode() + rb"(?=\s*\()")
     at = node.tag_at.span
     found = pattern.search(at.source.data, at.start, at.end)
     if found is None:
-        return Problem("XAC015", at, message, f"write {new}()", node.frame)
+        return Problem("XAC017", at, message, help, node.frame, severity=Severity.INFO)
     span = Span(at.source, *found.span())
-    fix = Fix(f"write {new}", (Edit(span, new),), safe=True)
-    return Problem("XAC015", span, message, f"write {new}()", node.frame, fix=fix)
+    fix = Fix(help, (Edit(span, new),), safe=True)
+    return Problem("XAC017", span, message, help, node.frame, fix=fix, severity=Severity.INFO)

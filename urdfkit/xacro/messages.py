@@ -35,6 +35,10 @@ _DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w
 _OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
 
 
+#: Begins the message about a file that CMake's ``configure_file`` writes.
+UNBUILT = "the build has not made the file"
+
+
 class MessageText(Record):
     """A message and a help; the rule's own help if empty."""
 
@@ -51,8 +55,7 @@ def words(defined: Definitions, error: BaseException, cause: BaseException) -> M
         cause: the innermost one.
     """
     if isinstance(cause, FileNotFoundError) and cause.filename:
-        path = os.fspath(cause.filename)
-        return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
+        return _missing_file(os.fspath(cause.filename))
     if isinstance(cause, OSError) and cause.filename:
         return MessageText(f"{cause.filename}: {cause.strerror}")
     if isinstance(cause, SyntaxError):
@@ -201,6 +204,13 @@ def _innermost(before: bytes) -> str:
         elif opened:
             opened.pop()
     return opened[-1] if opened else ""
+
+
+def _missing_file(path: str) -> MessageText:
+    if os.path.isfile(f"{path}.in"):
+        made = f"{UNBUILT}: {shown(path)}, from {os.path.basename(path)}.in"
+        return MessageText(made, "build the workspace, or make the file with CMake's values")
+    return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
 
 
 def _nearest_file(path: str) -> str:

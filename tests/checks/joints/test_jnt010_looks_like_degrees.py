@@ -68,7 +68,7 @@ def test_one_end_in_degrees() -> None:
         ("-174.532925", "174.532925"),  # a Jaco
         ("-31.4", "31.4"),
         ("90", "-90"),  # JNT003
-        ("90", "90"),  # JNT004
+        ("90", "90"),  # JNT003
     ],
 )
 def test_limits_of_real_robots_in_radians(lower: str, upper: str) -> None:

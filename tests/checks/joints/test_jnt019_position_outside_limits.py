@@ -64,7 +64,7 @@ def test_two_defects_are_two_findings() -> None:
         safe("j", BOTH.format("-0.9", "x")),  # URD005
         safe("j", BOTH.format("-11", "12"), "continuous"),
         safe("j", "", "continuous"),
-        safe("j", "", hard=("0", "0")),  # JNT004
+        safe("j", "", hard=("0", "0")),  # JNT003
         joint("j", "revolute", limit("-1", "2")),
     ],
 )
@@ -90,7 +90,7 @@ def test_calibration_outside_the_limits(kind: str, unit: str) -> None:
         ("revolute", limit("-1.5", "1.5") + '<calibration rising="1.5029"/>'),
         ("revolute", limit("-1.5", "1.5") + '<calibration rising="x"/>'),  # URD005
         ("revolute", limit("-1.5", "1.5") + '<calibration reference_position="9"/>'),
-        ("revolute", limit("0", "0") + '<calibration rising="1"/>'),  # JNT004
+        ("revolute", limit("0", "0") + '<calibration rising="1"/>'),  # JNT003
         ("continuous", '<calibration rising="9"/>'),
         ("fixed", '<calibration rising="9"/>'),
     ],

@@ -36,7 +36,7 @@ def test_all_joints_are_one_finding() -> None:
         ("revolute", limit("-1", "1")),
         ("revolute", limit("0", "1")),
         ("revolute", limit("0.00872665", "1.64934")),  # a margin of half a degree
-        ("revolute", limit("0.5", "0.5")),  # JNT004
+        ("revolute", limit("0.5", "0.5")),  # JNT003
         ("revolute", limit("2", "1")),  # JNT003
         ("continuous", limit("1", "2")),  # JNT013
         ("revolute", limit("1", "2") + mimic("b")),

@@ -58,7 +58,7 @@ def test_another_type() -> None:
             limit("-1.1863", "0.932006", "3.0226", "6.4"),
         ),
         (REVOLUTE, limit("-1", "2", "0", "0")),  # JNT008
-        (REVOLUTE, limit("0", "0", "80", "11")),  # JNT004
+        (REVOLUTE, limit("0", "0", "80", "11")),  # JNT003
         (REVOLUTE, limit("-1", "2", "-80", "11")),  # JNT008
         (REVOLUTE, ""),  # JNT002
         (REVOLUTE, limit("x", "2", "x", "11")),  # URD005

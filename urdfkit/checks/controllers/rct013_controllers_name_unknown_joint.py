@@ -40,7 +40,7 @@ FILES = {
 }
 
 
-@rule(Severity.ERROR, help="fix the name in the parameter file")
+@rule(Severity.ERROR, help="fix the name in the parameter file", reports_missing=True)
 def check(subject: Subject) -> Findings:
     if subject.is_part:
         return

@@ -59,10 +59,7 @@ _ODOMETRY = ("odometryFrame", "odometry_frame")
 _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf")
 
 
-@rule(
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.GAZEBO),
-)
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
 def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         yield from _of_plugin(use, subject)

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Subject, need_pinocchio
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.text.diagnostic import Severity
@@ -41,7 +41,10 @@ _NAME = re.compile(r"[\[']([^\]']+)[\]']")
 )
 def check(subject: Subject) -> Findings:
     if "pinocchio" in subject.targets.names and not subject.is_part:
-        refusal = subject.opinion.refusal
+        need_pinocchio()
+        from urdfkit.physics.dynamics.pinocchio_reading import opinion
+
+        refusal = opinion(subject.text).refusal
         if refusal:
             reason, _, _ = refusal.partition(".  ")  # what follows is advice
             yield Finding(_place(subject.model, refusal), f"Pinocchio makes no model: {reason}")

@@ -32,7 +32,7 @@ GOOD = BAD.replace("whel", "wheel")
 FIXED = GOOD
 
 
-@rule(Severity.ERROR, help="name a link or a joint of this robot")
+@rule(Severity.ERROR, help="name a link or a joint of this robot", reports_missing=True)
 def check(subject: Subject) -> Findings:
     model = subject.model
     known = {**model.links_by_name, **model.joints_by_name}

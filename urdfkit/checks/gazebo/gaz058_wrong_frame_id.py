@@ -59,7 +59,7 @@ _READ = {
 _ELSEWHERE = ("odom", "map", "world", "earth", "utm")
 
 
-@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
 def check(subject: Subject) -> Findings:
     yield from _missing(subject)
     if not subject.is_part:

@@ -22,7 +22,7 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.ros.catalog.plugins import Plugin, renames
-from urdfkit.ros.gazebo.parameters import UnreadParameter
+from urdfkit.ros.gazebo.parameters import UnreadParameter, unread
 from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.document import Element
@@ -53,7 +53,8 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it")
 def check(subject: Subject) -> Findings:
     foreign: dict[PluginUse, list[UnreadParameter]] = {}
-    for use, found in subject.unread:
+    found_unread = [(use, one) for use in subject.plugins for one in unread(use)]
+    for use, found in found_unread:
         if found.other is not None and use.plugin is not None:
             foreign.setdefault(use, []).append(found)
         elif found.suggested is not None:

@@ -63,7 +63,12 @@ FIXED = GOOD
 _STATES = "gazebo_ros_joint_state_publisher@classic-ros2"
 
 
-@rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO), help="name a link or joint of this robot")
+@rule(
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="name a link or joint of this robot",
+    reports_missing=True,
+)
 def check(subject: Subject) -> Findings:
     conversion = subject.gazebo
     suggesters = {

@@ -51,6 +51,7 @@ _HEAVY = 1e-3
     Severity.INFO,
     help="add a <collision> with a simple shape if the link can be touched",
     by_target={"moveit": Severity.WARNING},
+    reports_missing=True,
 )
 def check(subject: Subject) -> Findings:
     links = subject.model.links

@@ -37,6 +37,7 @@ FIXED = GOOD
 @rule(
     Severity.ERROR,
     help="take the tensor about the centre of mass from the CAD program, or compute it",
+    computes_fix=True,
 )
 def check(subject: Subject) -> Findings:
     masses = subject.masses

@@ -57,6 +57,7 @@ _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
     needs=(Need.MODEL, Need.GAZEBO),
     help="give it an <inertial>, or a fixed joint if it is only a frame",
     by_target={"mujoco": Severity.ERROR, **dict.fromkeys(GAZEBO, Severity.ERROR)},
+    reports_missing=True,
 )
 def check(subject: Subject) -> Findings:
     if subject.masses.total == 0:

@@ -43,6 +43,7 @@ FIXED = GOOD
 @rule(
     Severity.ERROR,
     help="compute the tensor from mass and size: urdfkit explain XAC014 has the formulas",
+    computes_fix=True,
 )
 def check(subject: Subject) -> Findings:
     yield from together(_zero(subject.masses))

@@ -63,6 +63,7 @@ _SHARE = 0.1
 @rule(
     Severity.WARNING,
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
+    computes_fix=True,
 )
 def check(subject: Subject) -> Findings:
     masses = subject.masses

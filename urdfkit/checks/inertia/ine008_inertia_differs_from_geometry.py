@@ -29,6 +29,7 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
 @rule(
     Severity.INFO,
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
+    computes_fix=True,
 )
 def check(subject: Subject) -> Findings:
     masses = subject.masses

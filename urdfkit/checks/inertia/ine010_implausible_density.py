@@ -38,7 +38,7 @@ GOOD = BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375",
 FIXED = GOOD
 
 
-@rule(Severity.WARNING, help="correct the mass in kg, or the size in m")
+@rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)
 def check(subject: Subject) -> Findings:
     found = [(one, _finding(one)) for one in subject.masses.defects.get(InertiaDefect.DENSITY, ())]
     if subject.masses.consistently_wrong:

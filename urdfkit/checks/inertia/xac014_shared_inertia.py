@@ -73,7 +73,7 @@ FIXED = """\
 """
 
 
-@rule(Severity.WARNING)
+@rule(Severity.WARNING, computes_fix=True)
 def check(subject: Subject) -> Findings:
     for tag, links in subject.masses.shared_by_macro.items():
         from urdfkit.robot.inertials.macro_fixes import computing

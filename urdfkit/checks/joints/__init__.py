@@ -6,6 +6,10 @@ from urdfkit.lint.context import Subject
 
 #: Former codes and names, and the rules that report their findings now.
 REDIRECTS = {
+    "GEO013": "JNT012", "size-looks-like-millimetres": "JNT012",
+    "JNT018": "JNT008", "negative-damping-or-friction": "JNT008",
+    "effort-or-velocity-not-positive": "JNT008",
+    "JNT004": "JNT003", "inverted-limit": "JNT003", "zero-range": "JNT003",
     "JNT021": "JNT002", "no-limit-on-continuous": "JNT002",
     "JNT005": "JNT006", "zero-axis": "JNT006", "JNT027": "JNT006",
     "axis-nearly-a-basis-vector": "JNT006",

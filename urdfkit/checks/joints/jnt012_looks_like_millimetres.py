@@ -1,4 +1,4 @@
-"""An origin or a prismatic limit looks like millimetres.
+"""An origin, a prismatic limit or a shape looks like millimetres.
 
 Lengths are metres in URDF.
 
@@ -8,6 +8,8 @@ Lengths are metres in URDF.
 - Limits of a prismatic joint are reported if they are whole numbers of 5 m or more, and 20 times
   the longest part of the robot. A gripper that opens by 30 m instead of 30 mm flies apart in the
   simulator.
+- A shape is reported if it is 5 m or more, fifty times as long as the rest of the robot, and
+  thicker than all of that: in RViz it is a wall, with which everything collides.
 
 Divide by 1000.
 
@@ -22,9 +24,9 @@ from urdfkit.core.spatial import length
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, related, several
-from urdfkit.robot.model import RobotModel
+from urdfkit.robot.model import Body, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import scale_limits
 
 BAD = robot_xml(
@@ -52,11 +54,18 @@ _RATIO = 100.0
 _TIMES = 20.0
 _MIN_TRAVEL = 5.0
 
+#: Of shapes: times the size of the other links, and in m.
+_TIMES_THE_REST = 50.0
+_MIN_SIZE = 5.0
+#: Words in the names of links that are surroundings.
+_GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "field")
+
 
 @rule(Severity.WARNING, help="divide by 1000: lengths are metres")
 def check(subject: Subject) -> Findings:
     yield from _origins(subject.model)
     yield from _limits(subject.model)
+    yield from _shapes(subject.model)
 
 
 def _origins(model: RobotModel) -> Findings:
@@ -119,3 +128,30 @@ def _limits(model: RobotModel) -> Findings:
                 fix=Fix.of("write the limits in metres", scale_limits(joint.limit.at, 1e-3)),
                 confidence=Confidence.INFERRED,
             )
+
+
+def _shapes(model: RobotModel) -> Findings:
+    sizes: dict[str, list[tuple[float, float, Body]]] = {}
+    for link in model.links:
+        for body in (*link.visuals, *link.collisions):
+            if body.shape and (half := body.shape.half_extents):
+                sizes.setdefault(link.name, []).append((2 * max(half), 2 * min(half), body))
+    rest = [size for found in sizes.values() for size, _, _ in found if size < _MIN_SIZE]
+    longest = max(rest, default=0.0)
+    for name, bodies in sizes.items() if rest else ():
+        # A rail may be long; what is in millimetres is thick as well.
+        found = [
+            (size, body)
+            for size, thickness, body in bodies
+            if size >= max(_MIN_SIZE, _TIMES_THE_REST * longest) and thickness > longest
+        ]
+        if not found or any(word in name.lower() for word in _GROUNDS):
+            continue
+        (size, body), *others = found
+        yield Finding(
+            body.shape.at if body.shape else body.at,
+            f"link '{name}': the {body.at.tag} is {size:g} m long, the rest of the robot at most "
+            f"{longest:.3g} m",
+            related=tuple(Related(other.at.span, f"{one:g} m, too") for one, other in others),
+            confidence=Confidence.INFERRED,
+        )

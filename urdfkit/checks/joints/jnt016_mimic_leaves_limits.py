@@ -49,7 +49,7 @@ def check(subject: Subject) -> Findings:
         if mimic is None or own is None or leader is None or leading is None:
             continue
         if own[0] >= own[1] or leading[0] > leading[1]:
-            continue  # JNT003 and JNT004 tell
+            continue  # JNT003
         taken = _taken(leading, mimic.multiplier, mimic.offset)
         if _overshoot(taken, own) <= 0:
             continue

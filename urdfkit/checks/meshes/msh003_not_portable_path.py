@@ -1,4 +1,4 @@
-"""A mesh reference works on one machine only.
+"""A mesh is found on one machine only.
 
 An absolute path is that of one machine: on every other one, in a container and in continuous
 integration, the mesh is missing. Refer to it by its package: `package://my_robot/meshes/arm.stl`.
@@ -9,8 +9,13 @@ A reference that leaves its package with `..` works in the source tree, where th
 by side. A build installs each package in a directory of its own, where the file is another one or
 none. Refer to the package that holds the file.
 
+A mesh file that git ignores is missing in every clone of the repository. Most often a pattern for
+the output of compilers, such as `*.obj`, or for large files, matches it. `git add -f` adds the
+file; a line such as `!meshes/*.obj` in .gitignore is a lasting exception.
+
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
+    gitignore: https://git-scm.com/docs/gitignore
     REP 122, installed files: https://ros.org/reps/rep-0122.html
 """
 
@@ -58,6 +63,12 @@ def check(subject: Subject) -> Findings:
             message = f"{mesh.who} leaves package '{package}': not found once installed"
             home = subject.resolver.packages.enclosing(path)
             yield Finding(mesh.at, message, f"write package://{home[0]}/..." if home else "")
+    for mesh in subject.files.ignored:
+        yield Finding(
+            mesh.at,
+            f"{mesh.who} is ignored by git: clones of the repository lack it",
+            "git add -f FILE, and an exception in .gitignore",
+        )
 
 
 def _is_absolute(mesh: MeshReference) -> bool:

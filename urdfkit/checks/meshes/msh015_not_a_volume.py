@@ -1,4 +1,4 @@
-"""A collision mesh does not enclose a volume.
+"""A mesh does not enclose a volume, or is inside out.
 
 - Its surface has holes, triangles that face opposite ways along an edge, or is a sheet with two
   sides. Inside and outside are undefined: no volume, mass or inertia can be computed from it,
@@ -13,6 +13,10 @@
   volume, centre of mass and inertia that Gazebo, MeshLab and `urdfkit inertia` compute. Unite them,
   as with `urdfkit mesh repair --union`, or write the inertial by hand. An info; it is also reported
   for a visual of a link without collisions.
+- A closed mesh, or a piece of one, is inside out: the vertices of its triangles are clockwise as
+  seen from outside. Its volume is negative: tools that compute a mass from it fail or get a
+  negative one, MuJoCo rejects it, and its shading is wrong. It comes from a mirrored part or from
+  the export; `urdfkit mesh repair` flips it. A warning.
 
 Sources:
     MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
@@ -60,6 +64,14 @@ def check(subject: Subject) -> Findings:
             "unite the pieces: urdfkit mesh repair --union FILE",
             alike="overlap",
         )
+    for use in defects.get(MeshDefect.INVERTED, ()):
+        found = use.measures
+        what = "its triangles face inward"
+        if found.bodies > 1 and found.inverted_bodies:
+            what = f"{found.inverted_bodies} of its {found.bodies} pieces face inward"
+        message = f"{use.who} is inside out: {what}"
+        help = "urdfkit mesh repair FILE"
+        yield Finding(use.at, message, help, alike="inside out", severity=Severity.WARNING)
 
 
 def _open(use: MeshUse) -> Finding:

@@ -6,6 +6,7 @@ from urdfkit.lint.context import Subject
 
 #: Former codes and names, and the rules that report their findings now.
 REDIRECTS = {
+    "NAM009": "NAM001", "material-redefined": "NAM001",
     "duplicate-link": "NAM001", "NAM002": "NAM001", "duplicate-joint": "NAM001", "NAM006": "NAM001",
     "duplicate-material": "NAM001",
     "illegal-character": "NAM004", "NAM005": "NAM004", "reserved-name": "NAM004",

@@ -1,9 +1,13 @@
-"""Two links, two joints or two materials of the robot have the same name.
+"""Two links, joints or materials of the robot have the same name.
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and Drake reject the robot, for materials even if both
 have the same colour; MuJoCo and PyBullet reject it for links. It happens when a macro is called
 twice without a prefix, a link is copied, or two included files define the same materials. Give one
 of them another name, and use it in the joints that refer to it; of materials keep one.
+
+Visuals that give one material name two colours are a warning: urdfdom keeps the colour that it
+reads first, one defined below `<robot>` before all, and paints every part with it; other parsers
+take each part's own. Give each colour its own name.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -19,6 +23,7 @@ from collections.abc import Iterable
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
@@ -40,6 +45,7 @@ def check(subject: Subject) -> Findings:
     yield from _duplicates((joint.at for joint in model.joints), remedy.format("joint"))
     materials = (material.at for material in model.materials)
     yield from _duplicates(materials, "keep one of them", alike="material")
+    yield from _redefined(model)
 
 
 def _duplicates(elements: Iterable[Element], remedy: str, alike: str = "") -> Findings:
@@ -57,3 +63,34 @@ def _duplicates(elements: Iterable[Element], remedy: str, alike: str = "") -> Fi
                 alike=alike,
             )
         first.setdefault(name.value, element)
+
+
+def _redefined(model: RobotModel) -> Findings:
+    """Materials of visuals with a name that has another colour or texture already."""
+    first: dict[str, Material] = {}
+    for material in model.materials:
+        if material.name and _look(material):
+            first.setdefault(material.name.value, material)
+    visuals = [(link, body.material) for link in model.links for body in link.visuals]
+    for link, used in visuals:
+        if not used or not used.name or not used.name.value or not (look := _look(used)):
+            continue
+        name = used.name.value
+        known = first.setdefault(name, used)
+        if look != _look(known):
+            yield Finding(
+                used.rgba or used.texture or used.at,
+                f"link '{link.name}': material '{name}' is {look} here and {_look(known)} before; "
+                "parsers keep the first",
+                "give each colour its own name",
+                related=(Related(known.at.span, "the first"),),
+                alike=name,
+                severity=Severity.WARNING,
+            )
+
+
+def _look(material: Material) -> str:
+    """The texture, or the colour as ``1 0 0 1``; empty if there is none to read."""
+    if material.texture:
+        return material.texture.value
+    return " ".join(f"{value:g}" for value in material.rgba.value) if material.rgba else ""

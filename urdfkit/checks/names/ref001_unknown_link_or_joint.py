@@ -36,7 +36,7 @@ GOOD = BAD.replace("base_lnk", "base_link")
 FIXED = GOOD
 
 
-@rule(Severity.ERROR)
+@rule(Severity.ERROR, reports_missing=True)
 def check(subject: Subject) -> Findings:
     yield from _links(subject)
     yield from _leaders(subject.model)

@@ -40,6 +40,7 @@ SHOWN = 8
 @rule(
     Severity.WARNING,
     help='define it below <robot>, as <material name="..."><color rgba="..."/></material>',
+    reports_missing=True,
 )
 def check(subject: Subject) -> Findings:
     model = subject.model

@@ -52,7 +52,9 @@ def check(subject: Subject) -> Findings:
     for problem, finding in zip(problems, reported(subject, "XAC011"), strict=True):
         (name,) = _NAME.findall(problem.message)
         severity = _severity(subject, name, problem.span)
-        yield finding._replace(alike=finding.help, severity=severity)  # the help names the package
+        known = subject.resolver.packages.known(subject.source.path)
+        help = finding.help + ("" if severity else did_you_mean(name, known))
+        yield finding._replace(help=help, alike=help, severity=severity)  # it names the package
     if is_launch(subject.source.path):
         yield from _launched(subject)
         return

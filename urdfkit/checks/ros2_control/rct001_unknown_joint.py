@@ -45,7 +45,7 @@ GOOD = BAD.replace("sholder", "shoulder")
 FIXED = GOOD
 
 
-@rule(Severity.ERROR, help="fix the name, or add the joint")
+@rule(Severity.ERROR, help="fix the name, or add the joint", reports_missing=True)
 def check(subject: Subject) -> Findings:
     known = subject.model.joints_by_name
     if not known:

@@ -64,6 +64,7 @@ _LIKE = 0.66
     Severity.ERROR,
     needs=(Need.MODEL, Need.SRDF),
     help="fix the name, or generate the SRDF for this robot",
+    reports_missing=True,
 )
 def check(subject: Subject) -> Findings:
     srdf = subject.srdf

@@ -32,7 +32,7 @@ FILES = {
 }
 
 
-@rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
 def check(subject: Subject) -> Findings:
     srdf = subject.srdf
     for name, elements in srdf.groups_by_name.items() if srdf else ():

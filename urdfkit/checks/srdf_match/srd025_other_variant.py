@@ -35,6 +35,7 @@ FILES = {
     Severity.INFO,
     needs=(Need.MODEL, Need.SRDF),
     help="check the variant that the SRDF is for, or generate an SRDF for this one",
+    reports_missing=True,
 )
 def check(subject: Subject) -> Findings:
     if subject.srdf is not None and subject.other_variant:

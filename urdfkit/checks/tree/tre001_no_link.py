@@ -18,7 +18,7 @@ BAD = '<robot name="cart">\n</robot>\n'
 GOOD = '<robot name="cart">\n  <link name="base"/>\n</robot>\n'
 
 
-@rule(Severity.ERROR, help='add a link, as <link name="base_link"/>')
+@rule(Severity.ERROR, help='add a link, as <link name="base_link"/>', reports_missing=True)
 def check(subject: Subject) -> Findings:
     root = subject.document.root
     if root.tag != "robot" or root.child("link") or subject.is_part:

@@ -32,7 +32,11 @@ GOOD = (
 SHOWN = 8
 
 
-@rule(Severity.ERROR, help="connect each of the others to the robot with a joint, or remove it")
+@rule(
+    Severity.ERROR,
+    help="connect each of the others to the robot with a joint, or remove it",
+    reports_missing=True,
+)
 def check(subject: Subject) -> Findings:
     # Below a link that is missing hangs no root: the reference is REF001's.
     children = {joint.child.value for joint in subject.model.joints if joint.child}

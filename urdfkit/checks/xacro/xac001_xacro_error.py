@@ -22,6 +22,7 @@ import re
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
+from urdfkit.xacro.messages import UNBUILT
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -47,5 +48,8 @@ _UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro passes over .*)?")
 )
 def check(subject: Subject) -> Findings:
     for finding in reported(subject, "XAC001"):
+        if finding.message.startswith(UNBUILT):  # which is no defect of the robot
+            yield finding._replace(severity=Severity.WARNING)
+            continue
         lacking = _UNDEFINED.match(finding.message)
         yield finding._replace(alike=lacking[1] or lacking[0]) if lacking else finding

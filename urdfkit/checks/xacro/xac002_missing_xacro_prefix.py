@@ -35,6 +35,7 @@ FIXED = GOOD
     Severity.ERROR,
     needs=(Need.XACRO, Need.MODEL),
     help="write the tag, and its end tag, with the prefix: <xacro:...>",
+    hides_parts=("",),
 )
 def check(subject: Subject) -> Findings:
     # A <robot> is a robot, whatever macros are called.

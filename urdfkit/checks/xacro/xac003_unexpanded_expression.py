@@ -15,7 +15,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, reported, rule
+from urdfkit.lint.rules import NAMES, Finding, Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.grammar import is_expression
 
@@ -31,6 +31,7 @@ _SUBSTITUTION = re.compile(r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv
     Severity.ERROR,
     help="expand the file with xacro first; a xacro declares "
     'xmlns:xacro="http://www.ros.org/wiki/xacro"',
+    hides_parts=NAMES,
 )
 def check(subject: Subject) -> Findings:
     for finding in reported(subject, "XAC003"):

@@ -6,6 +6,9 @@ expressions already have ("redefining global symbol"): `pi`, `e`, `radians`, `si
 and the other names of Python's math module. Such a property hides the constant or function in every
 file that is included afterwards; with `e` or `pi` that gives wrong numbers elsewhere.
 
+`load_yaml`, `sorted` and other functions moved into the namespaces `xacro` and `python`; the bare
+names print a warning today and will be removed. An info.
+
 Sources:
     xacro: https://wiki.ros.org/xacro
     xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
@@ -19,11 +22,10 @@ from urdfkit.text.diagnostic import Severity
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:property name="a" value="1" unit="m"/>
-  <link name="l${a}"/>
+  <link name="l${sorted([3, 1])[0]}"/>
 </robot>
 """
-GOOD = BAD.replace(' unit="m"', "")
+FIXED = GOOD = BAD.replace("sorted", "python.sorted")
 
 
 @rule(Severity.WARNING, needs=(), help="correct or remove it; xacro ignores what it does not know")

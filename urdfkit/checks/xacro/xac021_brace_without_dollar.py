@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import NAMES, Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rewrite
@@ -40,7 +40,7 @@ FIXED = GOOD = BAD.replace('"{side}', '"${side}')
 _BRACES = r"(?<![$\w}])\{([A-Za-z_]\w*)\}"
 
 
-@rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL))
+@rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL), hides_parts=NAMES)
 def check(subject: Subject) -> Findings:
     known = _names(subject.xacro)
     for element in subject.document.root.walk():

@@ -16,11 +16,11 @@ from tests.reported import messages, places, reported
 )
 def test_a_negative_amount(kind: str, damping: str, friction: str) -> None:
     text = robot(joint("j", kind, '<dynamics damping="-0.5" friction="-2e-3"/>'))
-    assert messages("JNT018", text) == [
+    assert messages("JNT008", text) == [
         f"joint 'j': the damping is -0.5 {damping}, below 0",
         f"joint 'j': the friction is -0.002 {friction}, below 0",
     ]
-    assert places("JNT018", text) == [(4, "-0.5"), (4, "-2e-3")]
+    assert places("JNT008", text) == [(4, "-0.5"), (4, "-2e-3")]
 
 
 @pytest.mark.parametrize(
@@ -28,4 +28,4 @@ def test_a_negative_amount(kind: str, damping: str, friction: str) -> None:
     ["", '<dynamics damping="0" friction="-0"/>', '<dynamics damping="-x"/>', "<dynamics/>"],
 )
 def test_no_finding(content: str) -> None:
-    assert reported("JNT018", robot(joint("j", "continuous", content))) == []
+    assert reported("JNT008", robot(joint("j", "continuous", content))) == []

@@ -1,4 +1,4 @@
-"""Joints have an effort or velocity limit that is zero or negative.
+"""An effort or velocity limit is zero or negative, or damping or friction is negative.
 
 A limit of 0 is a limit. Gazebo and ros2_control cut every effort command to 0, and PyBullet's usual
 call with the URDF's limit leaves the robot limp. ros2_control and DART, Gazebo's default physics,
@@ -10,6 +10,9 @@ A negative limit is an error: Pinocchio rejects the robot, Drake aborts on a neg
 Gazebo reads it as "no limit", ros2_control and MoveIt drop the sign. Write what the motor can
 deliver, or a generous limit if you do not know it.
 
+Damping and friction take energy out of the motion; negative, they add energy, and the joint speeds
+up by itself. Drake rejects a negative damping, Pinocchio a negative friction.
+
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
     unitreerobotics/unitree_ros#154: https://github.com/unitreerobotics/unitree_ros/issues/154
@@ -18,6 +21,7 @@ Sources:
     MoveIt, time parameterization: https://github.com/moveit/moveit2/blob/main/moveit_core/trajectory_processing/src/time_optimal_trajectory_generation.cpp
     Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    Pinocchio, URDF model: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/model.cpp
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
@@ -35,7 +39,7 @@ from urdfkit.robot.joints import (
     several,
     unit,
 )
-from urdfkit.robot.model import Joint, Placed
+from urdfkit.robot.model import Joint, Placed, number
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.diagnostic import Severity
 
@@ -66,6 +70,8 @@ def check(subject: Subject) -> Findings:
         negative = [(joint, limit) for joint, limit in limits if limit.value < 0]
         if negative:
             yield _finding(negative, key, f"{negative[0][1].value:g}", Severity.ERROR)
+    for joint in subject.model.joints:
+        yield from _of_dynamics(joint)
 
 
 def _finding(
@@ -81,3 +87,17 @@ def _finding(
         related=related((joint, limit.span) for joint, limit in found),
         severity=severity,
     )
+
+
+def _of_dynamics(joint: Joint) -> Findings:
+    dynamics = joint.at.child("dynamics")
+    effort = effort_unit(joint)
+    for key, in_unit in (("damping", f"{effort} s/{unit(joint)}"), ("friction", effort)):
+        value = number(dynamics.get(key)) if dynamics else None
+        if dynamics and value is not None and value < 0:
+            yield Finding(
+                dynamics.attributes[key],
+                f"joint '{joint.name}': the {key} is {value:g} {in_unit}, below 0",
+                "write a positive number, or 0 for none",
+                severity=Severity.ERROR,
+            )

@@ -24,7 +24,7 @@ def repository(tmp_path: Path) -> Path:
 )
 def test_what_git_ignores(repository: Path, pattern: str) -> None:
     files = {".gitignore": f"# of compilers\n{pattern}\n".encode(), "meshes/a.obj": OBJ}
-    assert messages(repository, "MSH025", link(mesh("meshes/a.obj")), files) == [
+    assert messages(repository, "MSH003", link(mesh("meshes/a.obj")), files) == [
         (
             "link 'arm': the collision mesh 'meshes/a.obj' is ignored by git: clones of the "
             "repository lack it"
@@ -35,16 +35,16 @@ def test_what_git_ignores(repository: Path, pattern: str) -> None:
 @pytest.mark.parametrize("pattern", ["*.o", "*.obj\n!meshes/*.obj", "build/", "# *.obj", "/a.obj"])
 def test_what_git_takes(repository: Path, pattern: str) -> None:
     files = {".gitignore": f"{pattern}\n".encode(), "meshes/a.obj": OBJ}
-    assert messages(repository, "MSH025", link(mesh("meshes/a.obj")), files) == []
+    assert messages(repository, "MSH003", link(mesh("meshes/a.obj")), files) == []
 
 
 def test_what_was_added_all_the_same(repository: Path) -> None:
     files = {".gitignore": b"*.obj\n", "a.obj": OBJ}
-    assert len(messages(repository, "MSH025", link(mesh("a.obj")), files)) == 1
+    assert len(messages(repository, "MSH003", link(mesh("a.obj")), files)) == 1
     subprocess.run(["git", "-C", str(repository), "add", "-f", "a.obj"], check=True)
-    assert messages(repository, "MSH025", link(mesh("a.obj")), files) == []
+    assert messages(repository, "MSH003", link(mesh("a.obj")), files) == []
 
 
 def test_outside_of_repositories(tmp_path: Path) -> None:
     files = {".gitignore": b"*.stl\n", "a.stl": SOUND}
-    assert messages(tmp_path, "MSH025", link(mesh("a.stl")), files) == []
+    assert messages(tmp_path, "MSH003", link(mesh("a.stl")), files) == []

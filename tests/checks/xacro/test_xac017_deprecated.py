@@ -16,15 +16,15 @@ from tests.xacros import reported, xacro
 )
 def test_a_function_that_moved(old: str, new: str) -> None:
     robot = xacro(f'<link name="l${{{old}}}"/>')
-    (found,) = reported("XAC015", f'<link name="l${{{old}}}"/>')
+    (found,) = reported("XAC017", f'<link name="l${{{old}}}"/>')
     name = found.span.text
-    assert found.message == f"{name}() without its name space is deprecated"
+    assert found.message == f"{name}() without its namespace is deprecated"
     assert found.fix is not None
     assert found.fix.safe
-    after = fixed("XAC015", robot, "robot.xacro")
+    after = fixed("XAC017", robot, "robot.xacro")
     assert after == robot.replace(old, new)
-    assert fixed("XAC015", after, "robot.xacro") == after
+    assert fixed("XAC017", after, "robot.xacro") == after
 
 
 def test_functions_that_stay() -> None:
-    assert reported("XAC015", '<link name="l${len([1]) + int(sin(0)) + max(1, 2)}"/>') == []
+    assert reported("XAC017", '<link name="l${len([1]) + int(sin(0)) + max(1, 2)}"/>') == []

@@ -80,7 +80,7 @@ def test_no_finding(key: str, kind: str, content: str, value: str) -> None:
 def test_a_joint_that_cannot_move_needs_none(key: str, ends: tuple[str, str]) -> None:
     text = robot(joint("a", "revolute", limit(*ends, **{key: "0"})))
     assert messages("JNT008", text) == []
-    assert len(messages("JNT004", text)) == 1
+    assert len(messages("JNT003", text)) == 1
 
 
 TRANSMISSION = '<transmission name="t"><joint name="{}"/></transmission>'

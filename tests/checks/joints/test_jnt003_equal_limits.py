@@ -23,19 +23,18 @@ from tests.reported import messages, places, reported
 )
 def test_a_joint_that_cannot_move(content: str, why: str) -> None:
     text = robot(joint("j", "revolute", content))
-    assert messages("JNT004", text) == [f"joint 'j' is revolute but cannot move: {why}"]
-    assert places("JNT004", text) == [(4, content)]
+    assert messages("JNT003", text) == [f"joint 'j' is revolute but cannot move: {why}"]
+    assert places("JNT003", text) == [(4, content)]
 
 
 def test_what_to_do_depends_on_the_type() -> None:
     helps = {
-        kind: reported("JNT004", robot(joint("j", kind, limit("1", "1"))))[0].help
+        kind: reported("JNT003", robot(joint("j", kind, limit("1", "1"))))[0].help
         for kind in ("revolute", "prismatic")
     }
     assert helps == {
-        "revolute": "set lower and upper, make it continuous if it turns without end, "
-        "or make it fixed",
-        "prismatic": "set lower and upper or make it fixed",
+        "revolute": "set lower and upper, make it continuous if it has no end, or make it fixed",
+        "prismatic": "set lower and upper, or make it fixed",
     }
 
 
@@ -44,7 +43,6 @@ def test_what_to_do_depends_on_the_type() -> None:
     [
         ("revolute", limit("0", "0.001")),
         ("revolute", '<limit upper="1" effort="1" velocity="1"/>'),
-        ("revolute", limit("1", "0")),  # JNT003
         ("revolute", limit("x", "0")),  # URD005
         ("continuous", limit("0", "0")),  # JNT013
         ("continuous", '<limit effort="1" velocity="1"/>'),
@@ -52,4 +50,4 @@ def test_what_to_do_depends_on_the_type() -> None:
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert reported("JNT004", robot(joint("j", kind, content))) == []
+    assert reported("JNT003", robot(joint("j", kind, content))) == []

@@ -1,20 +1,26 @@
-"""A colour has a component outside 0 to 1.
+"""A colour has a component outside 0 to 1, or is invisible.
 
 URDF's colours go from 0 to 1. urdfdom rejects any other with an error, and the part is drawn in
 the default colour (red in RViz). Values up to 255 come from a colour picker: divide them by 255.
 
+An alpha of 0, the fourth number, is transparent: RViz shows nothing. An info. Write 1; or, if the
+link should be invisible, remove the `<visual>`, or call the material `invisible`.
+
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
+    RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations
 
+import re
 from itertools import chain
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.robot.model import Material
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.model import Material, RobotModel
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 
@@ -33,6 +39,9 @@ FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 #: Components up to this are 1 with an error, not values up to 255.
 _SLIGHTLY = 2.0
 
+#: Names of materials that are invisible on purpose.
+_INTENDED = re.compile(r"invisible|transparent|hidden|none|clear|glass", re.IGNORECASE)
+
 
 @rule(Severity.ERROR, help="write red, green, blue and alpha from 0 to 1")
 def check(subject: Subject) -> Findings:
@@ -41,6 +50,24 @@ def check(subject: Subject) -> Findings:
     for material in chain(model.materials, in_visuals):
         if material and material.rgba and not all(0 <= v <= 1 for v in material.rgba.value):
             yield _finding(material, material.rgba.value)
+    yield from _invisible(model)
+
+
+def _invisible(model: RobotModel) -> Findings:
+    reported: set[object] = set()
+    for link, _, material in Colours(model).visuals():
+        rgba, name = material.rgba, material.name.value if material.name else ""
+        if rgba is None or material.texture or len(rgba.value) != 4 or rgba.value[3] != 0:
+            continue
+        if rgba.at not in reported and not _INTENDED.search(name):
+            reported.add(rgba.at)
+            called = f" '{name}'" if name else ""
+            yield Finding(
+                rgba,
+                f"link '{link.name}': the material{called} of a visual has an alpha of 0",
+                "write 1 as the fourth number of rgba",
+                severity=Severity.INFO,
+            )
 
 
 def _finding(material: Material, values: tuple[float, ...]) -> Finding:

@@ -14,15 +14,15 @@ def seen(name: str, material: str) -> str:
 
 def test_once_per_colour() -> None:
     robot = GREY + seen("a", '<material name="grey"/>') + seen("b", '<material name="grey"/>')
-    assert messages("GEO010", robot) == [
+    assert messages("GEO007", robot) == [
         "link 'a': the material 'grey' of a visual has an alpha of 0"
     ]
-    assert places("GEO010", robot) == [(2, "0.2 0.2 0.2 0")]
+    assert places("GEO007", robot) == [(2, "0.2 0.2 0.2 0")]
 
 
 def test_a_colour_without_a_name() -> None:
     robot = seen("a", '<material><color rgba="1 1 1 0"/></material>')
-    assert messages("GEO010", robot) == ["link 'a': the material of a visual has an alpha of 0"]
+    assert messages("GEO007", robot) == ["link 'a': the material of a visual has an alpha of 0"]
 
 
 @pytest.mark.parametrize(
@@ -37,4 +37,4 @@ def test_a_colour_without_a_name() -> None:
     ],
 )
 def test_what_is_meant_or_another_rule_s(robot: str) -> None:
-    assert messages("GEO010", robot) == []
+    assert messages("GEO007", robot) == []

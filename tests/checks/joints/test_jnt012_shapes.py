@@ -1,4 +1,4 @@
-"""GEO013: see the rule."""
+"""JNT012: see the rule."""
 
 import pytest
 
@@ -9,7 +9,7 @@ SMALL = LINK.format("arm", "0.1 0.1 0.3")
 
 
 def test_a_box_in_millimetres() -> None:
-    assert messages("GEO013", SMALL + LINK.format("hand", "50 50 240")) == [
+    assert messages("JNT012", SMALL + LINK.format("hand", "50 50 240")) == [
         "link 'hand': the visual is 240 m long, the rest of the robot at most 0.3 m"
     ]
 
@@ -25,7 +25,7 @@ def test_a_box_in_millimetres() -> None:
 def test_a_radius_in_millimetres(shape: str, length: int) -> None:
     ball = f'<link name="ball"><collision><geometry><{shape}/></geometry></collision></link>'
     small = LINK.format("arm", "0.1 0.05 0.05")
-    (message,) = messages("GEO013", small + ball)
+    (message,) = messages("JNT012", small + ball)
     assert message == (
         f"link 'ball': the collision is {length} m long, the rest of the robot at most 0.1 m"
     )
@@ -41,11 +41,11 @@ def test_a_radius_in_millimetres(shape: str, length: int) -> None:
     ],
 )
 def test_what_may_be_intended(name: str, size: str) -> None:
-    assert messages("GEO013", SMALL + LINK.format(name, size)) == []
+    assert messages("JNT012", SMALL + LINK.format(name, size)) == []
 
 
 def test_alone_it_tells_nothing() -> None:
-    assert messages("GEO013", LINK.format("hand", "50 50 240")) == []
+    assert messages("JNT012", LINK.format("hand", "50 50 240")) == []
 
 
 @pytest.mark.parametrize(
@@ -56,15 +56,15 @@ def test_alone_it_tells_nothing() -> None:
     ],
 )
 def test_fifty_times_the_rest(size: float, found: int) -> None:
-    assert len(messages("GEO013", SMALL + LINK.format("hand", f"{size} 1 1"))) == found
+    assert len(messages("JNT012", SMALL + LINK.format("hand", f"{size} 1 1"))) == found
 
 
 @pytest.mark.parametrize(("size", "found"), [(5.1, 1), (4.9, 0)])
 def test_five_metres_at_least(size: float, found: int) -> None:
     tiny = LINK.format("arm", "0.01 0.01 0.02")
-    assert len(messages("GEO013", tiny + LINK.format("hand", f"{size} 1 1"))) == found
+    assert len(messages("JNT012", tiny + LINK.format("hand", f"{size} 1 1"))) == found
 
 
 @pytest.mark.parametrize("word", "ground floor world plane room map terrain field".split())
 def test_the_surroundings_may_be_large(word: str) -> None:
-    assert messages("GEO013", SMALL + LINK.format(f"my_{word}_link", "50 50 240")) == []
+    assert messages("JNT012", SMALL + LINK.format(f"my_{word}_link", "50 50 240")) == []

@@ -1,0 +1,81 @@
+"""The lower limit of a joint is not below its upper limit.
+
+- Above it, an error: no position is between the two. Drake ends the program, Gazebo swaps them,
+  MuJoCo and PyBullet read the joint as unlimited, MoveIt and Pinocchio compute with an empty range.
+  PyBullet's own robots write lower="1" upper="-1" for a free joint: a free revolute joint is
+  `continuous` in URDF, and a free prismatic one has limits that are far apart.
+- Equal, a warning: MoveIt, Gazebo, Drake and Pinocchio hold the joint still, MuJoCo moves it
+  without limit. Limits that are not written are 0 for urdfdom, so a revolute joint with effort and
+  velocity alone cannot move either. A joint that never moves is fixed.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.model import Joint, Limit
+from urdfkit.robot.samples import arm_xml
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import swap
+
+BAD = arm_xml("revolute", '<limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>')
+GOOD = BAD.replace('lower="2.775" upper="-2.775"', 'lower="-2.775" upper="2.775"')
+FIXED = GOOD
+
+#: How robots made for PyBullet say that a joint is free.
+_FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))
+
+
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
+    for joint in subject.model.joints:
+        ends = bounds(joint)
+        if joint.limit and ends and ends[0] > ends[1]:
+            yield _inverted(joint, joint.limit, ends)
+        elif joint.limit and ends and ends[0] == ends[1]:
+            yield _equal(joint, joint.limit, ends[0])
+
+
+def _inverted(joint: Joint, limit: Limit, ends: tuple[float, float]) -> Finding:
+    lower, upper = ends
+    message = (
+        f"joint '{joint.name}': lower limit {lower:g} {unit(joint)} is above upper limit "
+        f"{upper:g} {unit(joint)}"
+    )
+    for key in ("lower", "upper"):
+        if key not in limit.at.attributes:
+            message += f" ({key} is not written, so it is 0)"
+    if ends in _FREE_IN_PYBULLET:
+        free = "make it continuous" if joint.kind == "revolute" else "set them far apart"
+        return Finding(limit.at, message, f"swap them; if the joint is to be free, {free}")
+    return Finding(limit.at, message, "swap them", _swapped(limit))
+
+
+def _swapped(limit: Limit) -> Fix | None:
+    lower, upper = limit.at.attributes.get("lower"), limit.at.attributes.get("upper")
+    return Fix.of("swap lower and upper", swap(lower, upper)) if lower and upper else None
+
+
+def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
+    written = [key for key in ("lower", "upper") if key in limit.at.attributes]
+    why = f"lower and upper limit are both {value:g} {unit(joint)}"
+    if not written:
+        why = "lower and upper limit are not written, so both are 0"
+    elif len(written) == 1:
+        why = f"its {written[0]} limit is 0, and so is the one that is not written"
+    continuous = "make it continuous if it has no end, " if joint.kind == "revolute" else ""
+    return Finding(
+        limit.at,
+        f"joint '{joint.name}' is {joint.kind} but cannot move: {why}",
+        f"set lower and upper, {continuous}or make it fixed",
+        alike="cannot move",
+        severity=Severity.WARNING,
+    )

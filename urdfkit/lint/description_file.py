@@ -1,0 +1,198 @@
+"""A description as it was read: its text, expanded, and what is wrong with it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
+
+if TYPE_CHECKING:
+    from urdfkit.lint.ignore_comments import Ignore
+    from urdfkit.ros.launch.contents import Launch
+    from urdfkit.text.diagnostic import Related
+    from urdfkit.workspace.resolve import Resolver
+    from urdfkit.xacro import Xacro
+
+
+class Unavailable(Exception):
+    """A part that a rule needs is not to be had for this description; the text says why."""
+
+
+class NotApplicable(Unavailable):
+    """A description is of another kind than a rule is about; nothing is missing."""
+
+
+class Reading(Record):
+    """A description as it was read.
+
+    Attributes:
+        document: after expansion; None if it could not be read.
+        problems: what is wrong with the text.
+        xacro: what the expansion met; None for plain XML.
+    """
+
+    document: Document | None
+    problems: tuple[Problem, ...]
+    xacro: Xacro | None
+
+
+class DescriptionFile:
+    """A URDF, xacro or launch file, read with arguments.
+
+    Attributes:
+        source: the file.
+        resolver: finds packages and files.
+        arguments: ``name:=value`` for xacro.
+        trust: True if the model's expressions and files are not sandboxed.
+        frame: the launch file that asks for it; None if it was named itself.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        resolver: Resolver,
+        arguments: Mapping[str, str] | None = None,
+        *,
+        trust: bool = False,
+        frame: CallFrame | None = None,
+    ) -> None:
+        self.source = source
+        self.resolver = resolver
+        self.arguments = dict(arguments or {})
+        self.trust = trust
+        self.frame = frame
+
+    @cached_property
+    def reading(self) -> Reading:
+        if not is_xacro(self.source):
+            document, problems = read_xml(self.source, self.frame)
+            return Reading(document, tuple(problems), None)
+        from urdfkit.xacro import expand
+
+        xacro = expand(
+            self.source, self.resolver, self.arguments, trust=self.trust, frame=self.frame
+        )
+        met = xacro.problems
+        if any(problem.code == "XAC010" for problem in met):
+            from urdfkit.lint.argument_values import with_values
+
+            met = tuple(with_values(met, xacro, self.resolver))
+        return Reading(xacro.document, met, xacro)
+
+    @property
+    def is_readable(self) -> bool:
+        """False for a description that cannot be read, on which hardly any rule can run."""
+        return is_launch(self.source.path) or self.reading.document is not None
+
+    def problems(self, code: str) -> list[Problem]:
+        """What reading met that a rule explains, in a description or a launch file."""
+        read = self.launch if is_launch(self.source.path) else self.reading
+        return [problem for problem in read.problems if problem.code == code]
+
+    @property
+    def is_fragment(self) -> bool:
+        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
+        return any(problem.severity is Severity.INFO for problem in self.problems("XAC001"))
+
+    @property
+    def xacro(self) -> Xacro:
+        """What the expansion met.
+
+        Raises:
+            NotApplicable: the description is plain XML.
+            Unavailable: it did not expand.
+        """
+        if self.reading.xacro is None:
+            raise NotApplicable("not a xacro")
+        if self.reading.document is None:
+            raise Unavailable("the xacro does not expand")
+        return self.reading.xacro
+
+    @property
+    def document(self) -> Document:
+        """The expanded document.
+
+        Raises:
+            Unavailable: it could not be read.
+        """
+        if self.reading.document is None:
+            what = "xacro does not expand" if self.reading.xacro else "description cannot be read"
+            raise Unavailable(f"the {what}")
+        return self.reading.document
+
+    @property
+    def text(self) -> bytes:
+        """The URDF, expanded.
+
+        Raises:
+            Unavailable: it could not be read.
+        """
+        if self.reading.xacro is None:
+            return self.source.data
+        return self.xacro.text().encode("utf-8", "replace")
+
+    @cached_property
+    def _traced(self) -> Xacro:
+        """The expansion once more, with notes of where every value comes from."""
+        from urdfkit.xacro import expand
+
+        return expand(self.source, self.resolver, self.arguments, trust=self.trust, traced=True)
+
+    def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
+        """Where in YAML files the values stand that expressions wrote at a place of the document.
+
+        Expands a second time, if the first one read YAML files and there is an expression.
+        """
+        reading = self.reading
+        element = at if isinstance(at, Element) else at.element
+        if reading.xacro is None or not reading.xacro.data_files or not self._has(element):
+            return ()
+        attributes = at.attributes.values() if isinstance(at, Element) else (at,)
+        if not any("$" in attribute.span.text for attribute in attributes):
+            return ()
+        return self._traced.data_places(at)
+
+    def _has(self, element: Element) -> bool:
+        """True for an element of the document, not of an SRDF or a manifest beside it."""
+        while element.parent is not None:
+            element = element.parent
+        return self.reading.document is not None and element is self.reading.document.root
+
+    @cached_property
+    def uses(self) -> Mapping[Tag, int]:
+        """How often each tag stands in the document: those of a macro, once for each call."""
+        from collections import Counter
+        from operator import attrgetter
+
+        return Counter(map(attrgetter("tag_at"), self.document.root.walk()))
+
+    @cached_property
+    def launch(self) -> Launch:
+        """What the launch file needs.
+
+        Raises:
+            NotApplicable: the file is no launch file.
+        """
+        from urdfkit.ros.launch import read_launch
+
+        if not is_launch(self.source.path):
+            raise NotApplicable("not a launch file")
+        return read_launch(self.source, self.resolver, self.arguments)
+
+    @cached_property
+    def ignores(self) -> tuple[Ignore, ...]:
+        """The ignore comments in its files."""
+        sources: tuple[Source, ...] = (self.source,)
+        if not is_launch(self.source.path) and self.reading.xacro:
+            sources = self.reading.xacro.sources
+        if not any(b"urdfkit" in source.data for source in sources):
+            return ()
+        from urdfkit.lint.ignore_comments import ignores
+
+        return tuple(ignore for source in sources for ignore in ignores(source))
