@@ -7,6 +7,9 @@ from urdfkit.text.xml_reader import is_launch
 
 #: Former codes and names of rules.
 REDIRECTS = {
+    "LAU008": "LAU005",
+    "argument-not-given": "LAU005",
+    "unknown-argument": "LAU005",
     "LAU007": "LAU005",
     "argument-not-taken": "LAU005",
     "LAU012": "LAU006",

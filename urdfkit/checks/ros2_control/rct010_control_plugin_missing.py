@@ -13,40 +13,25 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugins as files
 from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.gazebo.samples import control_xml, driven_xml, solid_xml
 from urdfkit.ros.ros_control import ControlPlugin, components, control_plugins, is_of_pr2
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="arm">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
-  </hardware>
-  <joint name="shoulder">
-    <command_interface name="position"/>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    solid_xml("arm"),
+    joint_xml(
+        "revolute", '<axis xyz="0 0 1"/>', '<limit lower="-1" upper="1" effort="10" velocity="1"/>'
+    ),
+    control_xml(
+        "gazebo_ros2_control/GazeboSystem",
+        driven_xml("shoulder"),
+    ),
+)
 GOOD = (
     BAD
     + """

@@ -19,7 +19,7 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: The end of the name of a launch file that begins with an expression, in XML or in Python.
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
-#: Files that are looked into for one that includes another, and folders of them.
+#: Files that are searched for one that includes another, and directories of them.
 MAX_FILES, MAX_FOLDERS = 500, 2000
 
 
@@ -73,7 +73,8 @@ def missing_in_include(
     """The arguments without a default that are not passed to an included file."""
     for name in sorted(taken.required.difference(known)):
         message = f"'{os.path.basename(source.path)}' requires argument '{name}'"
-        yield Problem("LAU008", span, message, f"pass '{name}', or give it a default", frame)
+        help = f"pass '{name}', or give it a default"
+        yield Problem("LAU005", span, message, help, frame, severity=Severity.ERROR)
 
 
 def declares_others(path: str) -> bool:

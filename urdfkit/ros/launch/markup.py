@@ -13,7 +13,7 @@ from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import Problem, read_xml
 
 YAML = (".yaml", ".yml")
-#: What holds the actions of a group beside its attributes.
+#: The key of the actions of a group, next to its attributes.
 _CHILDREN = "children"
 
 
@@ -76,7 +76,7 @@ def _fill(element: Element, node: Node) -> None:
 
 
 def _add(parent: Element, key: Key, node: Node) -> None:
-    """Add an action, or each of several that stand under one key."""
+    """Add an action, or each of several under one key."""
     is_several = isinstance(node, list) and key in _SEVERAL
     for item in node if isinstance(node, list) and is_several else (node,):
         child = _Action(key, key.span, parent)

@@ -1,12 +1,16 @@
-"""A launch file passes an argument that the xacro or the included launch file does not have.
+"""A launch file passes an argument that a file does not have, or leaves out a required one.
 
-xacro ignores the argument and uses its default: the robot has no camera, or the hardware of the
-simulator. `roslaunch` stops with "unused args"; in ROS 2 the included file goes on with its
-default. The name differs, or the argument was removed.
+- An argument that the xacro or the included launch file does not have (warning): xacro uses its
+  default, so the robot has no camera, or the hardware of the simulator. `roslaunch` stops with
+  "unused args"; in ROS 2 the included file goes on with its default. The name differs, or the
+  argument was removed.
+- An included launch file has an argument without a default, and none is passed. `roslaunch` stops
+  with "requires the 'x' arg to be set", `ros2 launch` with "missing required argument".
 
 Sources:
     xacro: https://wiki.ros.org/xacro
     roslaunch, loader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/loader.py
+    roslaunch, xmlloader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/xmlloader.py
     launch, include_launch_description.py: https://github.com/ros2/launch/blob/rolling/launch/launch/actions/include_launch_description.py
 """
 
