@@ -119,7 +119,7 @@ def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
     return Problem(
         "XAC001",
         at,
-        f"name '{name}' is not defined: xacro passes over a <property> without the prefix",
+        f"name '{name}' is not defined: xacro ignores a <property> without the prefix",
         "write <xacro:property>, and the prefix at the other tags of xacro, too",
         related=related(use, "needed here") if use else (),
     )
