@@ -185,4 +185,4 @@ def test_an_argument_that_is_passed_to_many_files_is_one_finding(tmp_path: Path)
     found = check(tmp_path / "all.launch", select=["LAU005"]).diagnostics
     assert len(found) == 3
     (seen,) = grouped(found)
-    assert seen.message == "'arm.launch' has no argument 'sim' (and 2 more like this)"
+    assert seen.message == "'arm.launch': unknown argument 'sim' (and 2 more like this)"

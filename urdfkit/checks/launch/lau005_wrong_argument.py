@@ -47,7 +47,7 @@ FILES = {
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="pass an argument that the file has")
 def check(subject: Subject) -> Findings:
     for finding in reported(subject, "LAU005"):
-        _, _, argument = finding.message.partition(" has no ")
+        _, _, argument = finding.message.partition("': ")
         yield finding._replace(alike=argument)
     for description in subject.launch.descriptions:
         if not description.arguments:
@@ -60,6 +60,6 @@ def check(subject: Subject) -> Findings:
             if name not in known:
                 yield Finding(
                     Location(description.frame.call.span, description.frame.outer),
-                    f"'{description.path}' has no argument '{name}'{did_you_mean(name, known)}",
+                    f"'{description.path}': unknown argument '{name}'{did_you_mean(name, known)}",
                     "pass one of: " + ", ".join(sorted(known)) if known else "pass none",
                 )

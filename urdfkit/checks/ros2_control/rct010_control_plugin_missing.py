@@ -86,7 +86,7 @@ def _missing(subject: Subject) -> Findings:
         if found and component.plugin:
             yield Finding(
                 component.plugin,
-                f"{component.called} is for {found.simulator}, and no plugin of <gazebo> "
+                f"{component.called} is for {found.simulator}, but no plugin in <gazebo> "
                 f"loads it ({files()[found.control]})",
             )
             return  # one plugin serves all
@@ -94,7 +94,7 @@ def _missing(subject: Subject) -> Findings:
     if transmissions and "classic-ros1" in subject.targets.names and subject.plugins:
         yield Finding(
             transmissions[0],
-            "the robot has transmissions and is for Gazebo Classic, and no plugin of <gazebo> "
+            "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "
             f"loads them ({files()['gazebo_ros_control']})",
         )
 
@@ -105,5 +105,5 @@ def _without_transmission(subject: Subject, plugin: ControlPlugin) -> Findings:
         return
     if plugin.at.child("robotSimType") is None:
         yield Finding(
-            plugin.at, f"plugin {plugin.filename}: no transmission, so that it drives no joint"
+            plugin.at, f"plugin {plugin.filename}: no transmission, so it drives no joint"
         )

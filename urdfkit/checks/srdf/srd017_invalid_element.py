@@ -64,7 +64,7 @@ def _misspelt(srdf: Srdf) -> Findings:
 
 def _incomplete(srdf: Srdf) -> Findings:
     for element, name in lacking(srdf.root):
-        message = f"<{element.tag}> has no {name}, so that MoveIt ignores it"
+        message = f"<{element.tag}> has no {name} (ignored)"
         yield Finding(element, message, f"add {name}")
 
 

@@ -62,7 +62,7 @@ def unknown_to_included(
         is_mistyped = is_typo(name, taken.names)
         if not is_used and (ros == 1 or taken.is_whole or is_mistyped):
             file = os.path.basename(source.path)
-            message = f"'{file}' has no argument '{name}'{did_you_mean(name, taken.names)}"
+            message = f"'{file}': unknown argument '{name}'{did_you_mean(name, taken.names)}"
             severity = Severity.INFO if ros == 2 and not is_mistyped else None
             yield Problem("LAU005", span, message, frame=frame, severity=severity)
 

@@ -51,7 +51,7 @@ def parsed(source: Source) -> tuple[Document | None, list[Problem]]:
         return read_xml(source)
     if found := mistake(source):
         span, reason = found
-        return None, [Problem("XML001", span, f"it is no YAML: {reason}")]
+        return None, [Problem("XML001", span, f"not YAML: {reason}")]
     top = load(source)
     key = next((key for key in top if key == "launch"), None) if isinstance(top, dict) else None
     if not isinstance(top, dict) or not isinstance(key, Key):

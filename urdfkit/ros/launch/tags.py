@@ -146,7 +146,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             continue
         suggested = _TRANSLATED[ros].get((element.tag, name)) or nearest(name, known)
         help = f"did you mean {suggested}?" if suggested else "it has: " + ", ".join(sorted(known))
-        message = f"<{element.tag}> has no attribute '{name}' in ROS {ros}"
+        message = f"unknown attribute '{name}' of <{element.tag}> in ROS {ros}"
         yield Problem("LAU010", attribute.span, message, help, frame)
 
 

@@ -358,7 +358,7 @@ class _File:
         if switched not in (None, "false", "False", "0") or self._ros is None:
             return
         if found := unmade(path, self._ros, self.collector.resolver):
-            message = f"'{os.path.basename(path)}' holds {found}, which stays as it is written"
+            message = f"'{os.path.basename(path)}' holds {found}, which is not resolved"
             help = f'write {switch}="true"'
             problem = Problem("LAU019", attribute.span, message, help, self.frame)
             self.collector.problems.append(problem)

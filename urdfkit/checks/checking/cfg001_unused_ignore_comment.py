@@ -35,9 +35,8 @@ def check(subject: Subject) -> Findings:
             # Of a file that others include, another robot may need it.
             is_own = ignore.span.source is subject.source
             fix = Fix("delete the comment", remove_spans([ignore.span])) if is_own else None
-            yield Finding(
-                place, f"nothing here is found by {', '.join(codes) or 'no rule'}", fix=fix
-            )
+            named = ", ".join(codes) or "any rule"
+            yield Finding(place, f"unused ignore comment: no finding of {named} here", fix=fix)
 
 
 def _ran(words: list[str], chosen: frozenset[str]) -> bool:
