@@ -67,6 +67,11 @@ def test_separation(tmp_path: Path) -> None:
     assert (found.span.line, found.span.text) == (6, "0.3")
 
 
+@pytest.mark.parametrize(("separation", "found"), [(0.381, 0), (0.419, 0), (0.379, 1), (0.421, 1)])
+def test_within_five_percent(separation: float, found: int, tmp_path: Path) -> None:
+    assert len(reported(tmp_path, drive(separation, 0.1), robot())) == found
+
+
 def test_radius(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.4, 0.2), robot())
     assert (
