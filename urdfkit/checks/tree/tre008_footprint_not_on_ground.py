@@ -32,8 +32,7 @@ BAD = robot_xml(
     link_xml("base_link", collision_xml('<box size="0.4 0.3 0.2"/>')),
     joint_xml("fixed", name="base_footprint_joint", parent="base_footprint", child="base_link"),
 )
-GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
 
 #: A body may stand this far above or below the ground, in m: tyres and rubber feet give way.
 TOLERANCE = 0.005
