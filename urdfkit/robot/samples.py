@@ -10,9 +10,17 @@ def robot_xml(*parts: str) -> str:
     return "\n".join(parts)
 
 
+def element_xml(tag: str, *inside: str) -> str:
+    """An element: its tag and attributes, and the elements in it."""
+    if not inside:
+        return f"<{tag}/>"
+    indented = "\n".join(inside).replace("\n", "\n  ")
+    return f"<{tag}>\n  {indented}\n</{tag.partition(' ')[0]}>"
+
+
 def link_xml(name: str, *inside: str) -> str:
     """A ``<link>`` with some elements in it."""
-    return _element(f'link name="{name}"', *inside)
+    return element_xml(f'link name="{name}"', *inside)
 
 
 def joint_xml(
@@ -20,7 +28,7 @@ def joint_xml(
 ) -> str:
     """A ``<joint>`` of a type, with other elements after its parent and child."""
     ends = f'<parent link="{parent}"/>', f'<child link="{child}"/>'
-    return _element(f'joint name="{name}" type="{kind}"', *ends, *inside)
+    return element_xml(f'joint name="{name}" type="{kind}"', *ends, *inside)
 
 
 def arm_xml(kind: str, *inside: str) -> str:
@@ -46,12 +54,12 @@ def hand_xml(kind: str, left: Iterable[str], right: Iterable[str], *finger: str)
 
 def visual_xml(shape: str, *others: str) -> str:
     """A ``<visual>`` with a shape, such as ``<sphere radius="0.1"/>``, and other elements."""
-    return _element("visual", f"<geometry>{shape}</geometry>", *others)
+    return element_xml("visual", f"<geometry>{shape}</geometry>", *others)
 
 
 def collision_xml(shape: str, *others: str) -> str:
     """A ``<collision>`` with a shape, such as ``<sphere radius="0.1"/>``, and other elements."""
-    return _element("collision", f"<geometry>{shape}</geometry>", *others)
+    return element_xml("collision", f"<geometry>{shape}</geometry>", *others)
 
 
 def inertial_xml(mass: str, moments: str) -> str:
@@ -63,17 +71,10 @@ def inertial_xml(mass: str, moments: str) -> str:
     """
     x, y, z = moments.split()
     tensor = f'<inertia ixx="{x}" ixy="0" ixz="0" iyy="{y}" iyz="0" izz="{z}"/>'
-    return _element("inertial", f'<mass value="{mass}"/>', tensor)
+    return element_xml("inertial", f'<mass value="{mass}"/>', tensor)
 
 
 def mesh_xml(role: str, filename: str) -> str:
     """A link with a mesh as its visual or collision."""
     shape = f'<mesh filename="{filename}"/>'
     return link_xml("arm", visual_xml(shape) if role == "visual" else collision_xml(shape))
-
-
-def _element(tag: str, *inside: str) -> str:
-    if not inside:
-        return f"<{tag}/>"
-    indented = "\n".join(inside).replace("\n", "\n  ")
-    return f"<{tag}>\n  {indented}\n</{tag.partition(' ')[0]}>"

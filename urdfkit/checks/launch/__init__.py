@@ -7,6 +7,10 @@ from urdfkit.text.xml_reader import is_launch
 
 #: Former codes and names of rules.
 REDIRECTS = {
+    "substitution-not-made": "LAU019",
+    "LAU008": "LAU005",
+    "argument-not-given": "LAU005",
+    "unknown-argument": "LAU005",
     "LAU007": "LAU005",
     "argument-not-taken": "LAU005",
     "LAU012": "LAU006",

@@ -45,7 +45,7 @@ _NAME = re.compile(r"^package '([^']+)'")
 @rule(
     Severity.ERROR,
     needs=(),
-    help="name its folder with --package NAME=DIR, or add the package to the workspace",
+    help="name its directory with --package NAME=DIR, or add the package to the workspace",
 )
 def check(subject: Subject) -> Findings:
     problems = subject.problems("XAC011")

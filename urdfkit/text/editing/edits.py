@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from urdfkit.text.diagnostic import Edit
+from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Source, Span
 
@@ -104,6 +104,16 @@ def replace_text(element: Element, text: str) -> tuple[Edit, ...] | None:
 def rewrite(at: Element | Attribute, text: str) -> tuple[Edit, ...] | None:
     """Give an attribute another value, or an element another text."""
     return replace_value(at, text) if isinstance(at, Attribute) else replace_text(at, text)
+
+
+def fix_value(at: Element | Attribute, text: str | None) -> Fix | None:
+    """The fix that writes another value; None without one, or where it cannot be written."""
+    return Fix.of(f"write {text}", rewrite(at, text)) if text else None
+
+
+def fix_tag(element: Element, tag: str | None) -> Fix | None:
+    """The fix that writes another tag; None without one, or where it cannot be written."""
+    return Fix.of(f"rename it to <{tag}>", rename_element(element, tag)) if tag else None
 
 
 def scale_limits(limit: Element, factor: float) -> tuple[Edit, ...] | None:
