@@ -146,7 +146,7 @@ def _unknown_macro(defined: Definitions, name: str) -> MessageText:
         return MessageText(f"macro '{name}' is not defined", elsewhere)
     help = "define the macro above its call, or include the file that does"
     if any(map(_BARE_INCLUDE.search, (one.data for one in defined.sources.values()))):
-        help = "write <xacro:include>: xacro passes over an <include> without the prefix"
+        help = "write <xacro:include>: xacro ignores an <include> without the prefix"
     return MessageText(f"macro '{name}' is not defined", help + did_you_mean(name, known))
 
 
@@ -207,6 +207,11 @@ def _innermost(before: bytes) -> str:
 
 
 def _missing_file(path: str) -> MessageText:
+    _, scheme, there = path.partition("package:/")
+    if scheme:
+        package, _, rest = there.strip("/").partition("/")
+        message = f"xacro does not resolve package://{package}/{rest}"
+        return MessageText(message, f"write $(find {package})/{rest}")
     if os.path.isfile(f"{path}.in"):
         made = f"{UNBUILT}: {shown(path)}, from {os.path.basename(path)}.in"
         return MessageText(made, "build the workspace, or make the file with CMake's values")
