@@ -183,7 +183,7 @@ def assert_dof(model: RobotModel, expected: int) -> None:
 
 
 def assert_mass(model: RobotModel, expected: float, *, tolerance: float = 1e-3) -> None:
-    """Fail unless all links together weigh so much.
+    """Fail unless the total mass of the links is this.
 
     Args:
         model: the robot.
