@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 
 def robot_xml(*parts: str) -> str:
     """Elements one below the other."""
@@ -32,6 +34,22 @@ def joint_xml(
 def arm_xml(kind: str, *inside: str) -> str:
     """Two links without shape or mass, and a joint of a type between them."""
     return robot_xml(link_xml("base"), link_xml("arm"), joint_xml(kind, *inside))
+
+
+def hand_xml(kind: str, left: Iterable[str], right: Iterable[str], *finger: str) -> str:
+    """A hand with two fingers.
+
+    Args:
+        kind: the type of ``left_joint`` and ``right_joint``.
+        left: elements of the left joint.
+        right: elements of the right joint.
+        finger: elements of each of the three links.
+    """
+    return robot_xml(
+        *(link_xml(name, *finger) for name in ("hand", "left_finger", "right_finger")),
+        joint_xml(kind, *left, name="left_joint", parent="hand", child="left_finger"),
+        joint_xml(kind, *right, name="right_joint", parent="hand", child="right_finger"),
+    )
 
 
 def visual_xml(shape: str, *others: str) -> str:

@@ -10,10 +10,10 @@ from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import Signature
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem, is_launch
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 

@@ -18,9 +18,9 @@ from urdfkit.ros.launch.contents import (
     PackageUse,
     StartedProgram,
 )
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.resolve import Resolver
 
 #: The directory of a package that was not found; files in it are not checked.

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import Problem
 
 #: What a file of parameters is called in messages.
 PARAMETERS = "parameter file"

@@ -7,10 +7,11 @@ Source: ``launch_yaml/entity.py`` of ros2/launch.
 
 from __future__ import annotations
 
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element, Tag
 from urdfkit.text.located_yaml import Key, Node, Value, load, mistake
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem, read_xml
+from urdfkit.text.xml_reader import read_xml
 
 YAML = (".yaml", ".yml")
 #: The key of the actions of a group, next to its attributes.

@@ -17,8 +17,8 @@ from urdfkit.ros.launch.signature import arguments_in
 from urdfkit.ros.launch.values import argument, called
 from urdfkit.text import python_source
 from urdfkit.text.document import CallFrame, Element
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 
 #: Launch files of a package that are read, and directories that are searched for them.

@@ -10,9 +10,8 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import TYPO, is_typo, nearest
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Element
-from urdfkit.text.xml_reader import Problem
 
 _CONDITIONS = frozenset(("if", "unless"))
 

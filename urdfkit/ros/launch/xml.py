@@ -22,9 +22,9 @@ from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
 from urdfkit.ros.launch.substitutions import Substitutions, pieces, unmade
 from urdfkit.ros.launch.tags import dialect, mistakes
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.manifest import manifest_of
 
 _RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")

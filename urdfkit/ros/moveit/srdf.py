@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element
-from urdfkit.text.xml_reader import Problem, is_xacro, read_xml
+from urdfkit.text.file_kinds import is_xacro
+from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 
 if TYPE_CHECKING:

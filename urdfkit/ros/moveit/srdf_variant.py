@@ -8,8 +8,8 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
-from urdfkit.text.xml_reader import is_xacro
 from urdfkit.workspace.file_head import read_head
 
 if TYPE_CHECKING:

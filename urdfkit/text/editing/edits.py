@@ -1,8 +1,8 @@
-"""Text edits that mend an element: comments, quotes, indentation and line ends stay as they are.
+"""Text edits of elements: comments, quotes, indentation and line ends stay as they are.
 
 Only what a file holds literally can be edited, so every function here may answer None: the name or
 the value came out of a xacro expression, and a person must decide where to change it. What a macro
-wrote may be edited: the judge keeps the edit only if all uses agree on it (``agreement``).
+wrote may be edited: the edit is kept only if all uses agree on it (`urdfkit.lint.fix`).
 """
 
 from __future__ import annotations
@@ -157,7 +157,7 @@ def remove_spans(spans: Iterable[Span]) -> tuple[Edit, ...]:
 
 
 def _with_line(span: Span) -> Span:
-    """A piece of a file with its line; what is left around it looks as if it had not been there."""
+    """A piece of a file with its line; the lines around it close up."""
     source, start, end = span
     line_start, line_end = _line(source, start, end)
     before, after = source.data[line_start:start], source.data[end:line_end]
