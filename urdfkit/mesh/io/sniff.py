@@ -1,6 +1,6 @@
 """What a mesh file is, and whether it is whole, by its bytes and without a mesh library.
 
-Libraries load many a broken mesh as nothing at all, without an error. Suffixes do not tell
+Libraries load many a broken mesh as nothing at all, without an error. Suffixes do not say
 either: web pages are saved as meshes, and 118 of 121 STL files that begin with ``solid``, the
 mark of an ASCII STL, are binary.
 """
