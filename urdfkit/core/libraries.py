@@ -12,18 +12,11 @@ TYPE_CHECKING = False
 
 if TYPE_CHECKING:
     from importlib.machinery import ModuleSpec
-    from types import ModuleType
 
 #: What measures meshes.
 _FOR_MESHES = ("numpy", "lxml", "manifold3d", "mapbox_earcut")
 
 INSTALL_MESHES = "pip install 'urdfkit[meshes]'"
-
-
-def load(name: str) -> ModuleType:
-    """The module of a full name."""
-    __import__(name)
-    return sys.modules[name]
 
 
 def find(name: str) -> ModuleSpec | None:

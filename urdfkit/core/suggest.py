@@ -1,4 +1,4 @@
-"""The word that was probably meant."""
+"""Suggestions for misspelt names."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SIMILAR, SIMILAR_FILE, TYPO = 0.6, 0.7, 0.8
 #: Longer words are no typos of a name, and comparing them takes time.
 _LONGEST = 200
 
-#: What tells siblings apart.
+#: What distinguishes siblings.
 _SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl rr l r".split())
 
 #: What a name may say of the thing that has it, and people leave out.
@@ -70,7 +70,7 @@ def nearest_file(path: str) -> str | None:
 class Suggester:
     """Finds the names that unknown names were meant to be, within a bound of work.
 
-    Siblings are not slips of one another: ``wheel_5`` is not meant to be ``wheel_4`` or
+    Siblings are no typos of one another: ``wheel_5`` is not ``wheel_4`` or
     ``wheel_b``, nor ``left_arm`` to be ``right_arm``; nor is ``base_imu_link`` the ``base_link``
     that it is on. A word in front gives a name another meaning, too: ``baseline`` is not meant
     to be ``hackBaseline``.
@@ -86,12 +86,12 @@ class Suggester:
         self._found: dict[str, str] = {}
 
     def hint(self, word: str) -> str:
-        """``; did you mean 'arm'?``, or nothing if the name is no slip."""
+        """``; did you mean 'arm'?``, or nothing if the name is no typo."""
         found = self.suggested(word)
         return f"; did you mean '{found}'?" if found else ""
 
     def suggested(self, word: str) -> str:
-        """The known name of which a name is a slip; empty if there is none."""
+        """The known name that a name is a typo of; empty if there is none."""
         if word not in self._found:
             if len(self._found) >= self.MAX_WORDS:
                 return ""
