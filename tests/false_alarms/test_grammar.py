@@ -17,6 +17,7 @@ JOINT = (
     "robot",
     [
         '<link name="a"><collision_checking><capsule name="a_0"/></collision_checking></link>',
+        '<link name="a"><self_filter><shape><sphere radius="1"/></shape></self_filter></link>',
         '<link name="a"><contact><inertia_scaling value="3"/></contact></link>',
         '<link name="a"><audio_source><filename value="a.wav"/></audio_source></link>',
         f'<link name="a"><collision concave="yes">{BOX}<verbose value="0"/></collision></link>',

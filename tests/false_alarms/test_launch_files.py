@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -24,6 +25,15 @@ def test_absolute_paths_outside_of_the_repository(tmp_path: Path, mark: str) -> 
     assert reported(tmp_path / "arm", "LAU003", "a.launch.py", program, files) == []
     inside = f'<rosparam file="{tmp_path}/arm/config/robot.yaml"/>'
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch", inside, files)) == 1
+
+
+@pytest.mark.parametrize(("name", "count"), [(".urdf.xacro", 0), ("mine.yaml", 0), ("a.yaml", 1)])
+def test_files_that_the_user_names_or_makes(tmp_path: Path, name: str, count: int) -> None:
+    """Interbotix: $(arg robot_model).urdf.xacro, empty by default; Stretch: a calibration."""
+    subprocess.run(["git", "init", "-q", tmp_path / "arm"], check=True)
+    text = f'<rosparam file="$(dirname)/config/{name}"/>'
+    files = {".gitignore": "mine.yaml\n"}
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch", text, files)) == count
 
 
 def test_what_roslaunch_does_not_read_uses_no_argument(tmp_path: Path) -> None:

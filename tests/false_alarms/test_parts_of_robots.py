@@ -42,6 +42,14 @@ def test_a_part_that_only_a_comment_includes(tmp_path: Path, include: bytes) -> 
     assert len(report.files) == 1
 
 
+def test_a_part_without_a_name_that_nothing_includes(tmp_path: Path) -> None:
+    """quadruped_ros2_control: ANYmal's imu_link.xacro."""
+    add_file(tmp_path / "rover.urdf.xacro", _whole(b""))
+    add_file(tmp_path / "imu.xacro", SENSOR.replace(b' name="rover"', b"").replace(b"gps", b"imu"))
+    report = engine.check(tmp_path, select=["REF", "XAC", "URD003"])
+    assert (report.diagnostics, len(report.files)) == ((), 1)
+
+
 def test_a_whole_robot_is_checked_whatever_a_comment_says(tmp_path: Path) -> None:
     add_file(tmp_path / "rover.urdf.xacro", _whole(b'<!--xacro:include filename="other.xacro"/-->'))
     add_file(tmp_path / "other.xacro", _whole(b""))

@@ -16,6 +16,7 @@ from urdfkit.text.source import Source
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from urdfkit.lint.report import Launched
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.robot import Dynamics
@@ -115,6 +116,7 @@ class Subject(DescriptionFile):
         progress: called with the number of mesh files read and of all.
         outcome: what the rules before the present one found; set by the runner alone.
         rule_options: configured options of rules, by code and name; set by the runner.
+        launched: the arguments that were not given, and where they are from; set by `loading`.
         unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
@@ -138,6 +140,7 @@ class Subject(DescriptionFile):
         self._given_targets = targets
         self.outcome = Outcome()
         self.rule_options: Mapping[str, Mapping[str, float]] = {}
+        self.launched: tuple[Launched, ...] = ()
         self.unchecked: tuple[UncheckedValues, ...] = ()
         self._beside: dict[tuple[object, ...], Subject] = {}
 
@@ -190,7 +193,7 @@ class Subject(DescriptionFile):
         """The robot in the document."""
         from urdfkit.robot.model import RobotModel
 
-        return RobotModel(self.document)
+        return RobotModel(self.document, self.resolver.packages.explicit)
 
     @cached_property
     def tree(self) -> KinematicTree:

@@ -52,7 +52,7 @@ _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _MARK = b"\xef\xbb\xbf"
-_COMMENTED_OUT = "a part of a robot whose include is commented out"
+_PART = "a part of a robot that no file includes"
 _NOT_CONFIGURED = "no [[robot]] in the configuration for it"
 _UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
 _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
@@ -305,8 +305,7 @@ class IncludeGraph:
         ]
         roots += self._in_rings(roots)
         libraries = tuple(filter(self.is_library, roots))
-        disabled = self._disabled()
-        parts = [p for p in roots if os.path.realpath(p) in disabled and self._lacks_parent(p)]
+        parts = self._parts(roots)
         outer = [path for path in roots if path not in libraries and path not in parts]
         unusual = [
             name
@@ -317,8 +316,22 @@ class IncludeGraph:
         robots = sorted({*outer, *self._within(outer), *started})
         named = tuple(RobotEntry(path, "", {}) for path in robots)
         others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
-        others |= dict.fromkeys(parts, _COMMENTED_OUT)
+        others |= dict.fromkeys(parts, _PART)
         return FolderContents(named, libraries, tuple(self.closed), others)
+
+    def _parts(self, roots: Iterable[str]) -> list[str]:
+        """The xacros that are not whole: without a name, or with their include commented out."""
+        disabled = self._disabled()
+        return [
+            path
+            for path in roots
+            if path.lower().endswith(".xacro")
+            and (os.path.realpath(path) in disabled or not self._is_named(path))
+            and self._lacks_parent(path)
+        ]
+
+    def _is_named(self, path: str) -> bool:
+        return bool(_NAMED.search(without_comments(self._sources[os.path.realpath(path)].data)))
 
     def _lacks_parent(self, path: str) -> bool:
         """True for a file with a joint whose parent link is in none of the files it includes."""

@@ -64,7 +64,7 @@ class Weight(Record):
     """The mass of all links.
 
     Attributes:
-        by_link: in kg, of those that weigh something, the heaviest first.
+        by_link: in kg, of those with mass, the heaviest first.
         whole: as one rigid body at the configuration.
     """
 

@@ -6,7 +6,7 @@ Positions are in rad or m, by the name of the joint.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import cos, isfinite, sin
+from math import atan2, cos, isfinite, pi, sin
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Transform, Vector, unit
@@ -165,3 +165,12 @@ def about(axis: Vector, angle: float) -> Rotation:
         (t * x * y + s * z, t * y * y + c, t * y * z - s * x),
         (t * x * z - s * y, t * y * z + s * x, t * z * z + c),
     )
+
+
+def best_angle(a: float, b: float, ends: tuple[float, float]) -> float:
+    """The angle between two ends at which ``a cos q + b sin q`` is largest, the nearest to 0."""
+    top = atan2(b, a)
+    inside = [q for q in (top - 2 * pi, top, top + 2 * pi) if ends[0] <= q <= ends[1]]
+    if inside:
+        return min(inside, key=abs)
+    return max(ends, key=lambda q: a * cos(q) + b * sin(q))

@@ -5,13 +5,13 @@ For an arm this is the radius of its workspace as data sheets have it. Lengths i
 
 from __future__ import annotations
 
-from math import atan2, cos, hypot, isfinite, pi, sin
+from math import hypot, isfinite
 from random import Random
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, minus
 from urdfkit.robot.joints import span
-from urdfkit.robot.kinematics import SLIDING, TURNING, direction, motion
+from urdfkit.robot.kinematics import SLIDING, TURNING, best_angle, direction, motion
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
@@ -146,8 +146,4 @@ def _best(joint: Joint, ends: tuple[float, float], base: Vector, tip: Vector, no
     c = dot(base, cross(axis, tip))
     if b * b + c * c <= 1e-24 * dot(base, base) * dot(tip, tip):
         return now  # the turn changes nothing
-    top = atan2(-c, -b)
-    inside = [q for q in (top - 2 * pi, top, top + 2 * pi) if ends[0] <= q <= ends[1]]
-    if inside:
-        return min(inside, key=abs)
-    return min(ends, key=lambda q: b * cos(q) + c * sin(q))
+    return best_angle(-b, -c, ends)

@@ -70,18 +70,23 @@ def locate(path: str, revision: str) -> str:
 def is_ignored(path: str) -> bool:
     """True if the repository around a file ignores it; not where there is none, or no git."""
     try:
-        _git(os.path.dirname(os.path.abspath(path)), "check-ignore", "-q", "--", path)
+        _git(_folder(path), "check-ignore", "-q", "--", os.path.abspath(path))
     except UrdfkitError:
         return False
     return True
 
 
-def _top(path: str) -> str:
-    """The top folder of the repository around a path."""
+def _folder(path: str) -> str:
+    """The nearest folder around a path that exists."""
     where = os.path.dirname(os.path.abspath(path))
     while not os.path.isdir(where):
         where = os.path.dirname(where)
-    top = _git(where, "rev-parse", "--show-toplevel")
+    return where
+
+
+def _top(path: str) -> str:
+    """The top folder of the repository around a path."""
+    top = _git(_folder(path), "rev-parse", "--show-toplevel")
     return os.path.realpath(os.fsdecode(top.rstrip(b"\n")))
 
 

@@ -207,6 +207,11 @@ def _innermost(before: bytes) -> str:
 
 
 def _missing_file(path: str) -> MessageText:
+    _, scheme, there = path.partition("package:/")
+    if scheme:
+        package, _, rest = there.strip("/").partition("/")
+        message = f"xacro does not resolve package://{package}/{rest}"
+        return MessageText(message, f"write $(find {package})/{rest}")
     if os.path.isfile(f"{path}.in"):
         made = f"{UNBUILT}: {shown(path)}, from {os.path.basename(path)}.in"
         return MessageText(made, "build the workspace, or make the file with CMake's values")

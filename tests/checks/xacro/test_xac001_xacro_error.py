@@ -206,3 +206,9 @@ class TestMissingFiles:
 )
 def test_what_xacro_expands(body: str) -> None:
     assert reported("XAC001", body) == []
+
+
+def test_an_include_by_package_url() -> None:
+    (found,) = reported("XAC001", '<xacro:include filename="package://arm/urdf/arm.xacro"/>')
+    assert found.message == "xacro does not resolve package://arm/urdf/arm.xacro"
+    assert found.help == "write $(find arm)/urdf/arm.xacro"

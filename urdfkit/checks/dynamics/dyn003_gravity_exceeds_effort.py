@@ -2,7 +2,7 @@
 
 In some pose within the limits the joint must hold more than the `effort` of its `<limit>`:
 whatever the controller does, the robot sags or falls there. The poses are all joints at zero and
-at their limits, some hundred drawn with a fixed seed, and a search for the worst; the root is
+at their limits, some drawn with a fixed seed, and a search for the worst; the root is
 held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs and
 counterweights are not part of URDF: where the real robot has them, ignore this. Links whose gravity
 is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual way to stand for counterweights, do
@@ -14,6 +14,7 @@ Sources:
 
 from __future__ import annotations
 
+from math import isfinite
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.context import Subject
@@ -26,7 +27,7 @@ from urdfkit.ros.gazebo.values import is_true, text_of
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.physics.dynamics.statics import Load
+    from urdfkit.physics.gravity import Load
 
 BAD = """\
 <link name="base"/>
@@ -46,28 +47,25 @@ BAD = """\
 GOOD = BAD.replace('effort="10"', 'effort="30"')
 
 #: Drawn poses; the search finds the worst of a serial arm without any.
-_SAMPLES = 200
+_SAMPLES = 20
 
 
 @rule(
     Severity.WARNING,
-    needs=(Need.MODEL, Need.DYNAMICS),
+    needs=(Need.MODEL,),
     help="raise the effort to what the motor has, or correct the masses (urdfkit statics)",
 )
 def check(subject: Subject) -> Findings:
     doubtful = overloadable(subject.tree)
     if not doubtful or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return
-    robot = subject.dynamics  # before the module, which needs the same libraries
-    from urdfkit.physics.dynamics.robot import Dynamics
-    from urdfkit.physics.dynamics.statics import statics
+    from urdfkit.physics.gravity import GravityModel, gravity_loads
 
-    if weightless := _weightless(subject):
-        robot = Dynamics(subject.tree, weightless=weightless)
-    found = statics(robot, samples=_SAMPLES, joints=[joint.name for joint in doubtful])
-    for load in found.loads:
-        if load.is_exceeded:
-            yield _finding(subject.model.joints_by_name[load.joint], load)
+    model = GravityModel(subject.tree, weightless=_weightless(subject))
+    joints = {joint.name: joint for joint in doubtful}
+    for load in gravity_loads(model, joints, model.starts(_SAMPLES, seed=0), pose={}):
+        if load.is_exceeded and isfinite(load.worst):
+            yield _finding(joints[load.joint], load)
 
 
 def _weightless(subject: Subject) -> set[str]:

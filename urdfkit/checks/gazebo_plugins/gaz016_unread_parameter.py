@@ -77,8 +77,14 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
         f"did you mean <{name}>?",
         Fix.of(f"rename it to <{name}>", rename_element(element, name)),
         alike=f"{use.filename} misspelt",
-        severity=Severity.WARNING,
+        severity=Severity.INFO if _is_default(use, name, element.text) else Severity.WARNING,
     )
+
+
+def _is_default(use: PluginUse, name: str, text: str) -> bool:
+    """True if a parameter has this value without the tag, so that nothing is lost."""
+    parameter = use.plugin.parameters.get(name) if use.plugin else None
+    return parameter is not None and parameter.default == " ".join(text.split())
 
 
 def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParameter]) -> Finding:

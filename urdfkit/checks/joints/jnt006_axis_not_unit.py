@@ -74,7 +74,7 @@ def _findings(joint: Joint, axis: Placed[Vector]) -> Findings:
     if norm < _ZERO:
         yield Finding(
             axis,
-            f"{who} has no direction",
+            f"{who} has length 0",
             "write the direction of the axis",
             severity=Severity.ERROR,
         )

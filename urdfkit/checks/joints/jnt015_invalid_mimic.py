@@ -78,7 +78,7 @@ def _cycle_finding(cycle: list[Joint]) -> Finding:
         names.append(f"{len(cycle) - _MAX_NAMES} more")
     return Finding(
         at,
-        f"joints mimic one another: {' -> '.join([*names, names[0]])}",
+        f"mimic cycle: {' -> '.join([*names, names[0]])}",
         "let one of them lead, without a <mimic>",
         related=related((joint, joint.mimic.at.span) for joint in cycle if joint.mimic),
     )

@@ -108,7 +108,7 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
         return
     if not (_same(ours, theirs) or _same((-ours[1], -ours[0]), theirs)):
         yield (
-            f"limits {theirs[0]:g} to {theirs[1]:g}, not {ours[0]:g} to {ours[1]:g} {unit(first)}"
+            f"limits [{theirs[0]:g}, {theirs[1]:g}], not [{ours[0]:g}, {ours[1]:g}] {unit(first)}"
         )
 
 

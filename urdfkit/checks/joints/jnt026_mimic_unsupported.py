@@ -1,10 +1,10 @@
-"""Joints mimic others in a program that does not know mimic.
+"""Joints mimic others in a program that does not support mimic.
 
 RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress ignore
 `<mimic>`: the followers swing freely. From Harmonic on, only the physics engine
 bullet-featherstone couples them; the default one says so once and lets them swing. A joint that
 is listed in `<ros2_control>` follows by the control plugin, and for Classic there are mimic
-plugins. KDL takes a follower for a joint of its own, and so does Pinocchio unless it is asked for
+plugins. KDL treats a follower as an independent joint, and so does Pinocchio unless it is asked for
 mimic joints.
 
 Sources:
@@ -69,7 +69,7 @@ GOOD = BAD.replace(
 
 @rule(
     Severity.INFO,
-    help="list them in <ros2_control>, add a mimic plugin, or choose bullet-featherstone",
+    help="add a mimic plugin, list the joints in <ros2_control>, or use bullet-featherstone",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
 def check(subject: Subject) -> Findings:
@@ -85,7 +85,7 @@ def check(subject: Subject) -> Findings:
     if joints and joints[0].mimic:
         yield Finding(
             joints[0].mimic.at,
-            f"{several(joints)}: Gazebo does not couple a joint that mimics another one",
+            f"{several(joints)}: Gazebo does not enforce the <mimic>",
             related=related((joint, joint.mimic.at.span) for joint in joints if joint.mimic),
         )
 

@@ -1,8 +1,8 @@
-"""A link hangs far away in the air from the link that holds it.
+"""A link is far away from its parent link.
 
-Between their shapes there is more room than either of the two is long, and no link that fixed
-joints merge with one of them is in between. Usually a decimal point has slipped, 2.45 for 0.245, or
-the origin is measured from the root of the robot instead of the parent link.
+The gap between their shapes is four times as long as either of the two, and no link that fixed
+joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45 for 0.245,
+or the origin is measured from the root of the robot instead of the parent link.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -45,7 +45,7 @@ _HELD = ("fixed", "revolute", "continuous")
 
 @rule(
     Severity.WARNING,
-    help="look for a slipped decimal point; the origin is measured from the parent link, in m",
+    help="check the decimal point; the origin is measured from the parent link, in m",
 )
 def check(subject: Subject) -> Findings:
     links = subject.model.links_by_name
@@ -61,8 +61,8 @@ def check(subject: Subject) -> Findings:
             gap, longest = found
             yield Finding(
                 joint.at.child("origin") or joint.at,
-                f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}', "
-                f"and the two are {longest:.3g} m long at most",
+                f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
+                f"neither is longer than {longest:.3g} m",
                 confidence=Confidence.INFERRED,
             )
 

@@ -3,6 +3,7 @@
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
 file stops the launch. What the build of a package may make is not reported, nor an absolute path
 outside of the repository or workspace, such as `/etc/clearpath`: the computer of the robot has it.
+Nor is a file that git ignores, since everybody makes it for himself.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -10,11 +11,14 @@ Sources:
 
 from __future__ import annotations
 
+import os
+
 from urdfkit.core.suggest import nearest_file
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.install_rules import InstallRules
+from urdfkit.workspace.revisions import is_ignored
 
 NAME = "robot.launch"
 BAD = '<launch><rosparam file="$(dirname)/config/controler.yaml"/></launch>'
@@ -32,7 +36,12 @@ def check(subject: Subject) -> Findings:
 
 
 def _may_come_from_elsewhere(subject: Subject, path: str) -> bool:
-    """True if a build may make a file, or the computer of the robot has it: ``/etc/clearpath``."""
+    """True if a build or a user makes a file, or the computer of the robot has it.
+
+    Its name is not known either where an argument is empty unless given: ``$(arg model).yaml``.
+    """
+    if os.path.basename(path).startswith(".") or is_ignored(path):
+        return True
     packages = subject.resolver.packages
     home = packages.enclosing(path)
     if home is None:

@@ -52,19 +52,19 @@ def check(subject: Subject) -> Findings:
         fix = None
         related = tuple(Related(use.span, "used here, too") for use in uses[1:SHOWN])
         if later := filled.get(word):
-            reason = "it is defined further down"
+            reason = "it is defined only later"
             related = (Related(later.span, "defined here, too late"), *related)
         elif word in top:
             reason = "its definition has none"
             related = (Related(top[word].span, "the definition"), *related)
         else:
-            reason = "it is defined nowhere" + _hint(word, suggester)
+            reason = "it is not defined" + _hint(word, suggester)
             fix = _fix(uses, suggester.suggested(word))
         visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
         who = owner(uses[0].element)
         yield Finding(
             uses[0],
-            f"{who}: material '{word}' gives {visuals} no colour; {reason}",
+            f"{who}: material '{word}' has no colour in {visuals}; {reason}",
             fix=fix,
             related=related,
         )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings
@@ -16,7 +18,7 @@ from urdfkit.ros.ros_control import (
     is_of_pr2,
     reads_transmissions,
 )
-from urdfkit.text.diagnostic import Fix
+from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rewrite
 
@@ -46,7 +48,14 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
     if simulated and is_joint:
         known = simulated.commands if interface.direction == "command" else _SIMULATED_STATES
         if name not in known:
-            yield Finding(at, f"{who} is not one of {simulated.name} ({', '.join(known)})", _HELP)
+            is_extra = interface.direction == "state" and not _typo(name, known)
+            yield Finding(
+                at,
+                f"{who} is not one of {simulated.name} ({', '.join(known)})",
+                _HELP,
+                alike=f"{simulated.name} {interface.direction}",
+                severity=Severity.INFO if is_extra else None,  # the hardware alone has it
+            )
         return
     standard = [
         word
@@ -58,7 +67,13 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
             at, f"{who} is unknown; did you mean '{suggested}'?", _HELP, _fix(at, suggested)
         )
     elif simulated and name not in standard:
-        yield Finding(at, f"{who} is not one of {simulated.name} (such as {standard[0]})", _HELP)
+        yield Finding(
+            at,
+            f"{who} is not one of {simulated.name} (such as {standard[0]})",
+            _HELP,
+            alike=f"{simulated.name} sensor",
+            severity=Severity.INFO,  # the hardware alone has it
+        )
 
 
 def _of_ros1(subject: Subject) -> Findings:
@@ -105,7 +120,7 @@ def _fix(at: Element | Attribute, suggested: str) -> Fix | None:
     return Fix.of(f"write {suggested}", edits)
 
 
-def _typo(name: str, standard: list[str]) -> str:
+def _typo(name: str, standard: Sequence[str]) -> str:
     """The standard name that differs from a name in one letter; empty if there is none."""
     if name in standard:
         return ""

@@ -79,7 +79,7 @@ def check(subject: Subject) -> Findings:
                     yield Finding(part, message, f'add role="{part.tag}1"')
         yield from invalid_values(component)
     for finding in invalid_interfaces(subject):
-        yield finding._replace(severity=Severity.WARNING)
+        yield finding._replace(severity=finding.severity or Severity.WARNING)
 
 
 def _elements(block: Element) -> Findings:

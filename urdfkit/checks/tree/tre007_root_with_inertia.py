@@ -1,8 +1,8 @@
 """The root link has a mass.
 
 KDL, and with it MoveIt's kinematics and every controller that computes with KDL, has no body for
-the root: it warns and leaves the root's inertia out. Simulators do not mind. Where it matters, add
-an empty link above the root and fix the root to it.
+the root: it warns and ignores the root's inertia. Simulators do not. Where it matters, add an empty
+link above the root and fix the root to it.
 
 Sources:
     kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp
@@ -49,8 +49,8 @@ def check(subject: Subject) -> Findings:
             roots[0].inertial.at,
             f"root link '{root.name}' has "
             + (f"{mass.value:g} kg" if mass else "an inertia")
-            + ", which KDL leaves out",
-            # For others than KDL, such as Gazebo, another root would change more than it mends.
+            + ", which KDL ignores",
+            # For others than KDL, such as Gazebo, another root would change more than it fixes.
             fix=_empty_root(root, subject.model) if "kdl" in subject.targets.names else None,
         )
 

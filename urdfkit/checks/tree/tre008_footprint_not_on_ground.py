@@ -4,7 +4,7 @@ By convention (REP 120) it is the place of the robot on the floor, below `base_l
 takes it for the position of the robot, and simulators spawn the robot by it. If the robot reaches
 below it, the robot starts stuck in the floor and is thrown out; if it ends above, it drops. Give
 the joint between the two the height of the lowest wheel or foot. Where a caster reaches lower than
-the wheels, it is the caster that is wrong: on it the wheels hang in the air.
+the wheels, the caster is wrong: the wheels do not touch the ground.
 
 Sources:
     REP 120, frames of humanoids: https://github.com/ros-infrastructure/rep/blob/master/rep-0120.rst
@@ -50,7 +50,7 @@ MAX_FOOTPRINTS = 10
 
 @rule(
     Severity.WARNING,
-    help="let the joint between base_footprint and base_link lift the robot by that height",
+    help="raise the robot by that height in the joint below base_footprint",
 )
 def check(subject: Subject) -> Findings:
     tree = subject.tree
@@ -58,20 +58,20 @@ def check(subject: Subject) -> Findings:
         return  # TRE002 or TRE003 comes first
     footprints = [name for name in tree.frames if name.endswith("base_footprint")]
     for name in footprints[:MAX_FOOTPRINTS]:
-        # Some hang the footprint below the base; the robot is then everything else.
+        # Some make the footprint a child of the base; the robot is then everything else.
         joints = tree.children[name] or tree.parents[name]
         robot = tree.below(name) if tree.children[name] else list(tree.frames)
         if joints and (lowest := _lowest(tree, name, robot)):
             height, link, is_known = lowest
             side = "below" if height < 0 else "above"
-            hanging = _hanging(tree, name, robot, link, height)
-            is_lift = is_known and not hanging and tree.children[name] == joints[:1]
+            lifted_wheels = _lifted_wheels(tree, name, robot, link, height)
+            is_lift = is_known and not lifted_wheels and tree.children[name] == joints[:1]
             yield Finding(
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
-                f"'{name}', which by convention lies on the ground{hanging}",
+                f"'{name}', which by convention lies on the ground{lifted_wheels}",
                 f"raise '{link}', or make it smaller, until the wheels touch the ground"
-                if hanging
+                if lifted_wheels
                 else "",
                 fix=_lifted(joints[0], -height) if is_lift else None,
             )
@@ -103,7 +103,7 @@ def _lowest(
     """Height in m and link of the lowest point, unless it may be on the ground.
 
     All joints are at zero; a robot whose legs or arms reach lowest there does not stand so.
-    A mesh, or a link that is seen but has no collision, may reach lower than what can be measured:
+    A mesh, or a link with a visual and no collision, may reach lower than what can be measured:
     the third value is False then.
     """
     ground = tree.frames[footprint]
@@ -126,10 +126,10 @@ def _lowest(
     return (*lowest, not unknown) if floats or lowest[0] < -TOLERANCE else None
 
 
-def _hanging(
+def _lifted_wheels(
     tree: KinematicTree, footprint: str, robot: list[str], lowest: str, height: float
 ) -> str:
-    """That wheels hang in the air over what reaches lower; empty if none do.
+    """That wheels do not reach the ground, since another link reaches lower; empty if they do.
 
     Wheels turn without end about a level axis, and there are two or more at one height.
 
@@ -159,11 +159,11 @@ def _hanging(
     wheels = [name for name, gap in gaps.items() if gap - least < TOLERANCE]
     if lowest in wheels or len(wheels) < 2 or not TOLERANCE < least < _CASTER:
         return ""
-    return f"; on it {', '.join(wheels)} hang {least:.3g} m in the air"
+    return f"; the wheels {', '.join(wheels)} are {least:.3g} m above it"
 
 
 def _limbs(tree: KinematicTree) -> set[str]:
-    """The links that hang on two hinges or more with ends, as those of legs do."""
+    """The links below two revolute joints or more, as those of legs are."""
     hinges = dict.fromkeys(tree.frames, 0)
     for joint in tree.spanning:
         assert joint.parent is not None
@@ -190,5 +190,5 @@ def _bottom(body: Body, link: Transform, up: Vector) -> float | None:
 
 
 def _column(rotation: Rotation, axis: int) -> Vector:
-    """An axis of a frame, seen from the outer one."""
+    """An axis of a frame, in its parent frame."""
     return (rotation[0][axis], rotation[1][axis], rotation[2][axis])

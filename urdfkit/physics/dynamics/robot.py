@@ -10,7 +10,7 @@ Lengths in m, angles in rad, masses in kg, forces in N; gravity is 9.81 m/s^2 al
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -52,9 +52,6 @@ class Dynamics:
             about it, of a floating one the linear and then the angular velocity of its child.
         payload: masses in kg that links carry at their origin, besides their own.
 
-    Args:
-        weightless: names of links whose mass and inertia are left out.
-
     Raises:
         Unsuitable: it is no single tree, has too many joints, or numbers that no robot has.
     """
@@ -63,7 +60,6 @@ class Dynamics:
         self,
         tree: KinematicTree,
         payload: Mapping[str, float] | None = None,
-        weightless: Collection[str] = (),
     ) -> None:
         if not tree.is_sound:
             raise Unsuitable("links and joints do not form one tree; see urdfkit check")
@@ -77,7 +73,7 @@ class Dynamics:
             self._known(link)
             if not abs(mass) < LARGEST:
                 raise Unsuitable(f"no robot carries {mass:g} kg")
-        self.model, self._numbers, self._frames = _build(tree, self.payload, weightless)
+        self.model, self._numbers, self._frames = _build(tree, self.payload)
         self._laws = laws(tree.model.joints_by_name)
         self.columns = tuple(
             name for joint in self._joints if not joint.mimic for name in _columns(joint)
@@ -117,15 +113,10 @@ class Dynamics:
         """Pinocchio's vector q of a pose; what follows, follows.
 
         Args:
-            pose: positions of joints in rad or m; the others are at 0.
+            pose: positions of joints in rad or m; the others, and joints of several coordinates,
+                are at 0.
         """
-        return self.expanded(np.array([pose.get(name, 0.0) for name in self.columns]))
-
-    def expanded(self, x: Floats) -> Floats:
-        """Pinocchio's vector q of positions in the order of ``columns``, (nv,).
-
-        Joints of several coordinates stay at zero.
-        """
+        x = np.array([pose.get(name, 0.0) for name in self.columns])
         places = self._places
         positions = places.factors @ x + places.shifts
         q: Floats = places.neutral.copy()
@@ -195,10 +186,7 @@ class Dynamics:
 
     def gravity(self, pose: Mapping[str, float]) -> Floats:
         """What each coordinate must bear to hold the robot still, (nv,), in N m or N."""
-        return self.gravity_at(self.configuration(pose))
-
-    def gravity_at(self, q: Floats) -> Floats:
-        """The same at Pinocchio's vector q."""
+        q = self.configuration(pose)
         found: Floats = self.selection.T @ pin.computeGeneralizedGravity(self.model, self.data, q)
         return found
 
@@ -284,7 +272,7 @@ def _with_z(axis: Vector) -> Rotation:
 
 
 def _build(
-    tree: KinematicTree, payload: Mapping[str, float], weightless: Collection[str]
+    tree: KinematicTree, payload: Mapping[str, float]
 ) -> tuple[pin.Model, dict[str, int], dict[str, int]]:
     """Pinocchio's model, and its numbers of our joints and links.
 
@@ -308,8 +296,7 @@ def _build(
         at[joint.child.value] = above, frame
     links: dict[str, int] = {}
     for name, (number, frame) in at.items():
-        is_light = name in weightless
-        inertia = pin.Inertia.Zero() if is_light else _inertia(tree.model.links_by_name[name])
+        inertia = _inertia(tree.model.links_by_name[name])
         body = pin.Frame(name, number, _se3(frame), pin.FrameType.BODY, inertia)
         links[name] = model.addFrame(body)
         if name in payload:

@@ -1,11 +1,10 @@
-"""The effort or the velocity of one joint is in no proportion to those of the others.
+"""An effort or velocity limit is out of proportion to those of the other joints.
 
-It is 200 times the largest effort of the other joints, or 20 times the largest velocity; or as
-much below the smallest. That is a unit (N mm, degrees per second, turns per minute), a slipped
-decimal point, or a number written until somebody looks the right one up. Controllers and planners
-believe it: one joint jerks, or holds all others up. Joints with ends are compared with such,
-slides with slides and wheels with wheels; where several joints share the odd number, it is taken
-for meant.
+It is 200 times the largest effort of the other joints, or 20 times the largest velocity; or 200
+times below the smallest. Its unit is wrong (N mm, degrees per second, turns per minute), its
+decimal point is misplaced, or it is a placeholder. Controllers and planners use it: one joint
+jerks, or slows all others down. Joints are compared with joints of the same type; a number that
+several joints share is not reported.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -39,14 +38,14 @@ GOOD = BAD.replace("40000", "40")
 #: Times the others; real arms have stronger shoulders than wrists, and hands have weak fingers.
 _TIMES = {"effort": 200.0, "velocity": 20.0}
 
-#: Times below the others; gravity tells of weak motors sooner (DYN003).
+#: Times below the others; weak motors are DYN003.
 _TIMES_LESS = 200.0
 
 #: So many others make a rule.
 _OTHERS = 3
 
 
-@rule(Severity.WARNING, help="look for a unit or a decimal point: N m or N, rad/s or m/s")
+@rule(Severity.WARNING, help="check the unit (N m or N, rad/s or m/s) and the decimal point")
 def check(subject: Subject) -> Findings:
     joints = [joint for joint in subject.model.joints if joint.kind in MOVING and joint.limit]
     for kind in MOVING:  # wheels are other motors than arms
@@ -78,6 +77,6 @@ def _finding(joint: Joint, limit: Placed[float], of: str, how: str) -> Finding:
     in_unit = effort_unit(joint) if of == "effort" else f"{unit(joint)}/s"
     return Finding(
         limit,
-        f"joint '{joint.name}': the {of} of {limit.value:g} {in_unit} is {how} of the other joints",
+        f"joint '{joint.name}': {of} limit {limit.value:g} {in_unit} is {how} of the other joints",
         confidence=Confidence.INFERRED,
     )

@@ -1,7 +1,7 @@
-"""Two fingers that follow one another move the same way, so that the gripper never closes.
+"""A mimic joint moves a gripper's fingers in the same direction, so that it never closes.
 
-One finger mimics the other. With both axes pointing to the same side and a positive multiplier the
-distance between them stays as it is; one axis, or the multiplier, wants the other sign.
+One finger mimics the other. If both axes point to the same side and the multiplier is positive, the
+distance between the fingers stays the same. Invert one axis, or the sign of the multiplier.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -38,7 +38,7 @@ _NEAR = 1e-3
 _ALONG = 0.9
 
 
-@rule(Severity.WARNING, help="turn the axis of one of the two, or the sign of the multiplier")
+@rule(Severity.WARNING, help="invert the axis of one of the two, or the sign of the multiplier")
 def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         target = joint.mimic.joint if joint.mimic else None
@@ -52,8 +52,8 @@ def check(subject: Subject) -> Findings:
         if along and ours * theirs * joint.mimic.multiplier > 0:
             yield Finding(
                 joint.mimic.at,
-                f"joint '{joint.name}' follows '{leader.name}' and moves the same way: the two "
-                "never come closer",
+                f"joint '{joint.name}' mimics '{leader.name}' and moves in the same direction: the "
+                "gripper cannot close",
                 related=(Related(leader.at.span, f"joint '{leader.name}'"),),
                 confidence=Confidence.INFERRED,
             )

@@ -1,0 +1,101 @@
+"""Gravity torques and their largest values against Pinocchio, on random trees."""
+
+from __future__ import annotations
+
+from math import isclose
+
+import pytest
+
+pytest.importorskip("pinocchio")
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.output.test_overview import of
+from urdfkit.lint.context import Subject
+from urdfkit.physics.gravity import GravityModel, gravity_loads
+from urdfkit.robot.joint_loads import largest
+
+lengths = st.floats(-1, 1).map(lambda value: round(value, 3))
+vectors = st.tuples(lengths, lengths, lengths)
+axes = vectors.filter(lambda axis: max(map(abs, axis)) > 0.1)
+kinds = st.sampled_from(["revolute", "continuous", "prismatic", "fixed", "planar", "floating"])
+
+
+def words(vector: tuple[float, float, float]) -> str:
+    return " ".join(map(str, vector))
+
+
+@st.composite
+def trees(draw: st.DrawFn, *, mimics: bool) -> Subject:
+    """A tree of up to seven links; some joints may mimic others."""
+    count = draw(st.integers(2, 7))
+    text = ""
+    for n in range(count):
+        mass = draw(st.floats(0, 5))
+        text += (
+            f'<link name="l{n}"><inertial><origin xyz="{words(draw(vectors))}"/>'
+            f'<mass value="{mass}"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+            "</inertial></link>"
+        )
+    for n in range(1, count):
+        law = f'<mimic joint="j{draw(st.integers(1, count - 1))}" multiplier="-0.5" offset="0.1"/>'
+        lower = draw(st.floats(-2, 1))
+        text += (
+            f'<joint name="j{n}" type="{draw(kinds)}"><child link="l{n}"/>'
+            f'<parent link="l{draw(st.integers(0, n - 1))}"/><axis xyz="{words(draw(axes))}"/>'
+            f'<origin xyz="{words(draw(vectors))}" rpy="{words(draw(vectors))}"/>'
+            f'<limit lower="{lower}" upper="{lower + draw(st.floats(0, 3))}" effort="1" '
+            f'velocity="1"/>{law if mimics and draw(st.booleans()) else ""}</joint>'
+        )
+    return of(text)
+
+
+@given(trees(mimics=True), st.floats(-3, 3))
+def test_torques_are_those_of_pinocchio(robot: Subject, place: float) -> None:
+    pose = {
+        name: place * (number + 1) / 7 for number, name in enumerate(robot.model.joints_by_name)
+    }
+    dynamics = robot.dynamics
+    settable = {name: value for name, value in pose.items() if name in dynamics.columns}
+    exact = dict(zip(dynamics.columns, dynamics.gravity(settable), strict=True))
+    for name, torque in GravityModel(robot.tree).torques(pose).items():
+        assert torque == pytest.approx(exact[name], abs=1e-9)
+
+
+@settings(max_examples=60, deadline=None)
+@given(trees(mimics=False), st.integers(0, 10**6))
+def test_no_pose_is_worse_and_the_bound_holds(robot: Subject, seed: int) -> None:
+    """Of 200 drawn poses none is worse than what the search finds, which the bound is not below."""
+    model = GravityModel(robot.tree)
+    bound = largest(robot.tree)
+    drawn = [model.torques(pose) for pose in model.starts(200, seed)]
+    for load in gravity_loads(model, robot.model.joints_by_name, model.starts(20, 0), pose={}):
+        torques = [abs(torque[load.joint]) for torque in drawn[1:]]  # zero may be beyond limits
+        assert max(torques) <= load.worst * (1 + 1e-6) + 1e-9
+        assert load.worst <= bound[load.joint] * (1 + 1e-9) + 1e-9
+        at_worst = robot.dynamics.gravity(load.pose)[robot.dynamics.columns.index(load.joint)]
+        rested = {**dict.fromkeys(load.pose, 0.0), **load.pose}
+        assert rested == load.pose
+        assert isclose(abs(at_worst), load.worst, rel_tol=2e-4, abs_tol=1e-9)
+
+
+@settings(max_examples=30, deadline=None)
+@given(trees(mimics=True))
+def test_the_bound_holds_for_joints_that_others_mimic(robot: Subject) -> None:
+    model = GravityModel(robot.tree)
+    bound = largest(robot.tree)
+    for load in gravity_loads(model, robot.model.joints_by_name, model.starts(20, 0), pose={}):
+        assert load.worst <= bound[load.joint] * (1 + 1e-9) + 1e-9
+
+
+def test_a_payload_and_links_without_weight() -> None:
+    arm = of(
+        '<link name="a"/><link name="b"><inertial><origin xyz="1 0 0"/><mass value="2"/></inertial>'
+        '</link><joint name="j" type="continuous"><parent link="a"/><child link="b"/>'
+        '<axis xyz="0 1 0"/></joint><link name="tip"/><joint name="k" type="fixed">'
+        '<parent link="b"/><child link="tip"/><origin xyz="2 0 0"/></joint>'
+    )
+    assert GravityModel(arm.tree).torques({}) == {"j": pytest.approx(-2 * 9.81)}
+    assert GravityModel(arm.tree, {"tip": 1.0}).torques({}) == {"j": pytest.approx(-4 * 9.81)}
+    assert GravityModel(arm.tree, weightless={"b"}).torques({}) == {"j": pytest.approx(0)}

@@ -1,0 +1,506 @@
+"""The torques that gravity asks of joints, and the poses in which they are largest.
+
+With ``u`` the direction upwards and ``s`` the first moment of all mass that a joint carries about
+its origin, both in the frame of its child, a joint that turns about ``a`` holds ``g u . (a x s)``,
+and a slide ``g m a . u``. In the angle ``q`` of another joint this is ``c + a cos q + b sin q``,
+and in the way of a slide it is linear: the best position of one joint, the others held, is a closed
+form. A sweep finds it for all joints above and below, one after another, at a cost that grows with
+their number. Lengths in m, angles in rad, masses in kg; the root is held.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import partial
+from math import cos, pi, sin
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import ORIGIN, Rotation, Transform, Vector, cross, dot, rotate, transposed
+from urdfkit.robot.joint_loads import GRAVITY, effort
+from urdfkit.robot.joints import span
+from urdfkit.robot.kinematics import SLIDING, TURNING, MimicLaw, best_angle, direction, laws
+from urdfkit.robot.model import Joint
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.tree import KinematicTree
+
+#: Climbs for each joint, and sweeps of one.
+CLIMBS, SWEEPS = 24, 30
+
+#: Steps of all climbs together: an arm needs some hundreds, and a chain of a hundred joints is no
+#: robot that is worth seconds.
+BUDGET = 60_000
+
+#: A pose is reported without what changes its torque by less than this part.
+ASIDE = 1e-4
+
+#: Positions that are tried of joints that others mimic, in rounds, each in a smaller part of the
+#: limits.
+_TRIALS, _ROUNDS, _NARROWER = 17, 6, 0.25
+
+#: Climbs that go on with such trials.
+_REFINED = 3
+
+#: A sweep or a round that gains less, relatively, is the last.
+_LEAST = 1e-9
+
+_UP: Vector = (0.0, 0.0, 1.0)
+
+#: Of a joint that not one number moves.
+_STILL = MimicLaw("", 0.0, 0.0)
+
+
+class Load(Record):
+    """What gravity asks of one joint.
+
+    Attributes:
+        joint: its name.
+        effort: what it can exert, in N m or N; None where the model does not say.
+        at_zero: what it holds with all joints at zero; the sign is that of its axis.
+        at_pose: what it holds at the pose that was asked for; that at zero if none was.
+        worst: the largest that any pose asks of it, without sign: what effort would suffice.
+        pose: in which it does, in rad or m; joints that hardly matter there are at rest, and
+            those at 0, or on another branch of the tree, are left out.
+    """
+
+    joint: str
+    effort: float | None
+    at_zero: float
+    at_pose: float
+    worst: float
+    pose: dict[str, float]
+
+    @property
+    def used(self) -> float | None:
+        """The part of its effort that the worst pose takes."""
+        return None if self.effort is None else self.worst / self.effort
+
+    @property
+    def is_exceeded(self) -> bool:
+        """True if no controller can hold the worst pose."""
+        return self.used is not None and self.used > 1
+
+
+#: The position of a body's joint; the torque is ``a cos q + b sin q`` and a constant, or ``a q``.
+_Choice = Callable[[int, float, float], float]
+
+
+class _Body(Record):
+    """Links that move as one.
+
+    Attributes:
+        parent: number of the body that carries it; -1 for that of the root.
+        at: the frame of its joint in that of the parent.
+        back: the inverse of the rotation of that frame.
+        axis: of the joint, a unit vector.
+        turns: True for an angle; False for a way, and where nothing moves it.
+        law: what the position of the joint follows; of no leader if it stays where it is.
+        mass: of the links.
+        moment: the first moment of their mass about the origin of the body.
+    """
+
+    parent: int
+    at: Transform
+    back: Rotation
+    axis: Vector
+    turns: bool
+    law: MimicLaw
+    mass: float
+    moment: Vector
+
+
+class GravityModel:
+    """The moving bodies of a robot.
+
+    Attributes:
+        bodies: each after that which carries it.
+        below: the numbers of the bodies that each carries, itself first, parents before children.
+        carried: the mass of these.
+        moved: the bodies that move with each joint that is set by one number, by its name.
+        spans: from where to where that joint moves.
+
+    Args:
+        tree: of a sound model.
+        payload: masses that links carry at their origin, besides their own, by name.
+        weightless: names of links whose own mass does not count.
+    """
+
+    def __init__(
+        self,
+        tree: KinematicTree,
+        payload: Mapping[str, float] | None = None,
+        weightless: Collection[str] = (),
+    ) -> None:
+        joints = tree.model.joints_by_name
+        self.bodies = _bodies(tree, payload or {}, weightless)
+        self.below: list[list[int]] = [[number] for number in range(len(self.bodies))]
+        for number in range(len(self.bodies) - 1, 0, -1):
+            self.below[self.bodies[number].parent].extend(self.below[number])
+        self.carried = [sum(self.bodies[n].mass for n in below) for below in self.below]
+        self.moved: dict[str, list[int]] = {}
+        for number, body in enumerate(self.bodies):
+            if body.law.leader:
+                self.moved.setdefault(body.law.leader, []).append(number)
+        self.spans = {name: span(joints[name]) for name in self.moved}
+
+    def torques(self, pose: Mapping[str, float]) -> dict[str, float]:
+        """What each joint holds that is set by one number, in N m or N, with the sign of its axis.
+
+        Args:
+            pose: positions of these joints; the others are at 0.
+        """
+        places = self.places(pose)
+        ups = [_UP] * len(self.bodies)
+        for number, body in enumerate(self.bodies):
+            if body.parent >= 0:
+                ups[number] = _turned(body, rotate(body.back, ups[body.parent]), -places[number])
+        moments = {number: body.moment for number, body in enumerate(self.bodies)}
+        for number in range(len(self.bodies) - 1, 0, -1):
+            self.hand_up(number, places[number], moments)
+        return {
+            name: GRAVITY
+            * sum(self.bodies[n].law.factor * dot(self.lever(n, moments[n]), ups[n]) for n in moved)
+            for name, moved in self.moved.items()
+        }
+
+    def starts(self, samples: int, seed: int) -> list[dict[str, float]]:
+        """Zero, or what is nearest to it; all joints at their ends; poses drawn between these."""
+        from random import Random  # which takes 2 ms to import
+
+        random = Random(seed)
+        spans = self.spans.items()
+        return [
+            {name: 0.0 for name, _ in spans},
+            {name: _rest(ends) for name, ends in spans},
+            *({name: ends[side] for name, ends in spans} for side in (0, 1)),
+            *({name: random.uniform(*ends) for name, ends in spans} for _ in range(samples)),
+        ]
+
+    def places(self, pose: Mapping[str, float]) -> list[float]:
+        """The position of each body's joint."""
+        return [b.law.factor * pose.get(b.law.leader, 0.0) + b.law.shift for b in self.bodies]
+
+    def lever(self, number: int, moment: Vector) -> Vector:
+        """The vector whose part upwards is the torque or force of a joint, without gravity.
+
+        Args:
+            number: of its body.
+            moment: of all that it carries.
+        """
+        body, mass = self.bodies[number], self.carried[number]
+        return cross(body.axis, moment) if body.turns else _times(body.axis, mass)
+
+    def hand_up(self, number: int, place: float, moments: dict[int, Vector]) -> None:
+        """Add the moment of a body, at a position of its joint, to that of the one below it."""
+        body, mass = self.bodies[number], self.carried[number]
+        moved = _turned(body, moments[number], place)
+        if not body.turns:
+            moved = _plus(moved, _times(body.axis, place * mass))
+        moved = rotate(body.at.rotation, moved)
+        whole = _plus(moments[body.parent], _plus(moved, _times(body.at.position, mass)))
+        moments[body.parent] = whole
+
+
+class _Climb:
+    """The search for the largest torque of one joint, from one pose.
+
+    Attributes:
+        torque: what was found, without sign, in units of gravity.
+        steps: bodies that were looked at.
+
+    Args:
+        model: of the robot.
+        name: of the joint.
+        start: positions of joints.
+        budget: steps after which no sweep begins.
+    """
+
+    def __init__(
+        self, model: GravityModel, name: str, start: Mapping[str, float], budget: int
+    ) -> None:
+        self._model = model
+        self._bodies = model.bodies
+        self._targets = model.moved[name]
+        self._places = model.places(start)
+        self._pose = dict(start)
+        self._ways = {target: self._way(target) for target in self._targets}
+        self._names = dict.fromkeys(
+            model.bodies[number].law.leader
+            for target in self._targets
+            for number in (*self._ways[target], *model.below[target])
+        )
+        self._names.pop("", None)
+        self.steps = 0
+        self._budget = budget
+        value = self._value()
+        self._sign = 1.0 if value >= 0 else -1.0
+        self.torque = abs(value)
+        if len(self._targets) == 1:
+            self._climb()
+
+    def refine(self) -> None:
+        """Try positions of the joints that others mimic, and of all if others mimic this one."""
+        several = len(self._targets) > 1
+        names = [name for name in self._names if several or len(self._model.moved[name]) > 1]
+        for number in range(_ROUNDS if names else 0):
+            for name in names:
+                trials = (self._pose[name], *self._trials(name, _NARROWER**number))
+                self._move(name, max(trials, key=partial(self._value_at, name)))
+            self.torque = self._sign * self._value()
+            if not several:
+                self._climb()
+
+    def _trials(self, name: str, part: float) -> list[float]:
+        """The best position, or several in a part of the limits if others mimic the joint."""
+        low, high = self._model.spans[name]
+        if not self._is_free(name):
+            reach = part * (high - low)
+            start = min(max(self._pose[name] - reach / 2, low), high - reach)
+            return [start + reach * n / (_TRIALS - 1) for n in range(_TRIALS)]
+        if not self._bodies[self._model.moved[name][0]].turns:
+            return [low, high]
+        first, second, third = (self._value_at(name, angle) for angle in (0.0, pi / 2, pi))
+        middle = (first + third) / 2
+        return [best_angle(first - middle, second - middle, (low, high))]
+
+    def rested(self) -> dict[str, float]:
+        """The positions that are not 0, with all joints at rest that hardly change the torque."""
+        self._slack = ASIDE * self.torque
+        if len(self._targets) == 1:
+            self._sweep(self._rest_of)
+        for name in self._names:
+            if len(self._targets) > 1 or not self._is_free(name):
+                kept, now = self._pose[name], self._sign * self._value()
+                self._move(name, _rest(self._model.spans[name]))
+                loss = now - self._sign * self._value()
+                if loss > self._slack:
+                    self._move(name, kept)
+                else:
+                    self._slack -= loss
+        return {name: self._pose[name] for name in self._names if self._pose[name]}
+
+    def _climb(self) -> None:
+        """Sweep until nothing is gained."""
+        for _ in range(SWEEPS):
+            before, self.torque = self.torque, self._sweep(self._best_of)
+            if self.torque <= before * (1 + _LEAST) or self.steps > self._budget:
+                break
+
+    def _sweep(self, choose: _Choice) -> float:
+        """Choose the position of each joint that moves alone, below and above; the torque then."""
+        (target,) = self._targets
+        way, body = self._ways[target], self._bodies[target]
+        self.steps += len(way) + len(self._model.below[target])
+        befores, up = self._ups(way)
+        moment = body.moment
+        if body.turns:
+            moment = self._moment(target, _times(cross(up, body.axis), self._sign), choose)
+        wanted = _times(self._model.lever(target, moment), self._sign)
+        for number, before in zip(reversed(way), reversed(befores), strict=True):
+            one = self._bodies[number]
+            if one.turns:
+                self._choose(number, before, wanted, choose)
+                wanted = _turned(one, wanted, self._places[number])
+            wanted = rotate(one.at.rotation, wanted)
+        return wanted[2]
+
+    def _moment(self, target: int, wanted: Vector, choose: _Choice | None = None) -> Vector:
+        """Of all that a body carries; the positions are chosen for its part along a vector."""
+        below = self._model.below[target]
+        moments = {number: self._bodies[number].moment for number in below}
+        befores: dict[int, Vector] = {}
+        along = {target: wanted}
+        for number in below[1:] if choose else ():
+            body = self._bodies[number]
+            befores[number] = rotate(body.back, along[body.parent])
+            along[number] = _turned(body, befores[number], -self._places[number])
+        for number in reversed(below[1:]):
+            if choose:
+                self._choose(number, befores[number], moments[number], choose)
+            self._model.hand_up(number, self._places[number], moments)
+        return moments[target]
+
+    def _choose(self, number: int, x: Vector, y: Vector, choose: _Choice) -> None:
+        """Move the joint of a body, of which the torque is ``x . R y`` up to a constant.
+
+        Of a slide it is ``x . axis`` times the mass that it carries and its way.
+        """
+        body = self._bodies[number]
+        if not self._is_free(body.law.leader):
+            return
+        k = body.axis
+        if body.turns:
+            shape = (dot(x, y) - dot(k, x) * dot(k, y), dot(x, cross(k, y)))
+        else:
+            shape = (dot(x, k) * self._model.carried[number], 0.0)
+        self._move(body.law.leader, choose(number, *shape))
+
+    def _best_of(self, number: int, a: float, b: float) -> float:
+        name = self._bodies[number].law.leader
+        low, high = self._model.spans[name]
+        if a == b == 0:
+            return self._pose[name]
+        if self._bodies[number].turns:
+            return best_angle(a, b, (low, high))
+        return high if a > 0 else low
+
+    def _rest_of(self, number: int, a: float, b: float) -> float:
+        name = self._bodies[number].law.leader
+        now, rest = self._pose[name], _rest(self._model.spans[name])
+        if self._bodies[number].turns:
+            loss = a * (cos(now) - cos(rest)) + b * (sin(now) - sin(rest))
+        else:
+            loss = a * (now - rest)
+        if loss > self._slack:
+            return now
+        self._slack -= loss
+        return rest
+
+    def _value_at(self, name: str, place: float) -> float:
+        self._move(name, place)
+        return self._sign * self._value()
+
+    def _value(self) -> float:
+        """The torque in units of gravity."""
+        total = 0.0
+        for target in self._targets:
+            lever = self._model.lever(target, self._moment(target, ORIGIN))
+            total += self._bodies[target].law.factor * dot(lever, self._ups(self._ways[target])[1])
+        return total
+
+    def _ups(self, way: list[int]) -> tuple[list[Vector], Vector]:
+        """The direction upwards in the frame of each joint of a way, and of the last body."""
+        up, befores = _UP, []
+        for number in way:
+            body = self._bodies[number]
+            befores.append(rotate(body.back, up))
+            up = _turned(body, befores[-1], -self._places[number])
+        return befores, up
+
+    def _way(self, target: int) -> list[int]:
+        """The bodies from the root, without it, to one of them."""
+        found = []
+        while self._bodies[target].parent >= 0:
+            found.append(target)
+            target = self._bodies[target].parent
+        return found[::-1]
+
+    def _move(self, name: str, place: float) -> None:
+        self._pose[name] = place
+        for number in self._model.moved[name]:
+            law = self._bodies[number].law
+            self._places[number] = law.factor * place + law.shift
+
+    def _is_free(self, name: str) -> bool:
+        """True for a joint that no other one mimics."""
+        return len(self._model.moved.get(name, ())) == 1
+
+
+def worst(
+    model: GravityModel, name: str, starts: Iterable[Mapping[str, float]], budget: int
+) -> tuple[float, dict[str, float]]:
+    """The largest torque of a joint, without sign, and the positions that matter to it.
+
+    Args:
+        model: of the robot.
+        name: of a joint that is set by one number.
+        starts: poses in which climbs begin.
+        budget: steps of all climbs; the first one has its first sweep in any case.
+    """
+    climbs: list[_Climb] = []
+    for start in starts:
+        if not climbs or budget > 0:
+            climbs.append(_Climb(model, name, start, budget))
+            budget -= climbs[-1].steps
+    highest = sorted(climbs, key=lambda climb: -climb.torque)[:_REFINED]
+    for climb in highest:
+        climb.refine()
+    best = max(highest, key=lambda climb: climb.torque)
+    return GRAVITY * best.torque, best.rested()
+
+
+def gravity_loads(
+    model: GravityModel,
+    joints: Mapping[str, Joint],
+    starts: Sequence[Mapping[str, float]],
+    pose: Mapping[str, float],
+    progress: Callable[[int, int], None] | None = None,
+) -> list[Load]:
+    """What gravity asks of some joints, those first that use the largest part of their effort.
+
+    Args:
+        model: of the robot.
+        joints: that are judged, by name; those that cannot be set by one number are left out.
+        starts: poses; the first one is zero, and climbs begin in the worst ones.
+        pose: in which the load is wanted, too.
+        progress: is told how many joints are done, and of how many.
+    """
+    torques = [model.torques(start) for start in starts]
+    names = [name for name in model.moved if name in joints]
+    at_pose = model.torques(pose)
+    budget = BUDGET // max(1, len(names))
+    found: list[Load] = []
+    for name in names:
+        if progress:
+            progress(len(found), len(names))
+        order = sorted(range(len(starts)), key=lambda n: -abs(torques[n][name]))
+        largest, where = worst(model, name, [starts[n] for n in order[:CLIMBS]], budget)
+        held = torques[0][name], at_pose[name]
+        found.append(Load(name, effort(joints[name]), *held, largest, where))
+    return sorted(found, key=lambda load: (-(load.used or 0.0), -load.worst))
+
+
+def _bodies(
+    tree: KinematicTree, payload: Mapping[str, float], weightless: Collection[str]
+) -> list[_Body]:
+    """The bodies of a tree, each after that which carries it."""
+    followed = laws(tree.model.joints_by_name)
+    joints = tree.model.joints_by_name
+    placed: dict[str, tuple[int, Transform]] = {}
+    found: list[_Body] = []
+    for body in rigid_bodies(tree):
+        mass, moment = 0.0, ORIGIN
+        for link, frame in body.links:
+            placed[link.name] = (len(found), frame)
+            own = 0.0 if link.name in weightless else link.mass
+            if link.inertial:
+                moment = _plus(moment, _times((frame @ link.inertial.origin).position, own))
+            extra = payload.get(link.name, 0.0)
+            moment = _plus(moment, _times(frame.position, extra))
+            mass += own + extra
+        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), _STILL, _UP, False
+        if joint is not None and joint.parent is not None:
+            parent, frame = placed[joint.parent.value]
+            at, axis, turns = frame @ joint.origin, direction(joint), joint.kind in TURNING
+            if joint.kind in (*TURNING, *SLIDING):
+                law = followed[joint.name]
+                if law.leader not in joints or joints[law.leader].kind not in (*TURNING, *SLIDING):
+                    law = MimicLaw("", 0.0, law.shift)
+        back = transposed(at.rotation)
+        found.append(_Body(parent, at, back, axis, turns, law, mass, moment))
+    return found
+
+
+def _rest(ends: tuple[float, float]) -> float:
+    return min(max(0.0, ends[0]), ends[1])
+
+
+def _turned(body: _Body, vector: Vector, angle: float) -> Vector:
+    """A vector turned about the axis of a body's joint, if it turns (Rodrigues' formula)."""
+    if not body.turns or not angle:
+        return vector
+    c, s, k = cos(angle), sin(angle), body.axis
+    along = (1 - c) * dot(k, vector)
+    x, y, z = cross(k, vector)
+    return (
+        vector[0] * c + x * s + k[0] * along,
+        vector[1] * c + y * s + k[1] * along,
+        vector[2] * c + z * s + k[2] * along,
+    )
+
+
+def _plus(a: Vector, b: Vector) -> Vector:
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def _times(vector: Vector, factor: float) -> Vector:
+    return (vector[0] * factor, vector[1] * factor, vector[2] * factor)
