@@ -73,7 +73,8 @@ def check(subject: Subject) -> Findings:
                 f"raise '{link}', or make it smaller, until the wheels touch the ground"
                 if hanging
                 else "",
-                fix=_lifted(joints[0], -height) if is_lift else None,
+                # The rpy of a wheel is often rounded; it counts to 0.1 mm.
+                fix=_lifted(joints[0], round(-height, 4)) if is_lift else None,
             )
 
 
