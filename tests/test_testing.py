@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit.errors import UnknownRule, UrdfkitError
+from urdfkit.lint.config import ConfigError
 from urdfkit.testing import (
     Description,
     Tolerances,
@@ -118,12 +119,28 @@ def test_settings_and_variants_are_those_of_the_project(tmp_path):
         '[[robot]]\nfile = "arm.urdf"\nvariants = { l = { side = "l" }, r = { side = "r" } }\n'
     )
     path = str(tmp_path / "arm.urdf")
-    assert variants(path) == [("l", {"side": "l"}), ("r", {"side": "r"})]
-    description = Description(path, {"side": "l"})
+    assert variants(path) == ["l", "r"]
+    with pytest.raises(ConfigError, match=r"select one with --variant \(l, r\)"):
+        Description(path)
+    assert Description(path, {"side": "x"}).arguments == {"scale": "2", "side": "x"}
+    description = Description(path, variant="l")
     assert description.arguments == {"scale": "2", "side": "l"}
     assert description.report.files == (path,)
     assert "REF001" not in description.report.rules
-    assert variants(str(tmp_path / "other.urdf")) == [("", {})]
+    assert variants(str(tmp_path / "other.urdf")) == [""]
+
+
+def test_arguments_are_those_of_the_launch_file(tmp_path):
+    (tmp_path / ".git").mkdir()
+    (tmp_path / "package.xml").write_text("<package><name>arms</name></package>")
+    head = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    path = tmp_path / "arm.xacro"
+    path.write_text(f'{head}<link name="$(arg side)_base"/></robot>')
+    (tmp_path / "arm.launch").write_text(
+        '<launch><param name="robot_description" '
+        'command="xacro $(find arms)/arm.xacro side:=left"/></launch>'
+    )
+    assert [link.name for link in Description(str(path)).model.links] == ["left_base"]
 
 
 # --- against an earlier revision

@@ -9,6 +9,8 @@ import pytest
 from tests.checks.collision.test_col001_overlapping_links import bent
 from tests.checks.joints.test_jnt006_axis_not_unit import moved
 from tests.checks.joints.test_jnt012_looks_like_millimetres import at
+from tests.checks.ros2_control.test_rct009_command_range_outside_limits import starting
+from tests.controls import ROBOT, control
 from tests.false_alarms.test_low_caster import on_wheels
 from tests.jointed import joint, robot
 from tests.massive import BALL, link, part, shape
@@ -36,6 +38,11 @@ THRESHOLDS: dict[str, tuple[Callable[[float], str], float, float]] = {
     "JNT012 ratio": (lambda x: origins(0.1, x), 20.0, 20.1),
     "JNT012 travel": (lambda x: travel(0.1, int(x)), 4, 5),
     "JNT012 travel by length": (lambda x: travel(0.5, int(x)), 10, 11),
+    "RCT009 initial value": (
+        lambda x: ROBOT + control(starting("slide", "position", str(x))),
+        0.5009,
+        0.5011,
+    ),
     "COL001 depth": (bent, 0.0009, 0.0011),
 }
 

@@ -52,6 +52,11 @@ COMMANDS = [
     "trace FILE link/SIDE_base",
     "tree FILE",
 ]
+#: What does as the ``xacro`` command does.
+AS_XACRO = ("expand", "migrate", "trace")
+LAUNCH = """<launch><param name="robot_description"
+command="xacro $(find arms)/arm.urdf.xacro side:={}"/></launch>"""
+
 #: What shows no link, or checks and reports each variant.
 MUTE = ("check", "diff", "migrate", "render")
 ALL = ("check", "report")
@@ -103,6 +108,25 @@ def test_arguments_on_the_command_line_win(command: str, robot: Path, capsys) ->
         captured = read(capsys)
         assert "left" not in captured.out.replace("left_out", "")
         assert "mid_base" in captured.out or command.startswith(MUTE)
+
+
+@pytest.mark.parametrize("command", [c for c in COMMANDS if not c.startswith(AS_XACRO)])
+def test_the_arguments_of_the_launch_file(command: str, robot: Path, capsys) -> None:
+    robot.with_name("package.xml").write_text("<package><name>arms</name></package>")
+    launch = robot.with_name("arm.launch")
+    launch.write_text(LAUNCH.format("left"))
+    assert run(command, robot, "left") in (0, 1)
+    captured = read(capsys)
+    assert "error" not in captured.err
+    assert "left_base" in captured.out or command.startswith(MUTE)
+
+
+def test_of_two_launch_files_none_is_taken(robot: Path, capsys) -> None:
+    robot.with_name("package.xml").write_text("<package><name>arms</name></package>")
+    for side in ("left", "right"):
+        robot.with_name(f"{side}.launch").write_text(LAUNCH.format(side))
+    assert main(["info", str(robot)]) == 2
+    assert "gives left, right" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("command", COMMANDS)

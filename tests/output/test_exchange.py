@@ -133,3 +133,18 @@ def test_the_arguments_of_a_model_hold(tmp_path: Path) -> None:
     (tmp_path / "r.xacro").write_text(text + '<link name="$(arg p)a&amp;b"/></robot>')
     robot = to_yourdfpy(load(tmp_path / "r.xacro", arguments={"p": "left_"}))
     assert list(robot.link_map) == ["left_a&b"]
+
+
+def test_a_model_knows_the_packages_that_it_was_loaded_with(tmp_path: Path) -> None:
+    package, robot = tmp_path / "elsewhere", tmp_path / "robot" / "r.urdf"
+    (package / "meshes").mkdir(parents=True)
+    robot.parent.mkdir()
+    mesh = MODELS / "good" / "two_link_arm" / "meshes"
+    file = next(mesh.glob("*.stl"))
+    (package / "meshes" / file.name).write_bytes(file.read_bytes())
+    robot.write_text(
+        '<robot name="r"><link name="a"><visual><geometry><mesh '
+        f'filename="package://parts/meshes/{file.name}"/></geometry></visual></link></robot>'
+    )
+    scene = to_yourdfpy(load(robot, packages={"parts": str(package)})).scene
+    assert len(scene.geometry) == 1

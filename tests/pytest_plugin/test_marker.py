@@ -140,8 +140,8 @@ def test_no_value_is_no_test(project: Project) -> None:
 @pytest.mark.parametrize(
     ("marker", "message"),
     [
-        ("'a', arguments={}", "takes a path, args and variants, not arguments"),
-        ("", "takes a path, args and variants"),
+        ("'a', arguments={}", "takes a path, args, variant and variants, not arguments"),
+        ("", "takes a path, args, variant and variants"),
     ],
 )
 def test_a_wrong_marker_is_told(project: Project, marker: str, message: str) -> None:

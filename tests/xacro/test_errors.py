@@ -231,9 +231,7 @@ def test_many_errors_are_told_in_bounded_number(tmp_path: Path) -> None:
 def test_an_include_without_the_prefix_is_why_a_macro_lacks(tmp_path: Path) -> None:
     (problem,) = run(tmp_path, '<include filename="arm.xacro"/>\n<xacro:arm/>').problems
     assert problem.message == "macro 'arm' is not defined"
-    assert (
-        problem.help == "write <xacro:include>: xacro passes over an <include> without the prefix"
-    )
+    assert problem.help == "write <xacro:include>: xacro ignores an <include> without the prefix"
 
 
 def test_the_folders_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> None:
@@ -273,7 +271,7 @@ def test_a_property_without_prefix_is_one_problem(tmp_path: Path) -> None:
     ]
     bare = xacro.problems[0]
     assert bare.message == (
-        "name 'r' is not defined: xacro passes over a <property> without the prefix"
+        "name 'r' is not defined: xacro ignores a <property> without the prefix"
     )
     assert related(bare) == ["3:7 needed here", "4:7 needed here"]
 

@@ -10,7 +10,7 @@ import pytest
 
 from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro.budget import Budget
-from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression, extent
+from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression, _within_bounds, extent
 
 
 def sandbox() -> Sandbox:
@@ -59,6 +59,13 @@ def test_a_value_as_large_as_allowed(what: str) -> None:
     make(largest)
     with pytest.raises(TooLarge):
         make(largest + 1)
+
+
+@pytest.mark.parametrize("method", ["center", "ljust", "rjust", "zfill"])
+def test_padding_is_refused_before_it_is_made(method: str) -> None:
+    assert _within_bounds("a", method, (1_000_000,)) == (1_000_000,)
+    with pytest.raises(TooLarge):
+        _within_bounds("a", method, (1_000_001,))
 
 
 def test_fields_of_three_digits() -> None:

@@ -172,8 +172,8 @@ def _print_fixes(fixes: Fixes) -> None:
         return
     for file in fixes.files:
         print(f"fixed {shown(file.path)}", file=sys.stderr)
-    refused = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
-    for reason in sorted(refused):
+    reasons = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
+    for reason in sorted(reasons):
         count = sum(left.reason == reason for left in fixes.left)
         print(f"not fixed ({count}): {reason}", file=sys.stderr)
 

@@ -87,14 +87,14 @@ def render(rule: Rule) -> str:
     for title, example in _robots(rule).items():
         parts.append(f"{title}:\n\n{indent(example.strip(), '    ')}")
     for name, text in rule.beside.items():
-        parts.append(f"{name} beside it:\n\n{indent(text.strip(), '    ')}")
+        parts.append(f"{name} in the same package:\n\n{indent(text.strip(), '    ')}")
     if rule.sources:
         parts.append("\n".join(["Sources:", "", *(f"    {source}" for source in rule.sources)]))
     return "\n\n".join(parts) + "\n"
 
 
 def _reported(rule: Rule) -> str:
-    """What a rule weighs, and whether it has a fix."""
+    """The severities of a rule, and whether it has a fix."""
     return f"{severities(rule)}, {'with' if rule.fixable else 'without'} a fix"
 
 

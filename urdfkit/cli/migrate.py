@@ -44,7 +44,7 @@ def command(asked: dict[str, Any], target: str) -> int:
 
 
 def render(migration: Migration, target: str) -> Iterator[str]:
-    """The diff, and what is left as lines that ``patch`` passes over."""
+    """The diff, and what is left as lines that ``patch`` ignores."""
     if not (migration.renamed or migration.left or migration.unread):
         yield f"nothing to do for {target}\n"
     yield migration.diff()

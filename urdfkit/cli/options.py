@@ -2,7 +2,7 @@
 
 Importing click costs more than checking a small robot. So the ordinary command line is read by
 ``quick``, and everything else, help and errors included, by click: both from this table, and
-both give the same values. Commands that are typed by hand now and then use click alone.
+both give the same values. Other commands use click alone.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ CHECK = (
 
 
 class UsageError(UrdfkitError):
-    """The command line asks for something that cannot be."""
+    """The command line is invalid."""
 
 
 def files(values: Mapping[str, Any]) -> list[str]:

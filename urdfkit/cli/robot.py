@@ -26,7 +26,7 @@ from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.text.xml_reader import Problem
+    from urdfkit.text.diagnostic import Problem
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -174,6 +174,9 @@ def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None 
         )
     except UnreadableRobot as error:
         raise first_of(error, file) from error
+    for one in subject.launched:
+        values = " ".join(f"{name}:={value}" for name, value in one.arguments.items())
+        print(printable(f"note: read with {values} of {shown(one.launch)}"), file=sys.stderr)
     for name, suggested in unknown_arguments(subject, options.arguments(asked)).items():
         hint = f"; did you mean '{suggested}'?" if suggested else ""
         print(printable(f"note: the robot has no argument '{name}'{hint}"), file=sys.stderr)

@@ -65,7 +65,7 @@ def _write(path: str, data: bytes) -> None:
 
 
 def _why_unwritable(path: str | os.PathLike[str], error: OSError) -> str:
-    """The reason and the remedy."""
+    """The reason, and how to fix it."""
     folder = os.path.dirname(path) or "."
     if os.path.isdir(path):
         return "is a directory; pass a file in it"

@@ -3,7 +3,7 @@
 `typing.NamedTuple` compiles a constructor for every class, which costs 0.1 ms. A check loads some
 ninety such classes, and would spend a tenth of its time on them. A `Record` is written and used
 in the same way; type checkers take it for a `NamedTuple`. Its module must import annotations from
-`__future__`: otherwise Python 3.14 does not tell the names of the fields while a class is made.
+`__future__`: otherwise Python 3.14 does not give the names of the fields while a class is created.
 """
 
 from __future__ import annotations

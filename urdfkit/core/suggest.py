@@ -13,7 +13,7 @@ SIMILAR, SIMILAR_FILE, TYPO = 0.6, 0.7, 0.8
 #: Longer words are no typos of a name, and comparing them takes time.
 _LONGEST = 200
 
-#: What tells siblings apart.
+#: Parts of names that distinguish siblings.
 _SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl rr l r".split())
 
 #: What a name may say of the thing that has it, and people leave out.
@@ -37,7 +37,7 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
 def is_typo(word: str, other: str) -> bool:
     """True if two words differ in one letter, or in two that changed places, or not at all.
 
-    Digits are no letters: they tell siblings apart.
+    Digits are not compared as letters: they distinguish siblings.
     """
     if abs(len(word) - len(other)) > 1:
         return False
@@ -59,24 +59,23 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
 
 
 def nearest_file(path: str) -> str | None:
-    """The name of the file of the same kind that was meant by a path to nothing, in its folder."""
+    """The file in the directory of a missing file whose name is most like it, with its suffix."""
     folder, name = os.path.split(path)
     stem, suffix = os.path.splitext(name)
-    beside = map(os.path.splitext, os.listdir(folder) if os.path.isdir(folder) else ())
-    suggested = nearest(stem, [other for other, kind in beside if kind == suffix])
+    siblings = map(os.path.splitext, os.listdir(folder) if os.path.isdir(folder) else ())
+    suggested = nearest(stem, [other for other, kind in siblings if kind == suffix])
     return suggested and suggested + suffix
 
 
 class Suggester:
-    """Finds the names that unknown names were meant to be, within a bound of work.
+    """Suggests known names for unknown ones, with bounded work.
 
-    Siblings are not slips of one another: ``wheel_5`` is not meant to be ``wheel_4`` or
-    ``wheel_b``, nor ``left_arm`` to be ``right_arm``; nor is ``base_imu_link`` the ``base_link``
-    that it is on. A word in front gives a name another meaning, too: ``baseline`` is not meant
-    to be ``hackBaseline``.
+    Siblings are not typos of one another: ``wheel_5`` does not suggest ``wheel_4`` or
+    ``wheel_b``, ``left_arm`` not ``right_arm``, ``base_imu_link`` not ``base_link``. A word in
+    front changes the meaning, too: ``baseline`` does not suggest ``hackBaseline``.
     """
 
-    #: Unknown names that are looked at, and known ones that each is compared with.
+    #: Unknown names that get a suggestion, and known ones that each is compared with.
     MAX_WORDS = 50
     MAX_KNOWN = 5000
 
@@ -86,12 +85,12 @@ class Suggester:
         self._found: dict[str, str] = {}
 
     def hint(self, word: str) -> str:
-        """``; did you mean 'arm'?``, or nothing if the name is no slip."""
+        """``; did you mean 'arm'?``, or nothing if the name is no typo."""
         found = self.suggested(word)
         return f"; did you mean '{found}'?" if found else ""
 
     def suggested(self, word: str) -> str:
-        """The known name of which a name is a slip; empty if there is none."""
+        """The known name of which a name is a typo; empty if there is none."""
         if word not in self._found:
             if len(self._found) >= self.MAX_WORDS:
                 return ""

@@ -15,11 +15,12 @@ from urdfkit.text.source import Source
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from urdfkit.lint.report import Launched
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
-    from urdfkit.robot.assets.mesh_files import Files
+    from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.assets.triangles import Meshes
     from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
     from urdfkit.robot.inertials.masses import Masses
@@ -114,6 +115,7 @@ class Subject(DescriptionFile):
         progress: called with the number of mesh files read and of all.
         outcome: what the rules before the present one found; set by the runner alone.
         rule_options: configured options of rules, by code and name; set by the runner.
+        launched: the arguments that were not given, and where they are from; set by `loading`.
         unchecked: other values of its arguments, with which nobody checks it; set by the plan.
     """
 
@@ -137,6 +139,7 @@ class Subject(DescriptionFile):
         self._given_targets = targets
         self.outcome = Outcome()
         self.rule_options: Mapping[str, Mapping[str, float]] = {}
+        self.launched: tuple[Launched, ...] = ()
         self.unchecked: tuple[UncheckedValues, ...] = ()
         self._beside: dict[tuple[object, ...], Subject] = {}
 
@@ -189,7 +192,7 @@ class Subject(DescriptionFile):
         """The robot in the document."""
         from urdfkit.robot.model import RobotModel
 
-        return RobotModel(self.document)
+        return RobotModel(self.document, self.resolver.packages.explicit)
 
     @cached_property
     def tree(self) -> KinematicTree:
@@ -333,11 +336,11 @@ class Subject(DescriptionFile):
         return Collisions(self, need_coal)
 
     @cached_property
-    def files(self) -> Files:
+    def files(self) -> MeshFiles:
         """The mesh files that the model names, found and sniffed."""
-        from urdfkit.robot.assets.mesh_files import Files
+        from urdfkit.robot.assets.mesh_files import MeshFiles
 
-        return Files(self.model, self.resolver)
+        return MeshFiles(self.model, self.resolver)
 
     @cached_property
     def measured(self) -> MeasuredMeshes:

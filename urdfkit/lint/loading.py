@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.context import Subject
+from urdfkit.lint.plan import Job, as_launched
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
-    from urdfkit.text.xml_reader import Problem
+    from urdfkit.text.diagnostic import Problem
     from urdfkit.xacro import Xacro
 
 
@@ -45,13 +46,42 @@ def read(
         UnreadableFile: the file is missing or may not be read.
         UnreadableRobot: it is no XML, or does not expand; with every reason.
     """
-    source = Source.of(file)
-    resolver, given = Resolver(packages), dict(arguments or {})
-    if is_launch(source.path):
-        source, given = described(source, resolver, given)
-    subject = Subject(source, resolver, given, trust=trust, cache=cache, progress=progress)
+    source, resolver = Source.of(file), Resolver(packages)
+    subject = subject_of(source, resolver, arguments, trust=trust, cache=cache, progress=progress)
     if subject.reading.document is None:
-        raise _unreadable(source, subject.reading.problems)
+        raise _unreadable(subject.source, subject.reading.problems)
+    return subject
+
+
+def subject_of(
+    source: Source,
+    resolver: Resolver,
+    arguments: Mapping[str, str] | None,
+    *,
+    trust: bool = False,
+    cache: bool = False,
+    progress: Callable[[int, int], None] | None = None,
+) -> Subject:
+    """The one robot of a file, with values for arguments that it lacks as ``check`` finds them.
+
+    Where several sets of values are found, it is left as it is.
+
+    Raises:
+        UnreadableRobot: the file is a launch file that describes no robot, or more than one.
+    """
+    given = dict(arguments or {})
+    if is_launch(source.path):
+        source, given = _described(source, resolver, given)
+
+    def described(job: Job) -> Subject:
+        return Subject(
+            job.source, resolver, job.arguments, trust=trust, cache=cache, progress=progress
+        )
+
+    (job, subject), *others = as_launched(Job(source, "", given, False), described)
+    if others:
+        return described(Job(source, "", given, False))
+    subject.launched = job.launched
     return subject
 
 
@@ -121,7 +151,7 @@ def expand(
     return xacro
 
 
-def described(
+def _described(
     source: Source, resolver: Resolver, arguments: dict[str, str]
 ) -> tuple[Source, dict[str, str]]:
     """The robot that a launch file describes, and its xacro arguments.

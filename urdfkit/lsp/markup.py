@@ -1,7 +1,7 @@
 """The tags of a text that may not be XML yet: it is read while somebody writes it.
 
 A tag ends where the next one begins, a value at the next tag at the latest; an end tag without
-its beginning is passed over. Nothing here raises, whatever the text.
+a start tag is ignored. Nothing here raises, whatever the text.
 """
 
 from __future__ import annotations

@@ -168,7 +168,7 @@ class Server(LanguageServer):
     # ---------------------------------------------------------------- answers
 
     def at(self, uri: str, position: lsp.Position) -> tuple[OpenRobot, Page, int]:
-        """The robot, the text and the byte that a position means; the worker asks.
+        """The robot, the text and the byte that a position means; called by the worker.
 
         Raises:
             UrdfkitError: the file cannot be read.
@@ -177,7 +177,7 @@ class Server(LanguageServer):
         return robot, page, self.places.offset(page.source, position)
 
     def page(self, uri: str) -> tuple[OpenRobot, Page]:
-        """The robot and the elements of a file; the worker asks."""
+        """The robot and the elements of a file; called by the worker."""
         path = self.path(uri)
         robot = self.robots.robot(path)
         return robot, robot.page(path)
@@ -186,7 +186,7 @@ class Server(LanguageServer):
         return [self.places.location(span, self.uris) for span in dict.fromkeys(spans)]
 
     def replaced(self, path: str, text: bytes) -> list[lsp.TextEdit]:
-        """Edits of the lines in which a file differs from a text; the worker asks."""
+        """Edits of the lines in which a file differs from a text; called by the worker."""
         source = self.robots.robot(path).source(path)
         old, new = source.data.splitlines(keepends=True), text.splitlines(keepends=True)
         starts = [0, *accumulate(map(len, old))]

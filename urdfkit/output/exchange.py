@@ -26,8 +26,7 @@ def to_yourdfpy(robot: Subject | RobotModel | str | os.PathLike[str], **options:
     and meshes are looked for wherever urdfkit finds them.
 
     Args:
-        robot: a URDF or xacro file, or what `urdfkit.read` or `urdfkit.load` gives of one; a model
-            does not know folders of packages that were given to `load`.
+        robot: a URDF or xacro file, or what `urdfkit.read` or `urdfkit.load` gives of one.
         options: for ``yourdfpy.URDF.load``, such as ``load_meshes=False``.
 
     Raises:
@@ -41,7 +40,7 @@ def to_yourdfpy(robot: Subject | RobotModel | str | os.PathLike[str], **options:
         raise MissingLibrary("needs yourdfpy: pip install 'urdfkit[exchange]'") from error
 
     if isinstance(robot, RobotModel):
-        resolver, path = Resolver(), robot.document.sources[0].path
+        resolver, path = Resolver(robot.packages), robot.document.sources[0].path
         text = ElementTree.tostring(_written(robot.root))
     else:
         subject = robot if isinstance(robot, Subject) else read(robot)

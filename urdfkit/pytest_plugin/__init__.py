@@ -42,7 +42,8 @@ def pytest_configure(config: pytest.Config) -> None:
     """Make the marker known."""
     config.addinivalue_line(
         "markers",
-        "urdf(path, args={}, variants={}): the model that robot_model and urdf_report are of; "
+        "urdf(path, args={}, variant='', variants={}): the model that robot_model and urdf_report "
+        "are of, in one variant of urdfkit.toml; "
         "a list as the value of an argument runs the test once for each of its items, and "
         "variants are named sets of arguments",
     )
@@ -79,10 +80,12 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 def _argument_sets(marker: pytest.Mark) -> list[tuple[str, dict[str, str]]]:
     """The sets of arguments that a marker means, each with a name."""
-    wrong = marker.kwargs.keys() - {"args", "variants"}
+    wrong = marker.kwargs.keys() - {"args", "variant", "variants"}
     if wrong or len(marker.args) != 1:
         what = f", not {', '.join(sorted(wrong))}" if wrong else ""
-        pytest.fail(f"@pytest.mark.urdf takes a path, args and variants{what}", pytrace=False)
+        pytest.fail(
+            f"@pytest.mark.urdf takes a path, args, variant and variants{what}", pytrace=False
+        )
     sets = []
     for name, variant in (marker.kwargs.get("variants") or {"": {}}).items():
         every = {**(marker.kwargs.get("args") or {}), **variant}
@@ -114,7 +117,7 @@ def urdf(request: pytest.FixtureRequest) -> Callable[..., Description]:
 
 
 def _description(
-    request: pytest.FixtureRequest, path: str | Path, arguments: dict[str, str]
+    request: pytest.FixtureRequest, path: str | Path, arguments: dict[str, str], variant: str = ""
 ) -> Description:
     from urdfkit.testing import Description
 
@@ -123,7 +126,7 @@ def _description(
     if found is None:
         reported = " nor ".join(dict.fromkeys(map(str, places)))
         pytest.fail(f"no such model {reported}", pytrace=False)
-    return Description(str(found), arguments)
+    return Description(str(found), arguments, variant=variant)
 
 
 @pytest.fixture
@@ -133,7 +136,8 @@ def marked_urdf(request: pytest.FixtureRequest) -> Description:
     if marker is None:
         pytest.fail('mark the test with its model: @pytest.mark.urdf("path")', pytrace=False)
     ((_, arguments), *_) = _argument_sets(marker)
-    return _description(request, marker.args[0], getattr(request, "param", arguments))
+    variant = marker.kwargs.get("variant", "")
+    return _description(request, marker.args[0], getattr(request, "param", arguments), variant)
 
 
 @pytest.fixture
@@ -198,23 +202,23 @@ class UrdfFile(pytest.File):
     def collect(self) -> Iterator[UrdfItem]:
         from urdfkit.testing import variants
 
-        for name, arguments in variants(str(self.path)):
+        for name in variants(str(self.path)):
             label = f"urdfkit[{name}]" if name else "urdfkit"
-            yield UrdfItem.from_parent(self, name=label, arguments=arguments)
+            yield UrdfItem.from_parent(self, name=label, variant=name)
 
 
 class UrdfItem(pytest.Item):
     """A check of one model; it fails with the report."""
 
-    def __init__(self, arguments: dict[str, str], **kwargs: Any) -> None:
+    def __init__(self, variant: str, **kwargs: Any) -> None:
         super().__init__(**kwargs)
-        self.arguments = arguments
+        self.variant = variant
 
     def runtest(self) -> None:
         from urdfkit.testing import Description, assert_no_findings
         from urdfkit.text.diagnostic import Severity
 
-        report = Description(str(self.path), self.arguments).report
+        report = Description(str(self.path), variant=self.variant).report
         assert_no_findings(report, fail_on=Severity(self.config.getini("urdf_fail_on")))
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:

@@ -17,7 +17,7 @@ class Overlap(NamedTuple):
         first: name of a link.
         second: of the other one.
         depth: in m.
-        is_held: True if a joint holds them together, so that programs pass over it.
+        is_held: True if the links are adjacent, so that programs ignore it.
     """
 
     first: str

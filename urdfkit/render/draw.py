@@ -1,6 +1,6 @@
 """A scene and a camera become a picture.
 
-Three passes over bands of rows, so that memory does not grow with the height of a picture:
+Three passes on bands of rows, so that memory does not grow with the height of a picture:
 which surfaces the pixels see, how much light reaches them, and their colours. Nothing depends on
 the order of the bands, so the bytes are the same for any number of threads.
 """

@@ -148,9 +148,9 @@ def _differ(numbers: Integers, nearness: Floats, whole: CameraTriangles, camera:
     """Where a sample sees another surface than the sample before it in the pixel, (p, s - 1)."""
     left, right = numbers[:, :-1].reshape(-1), numbers[:, 1:].reshape(-1)
     result = (left < 0) != (right < 0)
-    doubtful = np.flatnonzero((left != right) & (left >= 0) & (right >= 0))
-    left, right = left[doubtful], right[doubtful]
-    near = nearness[:, :-1].reshape(-1)[doubtful], nearness[:, 1:].reshape(-1)[doubtful]
+    uneven = np.flatnonzero((left != right) & (left >= 0) & (right >= 0))
+    left, right = left[uneven], right[uneven]
+    near = nearness[:, :-1].reshape(-1)[uneven], nearness[:, 1:].reshape(-1)[uneven]
     here, there = whole.flat[left], whole.flat[right]
     if camera.is_orthographic:
         depths, footprint = near, np.float32(1 / camera.scale)
@@ -159,7 +159,7 @@ def _differ(numbers: Integers, nearness: Floats, whole: CameraTriangles, camera:
         gap = np.abs(1 / near[0] - 1 / near[1])
         footprint = np.float32(1 / camera.scale) / near[0]
     facing = np.maximum(np.minimum(np.abs(here[:, 2]), np.abs(there[:, 2])), np.float32(0.1))
-    result[doubtful] = (
+    result[uneven] = (
         (whole.item[left] != whole.item[right])
         | (np.abs(dot(here, there)) < _ALIKE)
         | (gap > _STEP * footprint / facing)

@@ -37,10 +37,10 @@ def smooth(vertices: Floats, faces: Integers) -> Floats | None:
     left, right = left[joined], right[joined]
     if np.allclose(face[left], face[right], atol=1e-4):
         return None
-    weighed = face * angles.reshape(-1, 1)
-    total = weighed.copy()
+    weighted = face * angles.reshape(-1, 1)
+    total = weighted.copy()
     for axis in range(3):
-        total[:, axis] += np.bincount(left, weighed[right, axis], len(face))
+        total[:, axis] += np.bincount(left, weighted[right, axis], len(face))
     return unit(total)
 
 

@@ -274,7 +274,7 @@ def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: flo
     """A marked box where a mesh should be.
 
     It is as large as another shape or mesh of the link; else it reaches to the joints
-    that hang on the link.
+    of its child links.
     """
     size, frame = _target_bounds(subject, link, body, least)
     edges = np.array(size, dtype=np.float32)

@@ -7,6 +7,7 @@ Units are those of URDF: metres, radians, kilograms, newtons and newton metres.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cached_property
 from math import isfinite
 from typing import Generic, TypeVar
@@ -184,10 +185,12 @@ class RobotModel:
         name: of the robot; empty where there is none.
         links, joints, materials: in the order of the document, duplicates included.
         gazebo, transmissions, ros2_controls: their elements.
+        packages: folders of ROS packages that it was read with, by name.
     """
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document, packages: Mapping[str, str] | None = None) -> None:
         self.document = document
+        self.packages = dict(packages or {})
         self.root = root = document.root
         self.name = root.get("name") or ""
         self.links = tuple(_link(element) for element in root.all("link"))

@@ -19,6 +19,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
+from urdfkit.lint.loading import subject_of
 from urdfkit.lint.report import Report
 from urdfkit.lint.rule_index import matching
 from urdfkit.output.comparison.differences import Tolerances, differences
@@ -50,10 +51,19 @@ __all__ = [
 class Description:
     """One model with its arguments, read once, under the nearest configuration.
 
+    Args:
+        path: of the file.
+        arguments: for xacro; they win over those of the configuration.
+        config: the settings that hold for it; those of the nearest file unless given.
+        variant: which of those that the configuration has of the file.
+
     Attributes:
         path: of the file.
         arguments: for xacro, with those of the configuration.
         config: the settings that hold for it.
+
+    Raises:
+        ConfigError: the configuration has several variants of the file, or none of this name.
     """
 
     def __init__(
@@ -61,10 +71,11 @@ class Description:
         path: str,
         arguments: Mapping[str, str] | None = None,
         config: Config | None = None,
+        variant: str = "",
     ) -> None:
         self.path = path
         self.config = _config(path) if config is None else config
-        self.arguments = {**self.config.arguments, **(arguments or {})}
+        self.arguments = self.config.entry(path, arguments, variant).arguments
 
     @cached_property
     def report(self) -> Report:
@@ -90,7 +101,7 @@ class Description:
         """
         resolver = Resolver(dict(self.config.packages))
         source, trust = Source.read(self.path), self.config.trust
-        subject = Subject(source, resolver, self.arguments, trust=trust, cache=True)
+        subject = subject_of(source, resolver, self.arguments, trust=trust, cache=True)
         if subject.reading.document is None:
             raise AssertionError(_text(self._why_unreadable()))
         return subject
@@ -128,11 +139,9 @@ def _config(path: str) -> Config:
     return Config() if found is None else load(found)
 
 
-def variants(path: str) -> list[tuple[str, dict[str, str]]]:
-    """The variants of a model in its project's configuration, else one without a name."""
-    real = os.path.abspath(path)
-    found = [(r.name, dict(r.arguments)) for r in _config(path).robots if r.file == real]
-    return found or [("", {})]
+def variants(path: str) -> list[str]:
+    """The names of a model's variants in its project's configuration; an empty one without any."""
+    return [robot.name for robot in _config(path).entries(path)]
 
 
 def assert_no_findings(
@@ -174,7 +183,7 @@ def assert_dof(model: RobotModel, expected: int) -> None:
 
 
 def assert_mass(model: RobotModel, expected: float, *, tolerance: float = 1e-3) -> None:
-    """Fail unless all links together weigh so much.
+    """Fail unless the total mass of the links is this.
 
     Args:
         model: the robot.
@@ -294,7 +303,8 @@ def _as_it_was(description: Description, revision: str, folder: str) -> RobotMod
     """The model in a revision, whose files are put into a folder."""
     config = description.config
     old = as_it_was(description.path, revision, folder, config.packages)
-    then = Description(old.path, description.arguments, config._replace(packages=old.packages))
+    config = config._replace(packages=old.packages, robots=())
+    then = Description(old.path, description.arguments, config)
     try:
         return then.model
     except AssertionError as error:

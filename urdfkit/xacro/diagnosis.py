@@ -10,9 +10,9 @@ from typing import Any
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
-from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
+from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import DocumentTooLarge, Problem
+from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro.definitions import Definitions, annotations_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
@@ -119,7 +119,7 @@ def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
     return Problem(
         "XAC001",
         at,
-        f"name '{name}' is not defined: xacro passes over a <property> without the prefix",
+        f"name '{name}' is not defined: xacro ignores a <property> without the prefix",
         "write <xacro:property>, and the prefix at the other tags of xacro, too",
         related=related(use, "needed here") if use else (),
     )

@@ -146,7 +146,7 @@ def _unknown_macro(defined: Definitions, name: str) -> MessageText:
         return MessageText(f"macro '{name}' is not defined", elsewhere)
     help = "define the macro above its call, or include the file that does"
     if any(map(_BARE_INCLUDE.search, (one.data for one in defined.sources.values()))):
-        help = "write <xacro:include>: xacro passes over an <include> without the prefix"
+        help = "write <xacro:include>: xacro ignores an <include> without the prefix"
     return MessageText(f"macro '{name}' is not defined", help + did_you_mean(name, known))
 
 

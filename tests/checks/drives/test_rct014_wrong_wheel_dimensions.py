@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.controllers.test_rct013_controllers_name_unknown_joint import controller
+from tests.checks.ros2_control.test_joints_of_controllers import controller
 from tests.controls import plugin
 from tests.gazebos import BASE, WHEELS
 from tests.gazebos import plugin as gazebo_plugin
@@ -67,6 +67,11 @@ def test_separation(tmp_path: Path) -> None:
     assert (found.span.line, found.span.text) == (6, "0.3")
 
 
+@pytest.mark.parametrize(("separation", "found"), [(0.381, 0), (0.419, 0), (0.379, 1), (0.421, 1)])
+def test_within_five_percent(separation: float, found: int, tmp_path: Path) -> None:
+    assert len(reported(tmp_path, drive(separation, 0.1), robot())) == found
+
+
 def test_radius(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.4, 0.2), robot())
     assert (
@@ -94,7 +99,7 @@ def test_what_the_model_does_not_tell(tmp_path: Path) -> None:
     assert reported(tmp_path, drive(0.4, 7), robot().replace('"0.1"', '"0.3"', 1)) == [], (
         "two sizes"
     )
-    assert reported(tmp_path, drive(9, 9).replace("fl", "xl"), robot()) == [], "RCT013"
+    assert reported(tmp_path, drive(9, 9).replace("fl", "xl"), robot()) == [], "RCT001"
     assert reported(tmp_path, drive(9, 9).replace("9", "nine"), robot()) == []
 
 

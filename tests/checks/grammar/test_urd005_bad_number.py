@@ -15,9 +15,9 @@ BALL = (
     [
         ("", "is empty"),
         ("  ", "is empty"),
-        ("0,5", "is written with a comma ('0,5'); the decimal sign is a point"),
-        ("nan", "is 'nan', which URDF does not have"),
-        ("-Inf", "is '-Inf', which URDF does not have"),
+        ("0,5", "has a decimal comma ('0,5'); write a decimal point"),
+        ("nan", "is 'nan', which URDF parsers reject"),
+        ("-Inf", "is '-Inf', which URDF parsers reject"),
         ("1e400", "holds '1e400', which is not a number"),
         ("5cm", "holds '5cm', which is not a number"),
         ("0x10", "holds '0x10', which is not a number"),

@@ -56,6 +56,11 @@ def test_no_macro_gives_a_constant_to_different_masses(body: str) -> None:
     assert reported("XAC014", body) == []
 
 
+@pytest.mark.parametrize(("mass", "found"), [(1.04, 0), (1.06, 1)])
+def test_how_different_in_a_macro(mass: float, found: int) -> None:
+    assert len(reported("XAC014", MACRO + links(1, mass))) == found
+
+
 def test_the_macro_of_an_included_file(tmp_path: Path) -> None:
     write(tmp_path, robot=f'<xacro:include filename="i.xacro"/>{links(1, 2)}', i=MACRO)
     (found,) = told_of("XAC014", tmp_path / "robot.xacro")

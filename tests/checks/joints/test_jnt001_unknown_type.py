@@ -30,9 +30,7 @@ def test_an_unknown_type_is_told_and_mended_if_it_is_a_slip(
 ) -> None:
     text = robot(joint("j", kind, LIMIT))
     hint = f"; did you mean '{suggested}'?" if suggested else ""
-    assert messages("JNT001", text) == [
-        f"joint 'j' has type '{kind}', which URDF does not know{hint}"
-    ]
+    assert messages("JNT001", text) == [f"joint 'j': unknown type '{kind}'{hint}"]
     assert places("JNT001", text) == [(4, kind)]
     if suggested:
         assert f'type="{suggested}"' in fixed("JNT001", text)

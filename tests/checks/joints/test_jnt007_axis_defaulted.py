@@ -17,7 +17,7 @@ from tests.reported import messages, places, reported
 )
 def test_a_joint_that_moves_without_an_axis(kind: str, does: str) -> None:
     text = robot(joint("j", kind))
-    assert messages("JNT007", text) == [f"joint 'j' has no <axis> and {does} x, 1 0 0"]
+    assert messages("JNT007", text) == [f"joint 'j' has no <axis>: it {does} x (1 0 0) by default"]
     assert places("JNT007", text) == [(4, f'<joint name="j" type="{kind}">')]
 
 

@@ -15,7 +15,7 @@ from urdfkit.text.source import Source
 def test_a_joint_that_few_readers_know(kind: str) -> None:
     text = robot(joint("j", kind))
     assert messages("JNT022", text) == [
-        f"joint 'j' is {kind}: Gazebo makes no joint of it, and KDL a fixed one"
+        f"joint 'j' is {kind}: Gazebo drops the joint, and KDL reads it as fixed"
     ]
     assert places("JNT022", text) == [(4, kind)]
 

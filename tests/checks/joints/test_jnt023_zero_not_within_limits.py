@@ -18,7 +18,7 @@ from tests.reported import messages, places, reported
 def test_0_is_outside(kind: str, lower: str, upper: str, unit: str) -> None:
     text = robot(joint("j", kind, limit(lower, upper)))
     assert messages("JNT023", text) == [
-        f"joint 'j': 0 is not within the limits {lower} to {upper} {unit}"
+        f"joint 'j': position 0 is outside the limits [{lower}, {upper}] {unit}"
     ]
     assert places("JNT023", text) == [(4, limit(lower, upper))]
 
@@ -26,7 +26,9 @@ def test_0_is_outside(kind: str, lower: str, upper: str, unit: str) -> None:
 def test_all_joints_are_one_finding() -> None:
     legs = [joint(name, "revolute", limit("-2", "-1")) for name in "abcd"]
     (found,) = reported("JNT023", robot(*legs))
-    assert found.message == "joints 'a', 'b' and 2 more: 0 is not within the limits -2 to -1 rad"
+    assert (
+        found.message == "joints 'a', 'b' and 2 more: position 0 is outside the limits [-2, -1] rad"
+    )
     assert [other.span.line for other in found.related] == [6, 8, 10]
 
 

@@ -19,11 +19,11 @@ def symmetric_pairs(left: str, right: str, kind: str = "revolute", other: str = 
         (limit("-1", "2", "1000", "11"), "effort 1000, not 80 N m"),
         (limit("-1", "2", "82", "11"), "effort 82, not 80 N m"),
         (limit("-1", "2", "80", "5"), "velocity 5, not 11 rad/s"),
-        (limit("-1", "1.5", "80", "11"), "limits -1 to 1.5, not -1 to 2 rad"),
-        (limit("-1.2", "2.2", "80", "11"), "limits -1.2 to 2.2, not -1 to 2 rad"),
+        (limit("-1", "1.5", "80", "11"), "limits [-1, 1.5], not [-1, 2] rad"),
+        (limit("-1.2", "2.2", "80", "11"), "limits [-1.2, 2.2], not [-1, 2] rad"),
         (
             limit("0", "2", "1", "2"),
-            "effort 1, not 80 N m, velocity 2, not 11 rad/s, limits 0 to 2, not -1 to 2 rad",
+            "effort 1, not 80 N m, velocity 2, not 11 rad/s, limits [0, 2], not [-1, 2] rad",
         ),
     ],
 )

@@ -33,7 +33,7 @@ def test_every_gazebo_and_nobody_else(target: str) -> None:
 def test_gazebo_is_inferred_from_a_plugin() -> None:
     plugin = '<gazebo><plugin name="p" filename="libgazebo_ros_control.so"/></gazebo>'
     assert messages("JNT026", HAND + plugin) == [
-        "joints 'b' and 'c': Gazebo does not couple a joint that mimics another one"
+        "joints 'b' and 'c': Gazebo does not enforce the <mimic>"
     ]
     assert places("JNT026", HAND + plugin) == [(6, mimic("a"))]
     assert reported("JNT026", HAND) == []
@@ -53,7 +53,7 @@ PLUGIN = '<plugin name="{0}" filename="libmimic_joint.so"><mimicJoint> {0} </mim
 def test_joints_that_something_else_couples(coupling: str) -> None:
     assert told_to("classic-ros1", HAND + coupling.format("c")) == []
     (found,) = told_to("classic-ros1", HAND + coupling.format("z"))
-    assert found.message == "joint 'c': Gazebo does not couple a joint that mimics another one"
+    assert found.message == "joint 'c': Gazebo does not enforce the <mimic>"
 
 
 def test_a_fixed_joint_need_not_be_coupled() -> None:

@@ -22,7 +22,7 @@ def robot(xyz: str, rpy: str = "0 0 0", kind: str = "fixed") -> str:
 )
 def test_far_in_the_air(xyz: str, gap: str) -> None:
     assert messages("JNT037", robot(xyz)) == [
-        f"joint 'j': 'b' is {gap} m away from 'a', and the two are 0.2 m long at most"
+        f"joint 'j': 'b' is {gap} m away from 'a'; neither is longer than 0.2 m"
     ]
 
 

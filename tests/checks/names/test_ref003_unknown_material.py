@@ -17,8 +17,8 @@ def link(name: str, *materials: str) -> str:
 def test_every_name_is_told_once_with_all_its_uses() -> None:
     robot = link("a", BARE, BARE) + link("b", BARE, '<material name="red"/>')
     assert messages("REF003", robot) == [
-        "link 'a': material 'blue' gives 3 visuals no colour; it is defined nowhere",
-        "link 'b': material 'red' gives the visual no colour; it is defined nowhere",
+        "link 'a': material 'blue' has no colour in 3 visuals; it is not defined",
+        "link 'b': material 'red' has no colour in the visual; it is not defined",
     ]
     first, second = reported("REF003", robot)
     assert first.span.text == "blue"
@@ -46,14 +46,14 @@ def test_what_has_a_colour_or_another_finding(robot: str) -> None:
 def test_in_a_visual_the_order_matters() -> None:
     (found,) = reported("REF003", link("a", BARE) + link("b", BLUE))
     assert found.message == (
-        "link 'a': material 'blue' gives the visual no colour; it is defined further down"
+        "link 'a': material 'blue' has no colour in the visual; it is defined only later"
     )
     assert [one.span.line for one in found.related] == [3]
 
 
 def test_a_definition_without_a_colour_gives_none() -> None:
     assert messages("REF003", BARE + link("a", BARE)) == [
-        "link 'a': material 'blue' gives the visual no colour; its definition has none"
+        "link 'a': material 'blue' has no colour in the visual; its definition has none"
     ]
 
 
@@ -67,6 +67,6 @@ def test_a_definition_without_a_colour_gives_none() -> None:
 def test_hints(name: str, hint: str) -> None:
     robot = BLUE.replace("blue", "blue_grey") + link("a", f'<material name="{name}"/>')
     assert messages("REF003", robot) == [
-        f"link 'a': material '{name}' gives the visual no colour; it is defined nowhere{hint}"
+        f"link 'a': material '{name}' has no colour in the visual; it is not defined{hint}"
     ]
     assert places("REF003", robot) == [(2, name)]

@@ -13,7 +13,7 @@ JOINT = '<joint name="j" type="fixed"><parent link="{}"/><child link="{}"/></joi
 
 def test_the_mass_that_kdl_leaves_out() -> None:
     (found,) = reported("TRE007", BASE.format("8.2"))
-    assert found.message == "root link 'base' has 8.2 kg, which KDL leaves out"
+    assert found.message == "root link 'base' has 8.2 kg, which KDL ignores"
     assert (found.span.line, found.span.text) == (3, "<inertial>")
     assert found.severity is Severity.INFO
 

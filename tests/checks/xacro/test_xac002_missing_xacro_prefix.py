@@ -13,7 +13,7 @@ ARM = '<xacro:macro name="arm" params="side"><link name="${side}"/></xacro:macro
 def test_a_macro() -> None:
     (found,) = reported("XAC002", f'{ARM}<link name="base"/>\n<arm side="left"/>')
     assert (found.span.line, found.span.text) == (4, '<arm side="left"/>')
-    assert found.message == "<arm> is a macro, called without its prefix"
+    assert found.message == "macro 'arm' is called without the xacro: prefix"
     assert found.help == "write the tag, and its end tag, with the prefix: <xacro:...>"
 
 
@@ -29,7 +29,7 @@ def test_a_macro_inside_a_link() -> None:
 def test_a_tag_of_xacro(tag: str) -> None:
     (found,) = reported("XAC002", f'{ARM}<xacro:arm side="a"/>\n<{tag} {XACRO_TAGS[tag]}="b"/>')
     assert found.span.line == 4
-    assert found.message == f"<{tag}> is a tag of xacro, without its prefix"
+    assert found.message == f"<{tag}> is a tag of xacro without its prefix"
 
 
 def test_a_tag_of_another_program_is_not_that_of_xacro() -> None:

@@ -26,7 +26,7 @@ MACRO = (
 def test_a_name_in_braces(inside: str, name: str) -> None:
     text = MACRO.replace("INSIDE", inside)
     (found,) = check(Source("r.urdf.xacro", text.encode()), select=["XAC021"]).diagnostics
-    assert found.message == f"xacro does not replace {{{name}}}, which has no dollar before it"
+    assert found.message == f"xacro does not replace {{{name}}}: the dollar before it is missing"
     assert len(found.calls) == 2
 
 

@@ -6,6 +6,9 @@ from urdfkit.lint.context import Subject
 
 #: Former codes and names of rules.
 REDIRECTS = {
+    "RCT012": "RCT026",
+    "parameters-file-missing": "RCT026",
+    "parameters-not-read": "RCT026",
     "RCT027": "RCT034",
     "RCT035": "RCT034",
     "RCT036": "RCT034",

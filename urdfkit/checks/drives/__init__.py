@@ -9,6 +9,7 @@ if TYPE_CHECKING:
 
 #: Former codes and names of rules.
 REDIRECTS = {
+    "driven-by-nothing": "GAZ029",
     "wheel-numbers-disagree": "RCT014",
     "GAZ025": "RCT014",
     "wheel-geometry-disagrees": "RCT014",

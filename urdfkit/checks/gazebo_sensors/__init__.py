@@ -6,6 +6,7 @@ from urdfkit.lint.context import Subject
 
 #: Codes and names of rules that others have absorbed.
 REDIRECTS = {
+    "sensor-sees-itself": "GAZ050",
     "GAZ054": "",
     "heavy-sensor": "",
     "angle-in-degrees": "GAZ047",

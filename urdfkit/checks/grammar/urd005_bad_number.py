@@ -30,13 +30,12 @@ BAD = """\
     <geometry><sphere radius="0,05"/></geometry>
   </collision>
 </link>"""
-GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.05"')
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.05"')
 
 
 @rule(
     Severity.ERROR,
-    help="write as many numbers as it takes, with decimal points, and spaces between them",
+    help="write the required count of numbers, with decimal points, separated by spaces",
 )
 def check(subject: Subject) -> Findings:
     for element, attribute, kind, _ in subject.deviations.get("URD005", ()):
@@ -76,9 +75,9 @@ def _reason(text: str, length: int) -> str:
     if not bad:
         return "has white space after the number"
     if "," in bad:
-        return f"is written with a comma ('{bad[:40]}'); the decimal sign is a point"
+        return f"has a decimal comma ('{bad[:40]}'); write a decimal point"
     if bad.strip("+-").lower() in ("inf", "infinity", "nan"):
-        return f"is '{bad}', which URDF does not have"
+        return f"is '{bad}', which URDF parsers reject"
     return f"holds '{bad[:40]}', which is not a number"
 
 

@@ -34,15 +34,14 @@ BAD = robot_xml(
     ),
     joint_xml("continuous"),
 )
-GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
+FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
     '"0" iyz="0" izz="0"', '"0.00197917" iyz="0" izz="0.000625"'
 )
-FIXED = GOOD
 
 
 @rule(
     Severity.ERROR,
-    help="compute the tensor from mass and size: urdfkit explain XAC014 has the formulas",
+    help="compute the tensor from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
 def check(subject: Subject) -> Findings:
@@ -89,7 +88,7 @@ def _thin(masses: Masses) -> Findings:
                 one.at,
                 f"link '{body.top.name}', moved by the {body.joint.kind} joint "
                 f"'{body.joint.name}', has principal moments of inertia of {low:.1g}, "
-                f"{middle:.3g} and {high:.3g} kg m^2: none about one axis",
+                f"{middle:.3g} and {high:.3g} kg m^2: almost 0 about one axis",
                 "write the moment about the thin axis as well: mass / 2 * radius^2 for a rod",
                 weight=body.mass,
             )

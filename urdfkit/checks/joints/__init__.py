@@ -6,6 +6,9 @@ from urdfkit.lint.context import Subject
 
 #: Former codes and names, and the rules that report their findings now.
 REDIRECTS = {
+    "motor-weaker-than-friction": "JNT041",
+    "limit-out-of-line": "JNT039",
+    "fingers-move-together": "JNT032",
     "GEO013": "JNT012", "size-looks-like-millimetres": "JNT012",
     "JNT018": "JNT008", "negative-damping-or-friction": "JNT008",
     "effort-or-velocity-not-positive": "JNT008",

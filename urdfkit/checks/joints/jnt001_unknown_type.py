@@ -25,11 +25,10 @@ from urdfkit.text.grammar import is_expression
 from urdfkit.text.schema import JOINT_TYPES
 
 BAD = arm_xml("Revolute", '<limit lower="-1" upper="1" effort="10" velocity="1"/>')
-GOOD = BAD.replace("Revolute", "revolute")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("Revolute", "revolute")
 
-#: How like a type another word must be to be its misspelling.
-_LIKENESS = 0.75
+#: Similarity from which a word is a misspelt type.
+_SIMILAR = 0.75
 
 
 @rule(Severity.ERROR, help=f"use one of {', '.join(JOINT_TYPES)}")
@@ -40,10 +39,10 @@ def check(subject: Subject) -> Findings:
             continue
         if kind.value == "spherical" and subject.targets.are_only("mujoco"):
             continue
-        suggested = nearest(kind.value.strip(), JOINT_TYPES, _LIKENESS)
+        suggested = nearest(kind.value.strip(), JOINT_TYPES, _SIMILAR)
         yield Finding(
             kind,
-            f"joint '{joint.name}' has type '{kind.value}', which URDF does not know"
+            f"joint '{joint.name}': unknown type '{kind.value}'"
             + (f"; did you mean '{suggested}'?" if suggested else ""),
             fix=_renamed(kind, suggested) if suggested else None,
         )

@@ -1,8 +1,7 @@
-"""A joint that moves has no axis, so that it takes the x axis.
+"""A joint that moves has no axis and takes the default, x.
 
-1 0 0 is what URDF says, and all readers agree. Few joints are meant to turn about x: most that
-were meant to turn about y or z without an `<axis>` go unnoticed until the robot moves. Write the
-axis, also where it is x.
+URDF's default is 1 0 0, and all parsers agree. Few joints turn about x: a joint that should turn
+about y or z goes unnoticed until the robot moves. Write the axis, also where it is x.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -28,4 +27,6 @@ def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         if joint.kind in (*MOVING, "planar") and joint.at.child("axis") is None:
             does = _DOES.get(joint.kind, "turns about")
-            yield Finding(joint.at, f"joint '{joint.name}' has no <axis> and {does} x, 1 0 0")
+            yield Finding(
+                joint.at, f"joint '{joint.name}' has no <axis>: it {does} x (1 0 0) by default"
+            )

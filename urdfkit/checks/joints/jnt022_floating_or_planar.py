@@ -1,11 +1,10 @@
 """A joint is floating or planar.
 
-Few readers can do it. Gazebo makes no joint of it at all: the link and its child links become a
-body of their own, which falls, and a planar joint keeps nothing in its plane. KDL, and with it
-robot_state_publisher, takes both for fixed. Drake sets a floating link free. MuJoCo, Pinocchio and
-MoveIt understand both, but the last two move a planar joint across z, whatever its axis. Three
-prismatic and revolute joints in a row say planar foreveryone; a robot that may go anywhere needs
-no joint at its root.
+Few programs support it. Gazebo drops the joint: the link and its children become a body of their
+own, which falls. KDL, and with it robot_state_publisher, reads both types as fixed. Drake sets a
+floating link free. MuJoCo, Pinocchio and MoveIt support both, but the last two move a planar joint
+across z, whatever its axis. Two prismatic joints and a revolute one are planar everywhere; a robot
+that moves freely needs no joint at its root.
 
 Sources:
     kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp
@@ -28,7 +27,7 @@ GOOD = link_xml("base")
 
 @rule(
     Severity.INFO,
-    help="leave the joint out where it only sets the robot free, or build it of single joints",
+    help="remove it if the robot is to move freely, or use prismatic and revolute joints",
     by_target=dict.fromkeys((*GAZEBO, "kdl"), Severity.WARNING),
 )
 def check(subject: Subject) -> Findings:
@@ -36,6 +35,6 @@ def check(subject: Subject) -> Findings:
         if joint.kind in ("floating", "planar") and joint.type:
             yield Finding(
                 joint.type,
-                f"joint '{joint.name}' is {joint.kind}: Gazebo makes no joint of it, and KDL a "
-                "fixed one",
+                f"joint '{joint.name}' is {joint.kind}: Gazebo drops the joint, and KDL reads it "
+                "as fixed",
             )

@@ -1,9 +1,9 @@
-"""The position 0 lies outside of the limits of joints.
+"""The position 0 is outside the limits of joints.
 
-0 is where simulators and inverse kinematics put a joint at first. Gazebo throws such a joint to its
-stop in the first step, and other programs start with a posture that they then reject. It is often
-meant, as for an elbow that does not stretch: then give the simulation an initial position. Or turn
-the origin of the joint, so that 0 is a posture that the robot can take.
+Simulators and inverse kinematics start joints at 0. Gazebo moves such a joint to its limit in the
+first step, and other programs start with a configuration that they then reject. It is often
+intended, as for an elbow that does not stretch: then set an initial position in the simulation. Or
+rotate the origin of the joint, so that 0 is a position that it can take.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -27,7 +27,7 @@ _MARGIN = 0.01
 
 @rule(
     Severity.INFO,
-    help="give the joint an initial position, or turn its origin so that 0 is within the limits",
+    help="set an initial position, or rotate its origin so that 0 is within the limits",
 )
 def check(subject: Subject) -> Findings:
     """One finding for all: the legs of a quadruped are alike."""
@@ -44,7 +44,7 @@ def check(subject: Subject) -> Findings:
         lower, upper = bounds(first) or (0.0, 0.0)
         yield Finding(
             limit.at,
-            f"{several([joint for joint, _ in found])}: 0 is not within the limits {lower:g} to "
-            f"{upper:g} {unit(first)}",
+            f"{several([joint for joint, _ in found])}: position 0 is outside the limits "
+            f"[{lower:g}, {upper:g}] {unit(first)}",
             related=related((joint, limit.at.span) for joint, limit in found),
         )

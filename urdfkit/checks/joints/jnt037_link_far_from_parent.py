@@ -1,8 +1,8 @@
-"""A link hangs far away in the air from the link that holds it.
+"""A link is far away from its parent link.
 
-Between their shapes there is more room than either of the two is long, and no link that fixed
-joints merge with one of them is in between. Usually a decimal point has slipped, 2.45 for 0.245, or
-the origin is measured from the root of the robot instead of the parent link.
+The gap between their shapes is four times as long as either of the two, and no link that fixed
+joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45 for 0.245,
+or the origin is measured from the root of the robot instead of the parent link.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -15,23 +15,14 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import LinkSolid, solid
 from urdfkit.text.diagnostic import Confidence, Severity
 
-_LINK = """\
-<link name="{name}">
-  <visual>
-    <origin xyz="0 0 0.12"/>
-    <geometry><box size="0.05 0.05 0.24"/></geometry>
-  </visual>
-</link>
-"""
-BAD = f"""\
-{_LINK.format(name="arm")}{_LINK.format(name="hand")}<joint name="wrist" type="fixed">
-  <parent link="arm"/>
-  <child link="hand"/>
-  <origin xyz="0 0 2.4"/>
-</joint>"""
+_SHAPE = visual_xml('<box size="0.05 0.05 0.24"/>', '<origin xyz="0 0 0.12"/>')
+BAD = robot_xml(
+    link_xml("base", _SHAPE), link_xml("arm", _SHAPE), joint_xml("fixed", '<origin xyz="0 0 2.4"/>')
+)
 GOOD = BAD.replace("2.4", "0.24")
 
 #: Times that the gap is longer than the longest shape; and in m.
@@ -45,7 +36,7 @@ _HELD = ("fixed", "revolute", "continuous")
 
 @rule(
     Severity.WARNING,
-    help="look for a slipped decimal point; the origin is measured from the parent link, in m",
+    help="check the decimal point; the origin is measured from the parent link, in m",
 )
 def check(subject: Subject) -> Findings:
     links = subject.model.links_by_name
@@ -61,8 +52,8 @@ def check(subject: Subject) -> Findings:
             gap, longest = found
             yield Finding(
                 joint.at.child("origin") or joint.at,
-                f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}', "
-                f"and the two are {longest:.3g} m long at most",
+                f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
+                f"neither is longer than {longest:.3g} m",
                 confidence=Confidence.INFERRED,
             )
 

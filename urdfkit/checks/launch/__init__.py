@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from urdfkit.lint.context import Subject
-from urdfkit.text.xml_reader import is_launch
+from urdfkit.text.file_kinds import is_launch
 
 #: Former codes and names of rules.
 REDIRECTS = {
+    "substitution-not-made": "LAU019",
+    "LAU008": "LAU005",
+    "argument-not-given": "LAU005",
+    "unknown-argument": "LAU005",
     "LAU007": "LAU005",
     "argument-not-taken": "LAU005",
     "LAU012": "LAU006",

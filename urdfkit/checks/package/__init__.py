@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfkit.lint.context import Subject
-from urdfkit.text.xml_reader import is_launch
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.package_references import are_in
 
 #: Former codes and names of rules.

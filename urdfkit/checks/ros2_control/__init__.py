@@ -6,6 +6,8 @@ from urdfkit.lint.context import Subject
 
 #: Former codes and names of rules.
 REDIRECTS = {
+    "RCT013": "RCT001",
+    "controllers-name-unknown-joint": "RCT001",
     "RCT033": "RCT021",
     "RCT040": "RCT021",
     "no-state-interface": "RCT021",

@@ -7,6 +7,12 @@ from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 
 #: Former codes and names of rules.
 REDIRECTS = {
+    "SRD002": "SRD003",
+    "chain-not-a-path": "SRD003",
+    "SRD023": "SRD001",
+    "solver-misspelt": "SRD001",
+    "SRD024": "SRD004",
+    "state-twice": "SRD004",
     "SRD012": "SRD001",
     "SRD014": "SRD001",
     "SRD019": "SRD001",

@@ -38,7 +38,7 @@ SHOWN = 8
     reports_missing=True,
 )
 def check(subject: Subject) -> Findings:
-    # Below a link that is missing hangs no root: the reference is REF001's.
+    # The child of a link that is missing is no root: the reference is REF001's.
     children = {joint.child.value for joint in subject.model.joints if joint.child}
     roots = [root for root in subject.tree.roots if root.name not in children]
     if len(roots) < 2 or subject.is_part:

@@ -1,8 +1,8 @@
 """The root link has a mass.
 
 KDL, and with it MoveIt's kinematics and every controller that computes with KDL, has no body for
-the root: it warns and leaves the root's inertia out. Simulators do not mind. Where it matters, add
-an empty link above the root and fix the root to it.
+the root: it warns and ignores the root's inertia. Simulators do not. Where it matters, add an empty
+link above the root and fix the root to it.
 
 Sources:
     kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp
@@ -14,22 +14,16 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Link, RobotModel
-from urdfkit.robot.samples import inertial_xml, link_xml
+from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before
 
 BAD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
-GOOD = (
-    """\
-<link name="base_root"/>
-<joint name="base_root_joint" type="fixed">
-  <parent link="base_root"/>
-  <child link="base"/>
-</joint>
-"""
-    + BAD
+FIXED = GOOD = robot_xml(
+    link_xml("base_root"),
+    joint_xml("fixed", name="base_root_joint", parent="base_root", child="base"),
+    BAD,
 )
-FIXED = GOOD
 TARGETS = ("kdl",)
 
 
@@ -49,8 +43,8 @@ def check(subject: Subject) -> Findings:
             roots[0].inertial.at,
             f"root link '{root.name}' has "
             + (f"{mass.value:g} kg" if mass else "an inertia")
-            + ", which KDL leaves out",
-            # For others than KDL, such as Gazebo, another root would change more than it mends.
+            + ", which KDL ignores",
+            # For others than KDL, such as Gazebo, another root would change more than it fixes.
             fix=_empty_root(root, subject.model) if "kdl" in subject.targets.names else None,
         )
 

@@ -4,7 +4,7 @@ By convention (REP 120) it is the place of the robot on the floor, below `base_l
 takes it for the position of the robot, and simulators spawn the robot by it. If the robot reaches
 below it, the robot starts stuck in the floor and is thrown out; if it ends above, it drops. Give
 the joint between the two the height of the lowest wheel or foot. Where a caster reaches lower than
-the wheels, it is the caster that is wrong: on it the wheels hang in the air.
+the wheels, the caster is wrong: the wheels do not touch the ground.
 
 Sources:
     REP 120, frames of humanoids: https://github.com/ros-infrastructure/rep/blob/master/rep-0120.rst
@@ -19,7 +19,7 @@ from urdfkit.core.spatial import Rotation, Transform, Vector, dot, rotate
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body, Joint, number
+from urdfkit.robot.model import Body, number
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.diagnostic import Edit, Fix, Severity
@@ -32,8 +32,7 @@ BAD = robot_xml(
     link_xml("base_link", collision_xml('<box size="0.4 0.3 0.2"/>')),
     joint_xml("fixed", name="base_footprint_joint", parent="base_footprint", child="base_link"),
 )
-GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
 
 #: A body may stand this far above or below the ground, in m: tyres and rubber feet give way.
 TOLERANCE = 0.005
@@ -41,7 +40,7 @@ TOLERANCE = 0.005
 #: Cosine of the angle to the vertical under which an axis is level.
 _LEVEL = 0.1
 
-#: What reaches so many m deeper than the wheels is no caster: the robot has no wheels to stand on.
+#: In m: what reaches that much lower than the wheels is no caster, and they carry nothing.
 _CASTER = 0.1
 
 #: Robots of one model that are looked at.
@@ -50,7 +49,7 @@ MAX_FOOTPRINTS = 10
 
 @rule(
     Severity.WARNING,
-    help="let the joint between base_footprint and base_link lift the robot by that height",
+    help="raise the robot by that height in the joint below base_footprint",
 )
 def check(subject: Subject) -> Findings:
     tree = subject.tree
@@ -58,33 +57,32 @@ def check(subject: Subject) -> Findings:
         return  # TRE002 or TRE003 comes first
     footprints = [name for name in tree.frames if name.endswith("base_footprint")]
     for name in footprints[:MAX_FOOTPRINTS]:
-        # Some hang the footprint below the base; the robot is then everything else.
+        # Some make the footprint a child of the base; the robot is then everything else.
         joints = tree.children[name] or tree.parents[name]
         robot = tree.below(name) if tree.children[name] else list(tree.frames)
         if joints and (lowest := _lowest(tree, name, robot)):
             height, link, is_known = lowest
             side = "below" if height < 0 else "above"
-            hanging = _hanging(tree, name, robot, link, height)
-            is_lift = is_known and not hanging and tree.children[name] == joints[:1]
+            lifted_wheels = _lifted_wheels(tree, name, robot, link, height)
+            is_too_low = is_known and not lifted_wheels and tree.children[name] == joints[:1]
             yield Finding(
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
-                f"'{name}', which by convention lies on the ground{hanging}",
+                f"'{name}', which by convention lies on the ground{lifted_wheels}",
                 f"raise '{link}', or make it smaller, until the wheels touch the ground"
-                if hanging
+                if lifted_wheels
                 else "",
-                # The rpy of a wheel is often rounded; it counts to 0.1 mm.
-                fix=_lifted(joints[0], round(-height, 4)) if is_lift else None,
+                fix=_raised(joints[0], round(-height, 4)) if is_too_low else None,
             )
 
 
-def _lifted(joint: Joint, height: float) -> Fix | None:
+def _raised(joint: Joint, height: float) -> Fix | None:
     """The joint below the footprint, higher by that much in m."""
-    edits = _higher(joint.at, height)
-    return Fix.of(f"lift the robot by {height:.6g} m", edits)
+    return Fix.of(f"raise the robot by {height:g} m", _higher(joint.at, height))
 
 
 def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:
+    """The joint below the footprint, higher by that much in m."""
     origin = joint.child("origin")
     if origin is None:
         line = f'<origin xyz="0 0 {height:.6g}"/>'
@@ -104,7 +102,7 @@ def _lowest(
     """Height in m and link of the lowest point, unless it may be on the ground.
 
     All joints are at zero; a robot whose legs or arms reach lowest there does not stand so.
-    A mesh, or a link that is seen but has no collision, may reach lower than what can be measured:
+    A mesh, or a link with a visual and no collision, may reach lower than what can be measured:
     the third value is False then.
     """
     ground = tree.frames[footprint]
@@ -123,14 +121,14 @@ def _lowest(
     lowest = min(heights, default=(0.0, ""))
     if lowest[1] in _limbs(tree):
         return None
-    floats = lowest[0] > TOLERANCE and not unknown
-    return (*lowest, not unknown) if floats or lowest[0] < -TOLERANCE else None
+    is_above = lowest[0] > TOLERANCE and not unknown
+    return (*lowest, not unknown) if is_above or lowest[0] < -TOLERANCE else None
 
 
-def _hanging(
+def _lifted_wheels(
     tree: KinematicTree, footprint: str, robot: list[str], lowest: str, height: float
 ) -> str:
-    """That wheels hang in the air over what reaches lower; empty if none do.
+    """That wheels do not reach the ground, since another link reaches lower; empty if they do.
 
     Wheels turn without end about a level axis, and there are two or more at one height.
 
@@ -160,17 +158,17 @@ def _hanging(
     wheels = [name for name, gap in gaps.items() if gap - least < TOLERANCE]
     if lowest in wheels or len(wheels) < 2 or not TOLERANCE < least < _CASTER:
         return ""
-    return f"; on it {', '.join(wheels)} hang {least:.3g} m in the air"
+    return f"; the wheels {', '.join(wheels)} are {least:.3g} m higher"
 
 
 def _limbs(tree: KinematicTree) -> set[str]:
-    """The links that hang on two hinges or more with ends, as those of legs do."""
-    hinges = dict.fromkeys(tree.frames, 0)
+    """The links below two revolute joints or more, as those of legs are."""
+    counts = dict.fromkeys(tree.frames, 0)
     for joint in tree.spanning:
         assert joint.parent is not None
         assert joint.child is not None
-        hinges[joint.child.value] = hinges[joint.parent.value] + (joint.kind == "revolute")
-    return {name for name, count in hinges.items() if count > 1}
+        counts[joint.child.value] = counts[joint.parent.value] + (joint.kind == "revolute")
+    return {name for name, count in counts.items() if count > 1}
 
 
 def _bottom(body: Body, link: Transform, up: Vector) -> float | None:
@@ -191,5 +189,5 @@ def _bottom(body: Body, link: Transform, up: Vector) -> float | None:
 
 
 def _column(rotation: Rotation, axis: int) -> Vector:
-    """An axis of a frame, seen from the outer one."""
+    """An axis of a frame, in its parent frame."""
     return (rotation[0][axis], rotation[1][axis], rotation[2][axis])

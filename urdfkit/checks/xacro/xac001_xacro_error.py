@@ -37,8 +37,8 @@ GOOD = """\
 """
 
 
-#: All uses of a name want the one definition, and all definitions without prefix the prefix.
-_UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro passes over .*)?")
+#: All uses of a name lack one definition, and all definitions without prefix the prefix.
+_UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro ignores .*)?")
 
 
 @rule(

@@ -27,8 +27,7 @@ BAD = """\
   <arm side="left"/>
 </robot>
 """
-GOOD = BAD.replace("<arm", "<xacro:arm")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("<arm", "<xacro:arm")
 
 
 @rule(
@@ -48,10 +47,10 @@ def check(subject: Subject) -> Findings:
                 if not inner.open:
                     stack.append((child, inner))
             elif child.tag in macros:
-                message = f"<{child.tag}> is a macro, called without its prefix"
+                message = f"macro '{child.tag}' is called without the xacro: prefix"
                 yield Finding(child, message, fix=_fix(child))
             elif schema.XACRO_TAGS.get(child.tag) in child.attributes:  # else it is of others
-                message = f"<{child.tag}> is a tag of xacro, without its prefix"
+                message = f"<{child.tag}> is a tag of xacro without its prefix"
                 yield Finding(child, message, fix=_fix(child))
 
 

@@ -1,8 +1,8 @@
 """A property repeats the constant pi, with fewer digits.
 
-Expressions have `pi` built in, exact to the last bit. A wheel that is turned by an own pi of eight
-digits is off by a few nanometres, which does no harm until somebody compares two frames; an own
-3.14 is off by a millimetre at one metre. Write `${pi}`.
+Expressions have `pi` built in, exact to the last bit. With a pi of eight digits a wheel is
+off by a few nanometres, which does no harm until two frames are compared; with 3.14 it is off by a
+millimetre at one metre. Write `${pi}`.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

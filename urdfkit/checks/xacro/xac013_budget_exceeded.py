@@ -1,8 +1,8 @@
-"""The expansion needs more than any robot does.
+"""The expansion exceeds a limit of depth, size or time.
 
-Macros that call themselves, includes in a circle, a number with a million digits: bounds on depth,
-number of elements, size of values and time stop them, so that a hostile or broken file cannot
-hang the machine that checks it. The largest public robot stays a hundred times below.
+Macros that call themselves, circular includes, a number with a million digits: limits of depth,
+number of elements, size of values and time stop them, so that a hostile or broken file cannot block
+the machine that checks it. They are a hundred times what the largest public robot needs.
 
 Sources:
     xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py

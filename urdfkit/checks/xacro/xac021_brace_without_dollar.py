@@ -1,4 +1,4 @@
-"""A name stands in braces, and the dollar before them is missing.
+"""The dollar before a brace is missing.
 
 xacro replaces `${name}` and leaves `{name}` as it is: the link is then called `{prefix}wheel`, and
 in a macro that is called twice there are two of that name. In the reference of a `<gazebo>` block
@@ -53,7 +53,7 @@ def check(subject: Subject) -> Findings:
                 edits = rewrite(at, right)
                 yield Finding(
                     at,
-                    f"xacro does not replace {{{named[0]}}}, which has no dollar before it",
+                    f"xacro does not replace {{{named[0]}}}: the dollar before it is missing",
                     f"write ${{{named[0]}}}",
                     Fix.of(f"write {right}", edits),
                 )

@@ -48,7 +48,7 @@ def check(subject: Subject) -> Findings:
     if found:
         yield Finding(
             Location(found),
-            "':' and white space in a comment: a ROS 2 launch file may take the robot for YAML",
+            "':' and white space in a comment: a ROS 2 launch file may parse the robot as YAML",
             confidence=Confidence.INFERRED,
         )
 

@@ -1,6 +1,6 @@
 """Which links and joints of a robot have another name than before.
 
-A link is known again by its place in the tree, by its body, and by the links that hang on it: two
+A link is matched by its place in the tree, by its body, and by its child links: two
 of the three must be as they were. A joint is known again by its two links. What could be meant in
 more than one way is not guessed.
 """
@@ -82,7 +82,7 @@ def _unique_matches(
 
 
 def _near(old: _Tree, new: _Tree, name: str, links: dict[str, str]) -> Iterator[str]:
-    """The links that hang where a link hung, or that carry what it carried."""
+    """The links with the matched parent of a link, or with its matched children."""
     parent = old.parent(name)
     if not parent or parent in links:
         yield from new.children.get(links.get(parent, ""), ())
@@ -108,7 +108,7 @@ def _is_same(
 def _is_in_place(
     before: Joint | None, after: Joint | None, links: dict[str, str], allowed: Tolerances
 ) -> bool:
-    """True for roots, and for links that hang on the same one by the same joint."""
+    """True for roots, and for links with the same parent and the same joint."""
     if before is None or after is None:
         return before is after
     if links.get(_parent(before)) != _parent(after):

@@ -8,12 +8,10 @@ from functools import cached_property
 
 from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.config import Config
-from urdfkit.lint.context import Subject
 from urdfkit.lint.engine import check
-from urdfkit.lint.loading import described
+from urdfkit.lint.loading import subject_of
 from urdfkit.lint.report import Report
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import locate
 from urdfkit.workspace.snapshots import OldFile, as_it_was
@@ -44,12 +42,9 @@ class RobotState:
         self.word = word
         self._folder = folder
         self._packages = old.packages if old else dict(packages)
-        self._arguments, self._targets = dict(arguments), tuple(targets)
-        self._trust, self._config = trust, config
+        self._targets, self._trust, self._config = tuple(targets), trust, config
         source, resolver = Source.read(old.path if old else word), Resolver(self._packages)
-        if is_launch(source.path):
-            source, self._arguments = described(source, resolver, self._arguments)
-        self.subject = Subject(source, resolver, self._arguments, trust=trust)
+        self.subject = subject_of(source, resolver, arguments, trust=trust)
         if self.subject.reading.document is None:
             reasons = dict.fromkeys(problem.message for problem in self.subject.reading.problems)
             raise UnreadableRobot(f"{word} cannot be read: {'; '.join(reasons)}")
@@ -62,7 +57,7 @@ class RobotState:
             config = config._replace(robots=(), packages=self._packages)
         return check(
             self.subject.source,
-            arguments=self._arguments,
+            arguments=self.subject.arguments,
             packages=self._packages,
             targets=self._targets,
             trust=self._trust,

@@ -20,7 +20,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.grouping import grouped
-from urdfkit.lint.loading import described
+from urdfkit.lint.loading import subject_of
 from urdfkit.lint.report import Report
 from urdfkit.output.formats import json as as_json
 from urdfkit.output.report import physics, tables
@@ -30,7 +30,6 @@ from urdfkit.ros.gazebo.rejection import rejecting
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, shown, without_folder
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 
 #: Of the document; a change that could break a reader counts it up.
@@ -99,17 +98,15 @@ def describe(
     every = {**(config.packages if config else {}), **(packages or {})}
     source, resolver = Source.of(file), Resolver(every)
     values = (config or Config()).entry(source.path, arguments, variant).arguments
-    if is_launch(source.path):
-        source, values = described(source, resolver, values)
+    subject = subject_of(source, resolver, values, trust=trust)
     report = check(
-        source,
-        arguments=values,
+        subject.source,
+        arguments=subject.arguments,
         packages=every,
         targets=targets,
         trust=trust,
         config=config._replace(robots=()) if config else None,
     )
-    subject = Subject(source, resolver, values, trust=trust)
     reported = ReportInput(_document(subject, report), subject, report.diagnostics)
     return reported if quick else completed(reported, progress)
 

@@ -1,4 +1,4 @@
-"""The parts of a report that take a while: what gravity asks of joints, and which links collide."""
+"""The slow parts of a report: gravity loads of the joints, stability, and colliding links."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Progress = Callable[[int, int], None]
 
 
 def statics(subject: Subject) -> Row:
-    """What gravity asks of each joint in its worst pose, the weakest joint first.
+    """The gravity load of each joint in its worst pose, the most loaded joint first.
 
     Raises:
         Unavailable: Pinocchio is not installed, or cannot take the robot.

@@ -1,4 +1,4 @@
-"""report(): the report of a robot in the form that a file's suffix asks for."""
+"""report(): the report of a robot in the format of a file's suffix."""
 
 from __future__ import annotations
 
@@ -146,10 +146,10 @@ def _without_view(document: Document, reason: str) -> Document:
 
 
 def form_of(target: str) -> str:
-    """The form that the suffix of a file asks for.
+    """The format of the suffix of a file.
 
     Raises:
-        UrdfkitError: it asks for none.
+        UrdfkitError: it has none.
     """
     for suffix, form in SUFFIXES.items():
         if target.lower().endswith(suffix):

@@ -32,10 +32,10 @@ def test_a_wheel_is_not_compared_with_an_arm() -> None:
 @pytest.mark.parametrize(
     ("odd", "said"),
     [
-        (("1000000", "3"), "the effort of 1e+06 N m is 1.25e+04 times the largest"),
-        (("50", "180"), "the velocity of 180 rad/s is 45 times the largest"),
-        (("0.04", "3"), "the effort of 0.04 N m is 0.004 of the smallest"),
-        (("20", "0.01"), "the velocity of 0.01 rad/s is 0.005 of the smallest"),
+        (("1000000", "3"), "effort limit 1e+06 N m is 1.25e+04 times the largest"),
+        (("50", "180"), "velocity limit 180 rad/s is 45 times the largest"),
+        (("0.04", "3"), "effort limit 0.04 N m is 0.004 of the smallest"),
+        (("20", "0.01"), "velocity limit 0.01 rad/s is 0.005 of the smallest"),
     ],
 )
 @pytest.mark.parametrize("place", [0, 3])
@@ -68,4 +68,4 @@ def test_slides_are_compared_with_slides() -> None:
     fingers = joint("finger", "prismatic", limit("0", "0.1", "50000", "100"))
     assert messages("JNT039", arm(*REST) + fingers) == []
     (message,) = messages("JNT039", arm(*REST, ("90000", "3"), kind="prismatic"))
-    assert message.startswith("joint 'j3': the effort of 90000 N is")
+    assert message.startswith("joint 'j3': effort limit 90000 N is")

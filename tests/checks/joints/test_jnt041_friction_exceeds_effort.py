@@ -15,10 +15,7 @@ def arm(dynamics: str, kind: str = "revolute", effort: str = "10", more: str = "
 
 def test_friction_over_the_effort() -> None:
     assert messages("JNT041", arm('friction="10.5"')) == [
-        (
-            "joint 'j': its friction of 10.5 N m holds it against its effort of 10 N m, so that it "
-            "never moves"
-        )
+        "joint 'j': friction 10.5 N m exceeds the effort limit of 10 N m"
     ]
     assert places("JNT041", arm('friction="10.5"'))[0][1] == "10.5"
     assert messages("JNT041", arm('friction="10"')) == []  # a gripper of TALOS
@@ -27,8 +24,8 @@ def test_friction_over_the_effort() -> None:
 def test_damping_that_takes_all_of_the_effort() -> None:
     assert messages("JNT041", arm('damping="1000"')) == [
         (
-            "joint 'j': against a damping of 1000 N m s/rad its effort of 10 N m makes no more "
-            "than 0.01 rad/s; its velocity is 2"
+            "joint 'j': with damping 1000 N m s/rad, the effort limit of 10 N m reaches 0.01 "
+            "rad/s; the velocity limit is 2"
         )
     ]
     assert messages("JNT041", arm('damping="99"')) == []

@@ -1,11 +1,10 @@
-"""The effort or the velocity of one joint is in no proportion to those of the others.
+"""An effort or velocity limit is out of proportion to those of the other joints.
 
-It is 200 times the largest effort of the other joints, or 20 times the largest velocity; or as
-much below the smallest. That is a unit (N mm, degrees per second, turns per minute), a slipped
-decimal point, or a number written until somebody looks the right one up. Controllers and planners
-believe it: one joint jerks, or holds all others up. Joints with ends are compared with such,
-slides with slides and wheels with wheels; where several joints share the odd number, it is taken
-for meant.
+It is 200 times the largest effort of the other joints, or 20 times the largest velocity; or 200
+times below the smallest. Its unit is wrong (N mm, degrees per second, turns per minute), its
+decimal point is misplaced, or it is a placeholder. Controllers and planners use it: one joint
+jerks, or slows all others down. Joints are compared with joints of the same type; a number that
+several joints share is not reported.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -18,35 +17,37 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint, Placed
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Confidence, Severity
 
-_LINK = '<link name="{name}"/>\n'
-_JOINT = """\
-<joint name="{name}" type="revolute">
-  <parent link="{parent}"/>
-  <child link="{child}"/>
-  <limit lower="-2" upper="2" effort="{effort}" velocity="3"/>
-</joint>
-"""
 _LINKS = ("base", "shoulder", "arm", "forearm", "hand")
-_EFFORTS = {"waist": "80", "lift": "80", "elbow": "40000", "wrist": "20"}
-BAD = "".join(_LINK.format(name=name) for name in _LINKS) + "".join(
-    _JOINT.format(name=name, parent=parent, child=child, effort=effort)
-    for (name, effort), parent, child in zip(_EFFORTS.items(), _LINKS, _LINKS[1:], strict=False)
+_EFFORTS = (80, 80, 40000, 20)
+BAD = robot_xml(
+    *map(link_xml, _LINKS),
+    *(
+        joint_xml(
+            "revolute",
+            f'<limit lower="-2" upper="2" effort="{effort}" velocity="3"/>',
+            name=f"{child}_joint",
+            parent=parent,
+            child=child,
+        )
+        for effort, parent, child in zip(_EFFORTS, _LINKS, _LINKS[1:], strict=False)
+    ),
 )
 GOOD = BAD.replace("40000", "40")
 
 #: Times the others; real arms have stronger shoulders than wrists, and hands have weak fingers.
 _TIMES = {"effort": 200.0, "velocity": 20.0}
 
-#: Times below the others; gravity tells of weak motors sooner (DYN003).
+#: Times below the others; weak motors are DYN003.
 _TIMES_LESS = 200.0
 
 #: So many others make a rule.
 _OTHERS = 3
 
 
-@rule(Severity.WARNING, help="look for a unit or a decimal point: N m or N, rad/s or m/s")
+@rule(Severity.WARNING, help="check the unit (N m or N, rad/s or m/s) and the decimal point")
 def check(subject: Subject) -> Findings:
     joints = [joint for joint in subject.model.joints if joint.kind in MOVING and joint.limit]
     for kind in MOVING:  # wheels are other motors than arms
@@ -78,6 +79,6 @@ def _finding(joint: Joint, limit: Placed[float], of: str, how: str) -> Finding:
     in_unit = effort_unit(joint) if of == "effort" else f"{unit(joint)}/s"
     return Finding(
         limit,
-        f"joint '{joint.name}': the {of} of {limit.value:g} {in_unit} is {how} of the other joints",
+        f"joint '{joint.name}': {of} limit {limit.value:g} {in_unit} is {how} of the other joints",
         confidence=Confidence.INFERRED,
     )

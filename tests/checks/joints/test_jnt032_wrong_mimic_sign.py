@@ -21,7 +21,10 @@ def robot(axis: str, multiplier: str = "1", kind: str = "prismatic") -> str:
 @pytest.mark.parametrize(("axis", "multiplier"), [("0 1 0", "1"), ("0 -1 0", "-1")])
 def test_they_never_come_closer(axis: str, multiplier: str) -> None:
     assert messages("JNT032", robot(axis, multiplier)) == [
-        "joint 'right_joint' follows 'left_joint' and moves the same way: the two never come closer"
+        (
+            "joint 'right_joint' mimics 'left_joint' and moves in the same direction: the gripper "
+            "cannot close"
+        )
     ]
 
 

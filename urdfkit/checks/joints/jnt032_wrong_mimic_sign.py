@@ -1,7 +1,7 @@
-"""Two fingers that follow one another move the same way, so that the gripper never closes.
+"""A mimic joint moves a gripper's fingers in the same direction, so that it never closes.
 
-One finger mimics the other. With both axes pointing to the same side and a positive multiplier the
-distance between them stays as it is; one axis, or the multiplier, wants the other sign.
+One finger mimics the other. If both axes point to the same side and the multiplier is positive, the
+distance between the fingers stays the same. Invert one axis, or the sign of the multiplier.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -14,22 +14,14 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import hand_xml
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
-_FINGER = """\
-<link name="{side}_finger"/>
-<joint name="{side}_joint" type="prismatic">
-  <parent link="palm"/>
-  <child link="{side}_finger"/>
-  <origin xyz="0 {y} 0.05"/>
-  <axis xyz="0 {axis} 0"/>
-  <limit lower="0" upper="0.04" effort="10" velocity="0.1"/>{mimic}
-</joint>
-"""
-_MIMIC = '\n  <mimic joint="left_joint"/>'
-_LEFT = '<link name="palm"/>\n' + _FINGER.format(side="left", y=0.01, axis=1, mimic="")
-BAD = _LEFT + _FINGER.format(side="right", y=-0.01, axis=1, mimic=_MIMIC)
-GOOD = _LEFT + _FINGER.format(side="right", y=-0.01, axis=-1, mimic=_MIMIC)
+_LIMIT = '<limit lower="0" upper="0.04" effort="10" velocity="0.1"/>'
+_LEFT = '<origin xyz="0 0.01 0.05"/>', '<axis xyz="0 1 0"/>', _LIMIT
+_RIGHT = '<origin xyz="0 -0.01 0.05"/>', '<axis xyz="0 1 0"/>', _LIMIT
+BAD = hand_xml("prismatic", _LEFT, (*_RIGHT, '<mimic joint="left_joint"/>'))
+GOOD = BAD.replace('-0.01 0.05"/>\n  <axis xyz="0 1 0"/>', '-0.01 0.05"/>\n  <axis xyz="0 -1 0"/>')
 
 #: In m: fingers nearer to each other than this have no gap to close.
 _NEAR = 1e-3
@@ -38,7 +30,7 @@ _NEAR = 1e-3
 _ALONG = 0.9
 
 
-@rule(Severity.WARNING, help="turn the axis of one of the two, or the sign of the multiplier")
+@rule(Severity.WARNING, help="invert the axis of one of the two, or the sign of the multiplier")
 def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         target = joint.mimic.joint if joint.mimic else None
@@ -52,8 +44,8 @@ def check(subject: Subject) -> Findings:
         if along and ours * theirs * joint.mimic.multiplier > 0:
             yield Finding(
                 joint.mimic.at,
-                f"joint '{joint.name}' follows '{leader.name}' and moves the same way: the two "
-                "never come closer",
+                f"joint '{joint.name}' mimics '{leader.name}' and moves in the same direction: the "
+                "gripper cannot close",
                 related=(Related(leader.at.span, f"joint '{leader.name}'"),),
                 confidence=Confidence.INFERRED,
             )

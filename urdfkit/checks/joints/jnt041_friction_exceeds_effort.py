@@ -1,11 +1,10 @@
-"""The friction or the damping of a joint holds it against its motor.
+"""The friction or damping of a joint exceeds its effort limit.
 
-Friction that exceeds the effort of the joint never lets go: nothing the controller does moves it.
-Damping takes more, the faster the joint turns; where all of the effort ends in it at less than a
-tenth of a radian or a centimetre per second, and far below the velocity that the joint may have,
-the joint creeps. Both are in N m (or N), and N m per rad/s: numbers of a data sheet in N mm, or
-those that were found for another simulator, are a thousand times too large. Gazebo, MuJoCo and
-Drake take them as they are.
+A joint whose friction exceeds its effort never moves. Damping grows with the velocity; it is
+reported if it equals the effort at less than 0.1 rad/s or 0.01 m/s, and at a twentieth of the
+velocity limit. Friction is in N m (or N), damping in N m per rad/s: numbers of a data sheet in
+N mm, or tuned for another simulator, are a thousand times too large. Gazebo, MuJoCo and Drake use
+them unchanged.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -52,8 +51,7 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
     if friction > most:
         yield Finding(
             dynamics.attributes["friction"],
-            f"{who}: its friction of {friction:g} {of} holds it against its effort of {most:g} "
-            f"{of}, so that it never moves",
+            f"{who}: friction {friction:g} {of} exceeds the effort limit of {most:g} {of}",
             weight=friction / most,
             alike="friction",
         )
@@ -62,8 +60,8 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
     if reached < min(_CREEPS[unit(joint)], _SLOW * speed):
         yield Finding(
             dynamics.attributes["damping"],
-            f"{who}: against a damping of {damping:g} {of} s/{unit(joint)} its effort of {most:g} "
-            f"{of} makes no more than {reached:.2g} {unit(joint)}/s; its velocity is {speed:g}",
+            f"{who}: with damping {damping:g} {of} s/{unit(joint)}, the effort limit of {most:g} "
+            f"{of} reaches {reached:.2g} {unit(joint)}/s; the velocity limit is {speed:g}",
             weight=speed / reached,
             alike="damping",
         )
