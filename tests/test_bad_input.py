@@ -24,8 +24,8 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint import engine
 from urdfkit.lint.report import Report
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_xacro
 from urdfkit.xacro import expansion
 
 resource = pytest.importorskip("resource", reason="memory is limited on Unix only")

@@ -18,8 +18,8 @@ from urdfkit.lint.discovery import discover
 from urdfkit.lint.ignore_comments import ignores
 from urdfkit.mesh.io.salvage import salvage
 from urdfkit.mesh.io.sniff import sniff
+from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_xacro
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.package_references import mentions
 from urdfkit.workspace.resolve import Resolver

@@ -35,7 +35,7 @@ class UnreadableRobot(UrdfkitError):
     """A file is no XML, or a xacro that does not expand.
 
     Attributes:
-        problems: every reason, each with its place (``urdfkit.text.xml_reader.Problem``).
+        problems: every reason, each with its place (``urdfkit.text.diagnostic.Problem``).
     """
 
     def __init__(self, message: str, problems: tuple[object, ...] = ()) -> None:

@@ -24,7 +24,7 @@ def test_a_caster_that_reaches_lower_than_the_wheels() -> None:
     (found,) = reported("TRE008", on_wheels(-0.05))
     assert found.message == (
         "the lowest collision point (link 'caster') is 0.02 m below 'base_footprint', which by "
-        "convention lies on the ground; the wheels left, right are 0.02 m above it"
+        "convention lies on the ground; the wheels left, right are 0.02 m higher"
     )
     assert found.help == "raise 'caster', or make it smaller, until the wheels touch the ground"
     assert found.fix is None

@@ -311,7 +311,7 @@ def test_the_controllers_that_launch_files_load_are_compared_with_the_robots(pac
     (package / "launch").mkdir()
     (package / "launch" / "a.launch").write_text(LAUNCH)
     report = check(package / "urdf", package)
-    (found,) = (d for d in report.diagnostics if d.code == "RCT013")
+    (found,) = (d for d in report.diagnostics if d.code == "RCT001")
     assert "joint 'axel'" in found.message
     assert found.span.source.path == str(package / "c.yaml")
     assert [Path(file).name for file in report.files].count("cart.xacro") == 1

@@ -13,9 +13,10 @@ from scipy.spatial import ConvexHull
 
 from tests.mesh.shapes_made import as_mesh
 from urdfkit.mesh.containment import grown, missing, protrusion
+from urdfkit.mesh.convex_decomposition import decompose
+from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
-from urdfkit.mesh.hull import decompose, hull
 
 TORUS = trimesh.creation.torus(0.1, 0.03)
 #: Half of it, without its ends: no engine knows what is inside of an open surface.

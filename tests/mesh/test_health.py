@@ -24,7 +24,7 @@ def test_solids_as_trimesh_sees_them(name: str) -> None:
     shape = shapes()[name]
     health = examine(shape.vertices, shape.faces)
     assert health.is_solid
-    assert health.ailments == 0
+    assert health.defects == 0
     assert health.volume == pytest.approx(shape.volume)
     assert health.bodies == shape.body_count
 
@@ -36,13 +36,13 @@ def test_every_defect_is_counted() -> None:
     assert examine(points, faces[:, ::-1]).inverted == 1
     turned = faces.copy()
     turned[0] = turned[0][::-1]
-    assert examine(points, turned).twisted_edges == 3
+    assert examine(points, turned).inconsistent_edges == 3
     assert examine(points, np.vstack([faces, faces[:2]])).repeated == 2
-    assert examine(points, np.vstack([faces, faces[:1]])).crowded_edges == 3
+    assert examine(points, np.vstack([faces, faces[:1]])).non_manifold_edges == 3
     assert examine(points, np.vstack([faces, [[0, 0, 1]]])).collapsed == 1
     bad = np.vstack([points, [[np.nan, 0, 0]]])
     assert examine(bad, np.vstack([faces, [[0, 1, 8]]])).non_finite == 1
-    assert examine(points, faces[:0]).ailments == 0
+    assert examine(points, faces[:0]).defects == 0
     assert not examine(points, faces[:0]).is_closed
 
 
@@ -50,7 +50,7 @@ def test_touching_parts_are_solids_of_their_own_and_colours_are_not() -> None:
     box = trimesh.creation.box()
     other = box.copy().apply_translation((1, 0, 0))
     assembly = Mesh((as_part(box), as_part(other)))
-    assert Edges(weld(assembly.vertices, assembly.faces)[1]).is_crowded.sum() == 4
+    assert Edges(weld(assembly.vertices, assembly.faces)[1]).is_non_manifold.sum() == 4
     assert examine(assembly.vertices, assembly.faces).is_solid
     assert examine_mesh(assembly).is_solid
     assert examine_mesh(assembly).volume == pytest.approx(2)
@@ -65,7 +65,7 @@ def test_edges() -> None:
     assert edges.count[edges.of_face[0]].tolist() == [1, 2, 1]
     assert edges.pairs.tolist() == [[0, 1]]
     assert edges.bodies.tolist() == [0, 0, 1]
-    assert not edges.is_twisted.any()
+    assert not edges.is_inconsistent.any()
 
 
 def test_a_point_is_inside_or_outside() -> None:

@@ -19,9 +19,9 @@ from tests.mesh.made import ascii_stl
 from tests.mesh.shapes_made import cube
 from urdfkit.cli import main
 from urdfkit.errors import UrdfkitError
+from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Mesh, MeshPart
-from urdfkit.mesh.hull import hull
 from urdfkit.mesh.repair import repair
 from urdfkit.mesh.simplify import to_budget, to_error
 from urdfkit.mesh.writers import SUFFIXES, encode

@@ -131,7 +131,7 @@ def test_how_several_roots_stand_to_one_another_nobody_says() -> None:
     found = summarise(of(text))
     assert (found.weight.whole.mass, found.weight.whole.properties) == (4, None)
     assert found.weight.whole.reason == "no joint says how the roots a, b stand to one another"
-    assert found.shapes.left_out == {"b": "they do not hang on a"}
+    assert found.shapes.left_out == {"b": "not connected to root link a"}
     light = summarise(of(text.replace('value="2"', 'value="0"', 1))).weight.whole
     assert light.root == "b"
     assert light.properties is not None

@@ -11,13 +11,12 @@ from hypothesis import strategies as st
 from tests.conftest import MODELS
 from tests.growth import executed_lines
 from tests.jointed import joint, mimic, robot
-from urdfkit.core.spatial import from_rpy, to_rpy
+from urdfkit.core.spatial import from_rpy, rotation_about, to_rpy
 from urdfkit.lint.loading import load, read
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot.kinematics import (
     MimicLaw,
     UnknownLink,
-    about,
     direction,
     frames,
     laws,
@@ -120,7 +119,7 @@ def test_a_two_link_arm_by_its_closed_form(q: tuple[float, float]) -> None:
 def test_a_rotation_about_a_slanting_axis_is_a_sum_of_turns() -> None:
     """A third of a turn about the diagonal takes x to y, y to z and z to x."""
     part = 1 / sqrt(3)
-    rows = about((part, part, part), 2 * pi / 3)
+    rows = rotation_about((part, part, part), 2 * pi / 3)
     expected = ((0, 0, 1), (1, 0, 0), (0, 1, 0))
     assert all(row == pytest.approx(e, abs=1e-15) for row, e in zip(rows, expected, strict=True))
 

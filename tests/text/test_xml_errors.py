@@ -39,7 +39,7 @@ class TestAttributes:
             ("<link name=a/>", "a", "the value of 'name' needs quotes: name=\"a\""),
             ('<link name="a" type/>', "type", "attribute 'type' has no value"),
             ('<link name="a" type= />', "|", "attribute 'type' has no value"),
-            ('<link name="a"type="b"/>', "|", "a blank is missing before 'type'"),
+            ('<link name="a"type="b"/>', "|", "a space is missing before 'type'"),
             ('<link name="a", type="b"/>', ",", "',' does not belong into <link>"),
             ('<link name="a""/>', '"', "'\"' does not belong into <link>"),
             ('<parent link="a"//>', "/", "'/' does not belong into <parent>"),
@@ -79,7 +79,7 @@ class TestText:
             ("\x01", "\x01", "the control character U+0001 is not allowed in XML"),
             ("\0", "\0", "a NUL byte is not allowed in XML"),
             ("a </1 b", "</", "'</' begins no end tag: a name must follow"),
-            ("< link/>", "< link", "no blank may stand between '<' and 'link'"),
+            ("< link/>", "< link", "no space may stand between '<' and 'link'"),
         ],
     )
     def test_slip(self, text: str, marked: str, message: str) -> None:
@@ -217,7 +217,7 @@ class TestTheWholeFile:
             ("", "the file is empty"),
             (" \r\n\t", "the file is empty"),
             ("<!-- nothing -->", "there is no element in the file"),
-            ("links: [a, b]", "the file is no XML: there is no tag in it"),
+            ("links: [a, b]", "not an XML file: there is no tag in it"),
             (
                 "<!DOCTYPE html>\n<html><br></html>",
                 "the file is a web page, not a robot",
@@ -233,7 +233,7 @@ class TestTheWholeFile:
 
     def test_binary_is_one_slip(self) -> None:
         (mistake,) = syntax_mistakes(b"<robot>" + bytes(range(32)) * 9)
-        assert mistake.message == "the file is no text: it holds 261 control characters"
+        assert mistake.message == "not a text file: it holds 261 control characters"
 
     @pytest.mark.parametrize(
         "declaration", ['<?xml verison="1.0"?>', "<?xml?>", '<?xml version="1.0" standalone="x"?>']

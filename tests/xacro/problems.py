@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from tests.xacro import models
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import Xacro, expand
 

@@ -18,7 +18,7 @@ from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
-    from urdfkit.text.xml_reader import Problem
+    from urdfkit.text.diagnostic import Problem
     from urdfkit.xacro import Xacro
 
 

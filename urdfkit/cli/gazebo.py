@@ -13,8 +13,7 @@ from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
 from urdfkit.lint.runner import judge
 from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
-from urdfkit.ros.gazebo.rejection import CODES, rejecting
-from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.ros.gazebo.rejection import CODES, Rejection, rejections
 from urdfkit.text.document import Element
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable, wrap
@@ -42,7 +41,7 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
     """
     subject = robot(asked)
     conversion = Conversion(subject.tree, OLD if old else NEW)
-    rejected = rejecting(judge(subject, sorted(CODES)).diagnostics)
+    rejected = rejections(judge(subject, sorted(CODES)).diagnostics, conversion)
     if form == "json":
         output.write(dumped(as_json(conversion, rejected)))
     else:
@@ -50,15 +49,14 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
     return 0
 
 
-def _rejection(rejected: list[tuple[str, Diagnostic]]) -> Iterator[str]:
+def _rejection(rejected: list[Rejection]) -> Iterator[str]:
     """Why there will be no robot, and that what follows is what there would be."""
-    for reader in dict.fromkeys(reader for reader, _ in rejected):
+    for reader in dict.fromkeys(one.reader for one in rejected):
         yield f"{reader} rejects this robot:"
-        for one in (one for name, one in rejected if name == reader):
-            place = f"{shown(one.span.source.path)}:{one.span.line}"
-            yield from wrap(
-                f"  {place}: {one.message} ({one.code})", output.width(), indent=4
-            ).split("\n")
+        for one in (one for one in rejected if one.reader == reader):
+            code = f" ({one.code})" if one.code else ""
+            text = f"  {shown(one.span.source.path)}:{one.span.line}: {one.message}{code}"
+            yield from wrap(printable(text), output.width(), indent=4).split("\n")
         yield ""
     if rejected:
         yield "Without these errors:"
@@ -118,20 +116,20 @@ def _link(link: SimulatedLink) -> Iterator[str]:
         yield f"  collision {name}"
 
 
-def as_json(conversion: Conversion, rejected: list[tuple[str, Diagnostic]]) -> dict[str, Any]:
+def as_json(conversion: Conversion, rejected: list[Rejection]) -> dict[str, Any]:
     """The same for programs."""
     return {
         "version": VERSION,
         "converter": conversion.converter.name,
         "rejected": [
             {
-                "by": reader,
+                "by": one.reader,
                 "code": one.code,
                 "message": one.message,
                 "file": shown(one.span.source.path),
                 "line": one.span.line,
             }
-            for reader, one in rejected
+            for one in rejected
         ],
         "links": [
             {

@@ -26,7 +26,7 @@ from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.text.xml_reader import Problem
+    from urdfkit.text.diagnostic import Problem
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 

@@ -53,6 +53,18 @@ def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
     )
 
 
+def rotation_about(axis: Vector, angle: float) -> Rotation:
+    """Rotation about a unit vector (Rodrigues' formula)."""
+    x, y, z = axis
+    c, s = cos(angle), sin(angle)
+    t = 1 - c
+    return (
+        (t * x * x + c, t * x * y - s * z, t * x * z + s * y),
+        (t * x * y + s * z, t * y * y + c, t * y * z - s * x),
+        (t * x * z - s * y, t * y * z + s * x, t * z * z + c),
+    )
+
+
 def to_rpy(rotation: Rotation) -> Vector:
     """Roll, pitch and yaw of a rotation, as URDF's ``rpy`` means them.
 

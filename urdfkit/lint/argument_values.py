@@ -17,8 +17,8 @@ from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.launch.robot_arguments import declared, given
 from urdfkit.text.comments import without_comments
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Source, shown
-from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
-    from urdfkit.robot.assets.mesh_files import Files
+    from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.assets.triangles import Meshes
     from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
     from urdfkit.robot.inertials.masses import Masses
@@ -336,11 +336,11 @@ class Subject(DescriptionFile):
         return Collisions(self, need_coal)
 
     @cached_property
-    def files(self) -> Files:
+    def files(self) -> MeshFiles:
         """The mesh files that the model names, found and sniffed."""
-        from urdfkit.robot.assets.mesh_files import Files
+        from urdfkit.robot.assets.mesh_files import MeshFiles
 
-        return Files(self.model, self.resolver)
+        return MeshFiles(self.model, self.resolver)
 
     @cached_property
     def measured(self) -> MeasuredMeshes:

@@ -7,10 +7,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
+from urdfkit.text.file_kinds import is_launch, is_xacro
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
+from urdfkit.text.xml_reader import read_xml
 
 if TYPE_CHECKING:
     from urdfkit.lint.ignore_comments import Ignore

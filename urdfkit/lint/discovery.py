@@ -17,8 +17,8 @@ from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.text.comments import comments, without_comments
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver

@@ -17,8 +17,8 @@ from urdfkit.lint.plan import Job, Plan, as_launched, missing_arguments, planned
 from urdfkit.lint.report import Report, Skipped, crash
 from urdfkit.lint.runner import FileResult, diagnose, judge
 from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 
 

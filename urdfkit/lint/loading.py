@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.context import Subject
 from urdfkit.lint.plan import Job, as_launched
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
-    from urdfkit.text.xml_reader import Problem
+    from urdfkit.text.diagnostic import Problem
     from urdfkit.xacro import Xacro
 
 

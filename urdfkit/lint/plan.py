@@ -11,8 +11,8 @@ from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.lint.config import ConfigError
 from urdfkit.lint.report import Crashed, Launched, Skipped, crash
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, shown
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:

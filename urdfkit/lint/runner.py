@@ -13,8 +13,8 @@ from urdfkit.lint.report import Crashed, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
 from urdfkit.text.document import Attribute, Element, Step
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span, shown_text
-from urdfkit.text.xml_reader import is_launch
 
 if TYPE_CHECKING:
     from urdfkit.lint.ignore_comments import Ignore

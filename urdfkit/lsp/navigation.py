@@ -11,8 +11,8 @@ from urdfkit.lsp.mentions import mention_at, mentions
 from urdfkit.lsp.names import NameUse
 from urdfkit.lsp.workspace import OpenRobot
 from urdfkit.text.diagnostic import Edit
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.package_references import FIND
 
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*")

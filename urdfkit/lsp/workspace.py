@@ -29,8 +29,8 @@ from urdfkit.ros.launch.robot_arguments import given
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.document import Attribute, Document
 from urdfkit.text.editing.formatter import WIDTH, formatted
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import Xacro, expand

@@ -1,1 +1,1 @@
-"""Mesh files: judged from their bytes, without a mesh library."""
+"""Mesh files and triangles: read, validated, measured, repaired, simplified, written."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from urdfkit.mesh import solids
+from urdfkit.mesh.convex_hull import half_spaces, hull_corners
 from urdfkit.mesh.distance import one_way
 from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh
 from urdfkit.mesh.welding import weld
@@ -23,17 +24,6 @@ ROUNDING = 1e-9
 _BLOCK = 20_000
 
 
-def half_spaces(corners: Floats) -> Floats:
-    """(k, 4), outward unit normals and offsets of the convex hull of points (n, 3).
-
-    Raises:
-        scipy.spatial.QhullError: it has no inside.
-    """
-    from scipy.spatial import ConvexHull
-
-    return np.unique(ConvexHull(corners).equations, axis=0)
-
-
 def excess(points: Floats, planes: Floats) -> Floats:
     """(n,), the signed distance of points from the outermost of some planes.
 
@@ -41,7 +31,7 @@ def excess(points: Floats, planes: Floats) -> Floats:
 
     Args:
         points: (n, 3).
-        planes: (k, 4), from `half_spaces`.
+        planes: (k, 4), from `urdfkit.mesh.convex_hull.half_spaces`.
     """
     found = [
         (points[start : start + _BLOCK] @ planes[:, :3].T + planes[:, 3]).max(axis=1)
@@ -77,17 +67,9 @@ def grown(pieces: Sequence[Floats], points: Floats, faces: Integers) -> list[Flo
         for number, corners in enumerate(found):
             own = faces[is_whole & (owner == number) & (least > ROUNDING * size)]
             if len(own):
-                found[number] = _corners(np.concatenate([corners, points[np.unique(own)]]))
+                found[number] = hull_corners(np.concatenate([corners, points[np.unique(own)]]))
         points, faces = _halved(triangles[~is_whole])
     return found
-
-
-def _corners(points: Floats) -> Floats:
-    """Those of some points that are corners of their convex hull."""
-    from scipy.spatial import ConvexHull
-
-    corners: Floats = points[ConvexHull(points).vertices]
-    return corners
 
 
 def _halved(triangles: Floats) -> tuple[Floats, Integers]:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from urdfkit.mesh.edges import three_cornered
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.health import examine
 from urdfkit.mesh.repair.soup import TriangleSoup, soup_of
@@ -103,7 +104,7 @@ def _is_solid(soup: TriangleSoup) -> bool:
 
 
 def _coarser_solid(soup: TriangleSoup) -> _Coarser:
-    """By manifold3d, which tells the parts of a solid by their runs of triangles."""
+    """By manifold3d, which keeps the parts of a solid as runs of triangles."""
     from manifold3d import Manifold, Mesh64
 
     order = np.argsort(soup.parts, kind="stable")
@@ -151,8 +152,7 @@ def _coarser_cells(soup: TriangleSoup) -> _Coarser:
         np.add.at(sums, places, points)
         means = sums / np.bincount(places)[:, None]
         faces = places[corners]
-        a, b, c = faces.T
-        faces = faces[(a != b) & (b != c) & (c != a)]
+        faces = faces[three_cornered(faces)]
         _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
         return [(number, means, faces[np.sort(first)].astype(np.int64))]
 

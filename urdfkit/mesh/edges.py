@@ -37,12 +37,12 @@ class Edges:
         return np.asarray(self.count == 1)
 
     @property
-    def is_crowded(self) -> Flags:
+    def is_non_manifold(self) -> Flags:
         """(e,), True where more than two faces are."""
         return np.asarray(self.count > 2)
 
     @property
-    def is_torn(self) -> Flags:
+    def is_unmatched(self) -> Flags:
         """(e,), True where more than two faces are that do not pair up.
 
         Where bodies touch, an edge has four faces, two for each direction, and all is well.
@@ -50,7 +50,7 @@ class Edges:
         return np.asarray((self.count > 2) & self.is_unpaired)
 
     @property
-    def is_twisted(self) -> Flags:
+    def is_inconsistent(self) -> Flags:
         """(e,), True where two faces are that see their edge in the same direction."""
         return np.asarray((self.count == 2) & self.is_unpaired)
 

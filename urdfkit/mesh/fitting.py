@@ -15,8 +15,9 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Transform, Vector, basis, vector
 from urdfkit.mesh import solids
 from urdfkit.mesh.containment import missing, protrusion
+from urdfkit.mesh.convex_decomposition import cut
+from urdfkit.mesh.convex_hull import NoHull, hull, with_few_corners
 from urdfkit.mesh.geometry import Floats, Mesh
-from urdfkit.mesh.hull import NoHull, cut, hull, with_few_corners
 from urdfkit.mesh.transforms import moved
 
 #: In the unit of the mesh; below it, the search for the smallest ball fails.

@@ -18,7 +18,7 @@ class NoTriangles(Exception):
 
 
 class MeshMaterial(Record):
-    """How a surface looks.
+    """The appearance of a surface.
 
     Attributes:
         name: as the file calls it; may be empty.

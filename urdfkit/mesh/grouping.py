@@ -1,4 +1,4 @@
-"""Rows that are the same, and things that hang together."""
+"""Equal rows and connected components."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def components(number: int, links: Integers) -> Integers:
 
     Args:
         number: of things.
-        links: (k, 2), things that hang together.
+        links: (k, 2), things that are connected.
     """
     label = np.arange(number)
     while True:

@@ -23,9 +23,9 @@ class Health(Record):
         collapsed: triangles with two corners in one place.
         repeated: triangles that are there already, the same way round.
         open_edges: edges with one triangle: the rims of holes.
-        crowded_edges: edges with more than two triangles that do not pair up. Where bodies touch,
-            they do.
-        twisted_edges: edges whose two triangles face opposite ways.
+        non_manifold_edges: edges with more than two triangles that do not pair up; where bodies
+            touch, they do.
+        inconsistent_edges: edges whose two triangles face opposite ways.
         bodies: connected pieces.
         inverted: closed pieces whose inside is out, though no other piece is around them.
         doubled: triangles of closed pieces that enclose nothing: a sheet with two sides has each
@@ -40,8 +40,8 @@ class Health(Record):
     collapsed: int
     repeated: int
     open_edges: int
-    crowded_edges: int
-    twisted_edges: int
+    non_manifold_edges: int
+    inconsistent_edges: int
     bodies: int
     inverted: int
     doubled: int
@@ -51,7 +51,7 @@ class Health(Record):
     @property
     def is_closed(self) -> bool:
         """True if it has no holes and no edge with more than two triangles."""
-        return self.faces > 0 and not (self.open_edges or self.crowded_edges)
+        return self.faces > 0 and not (self.open_edges or self.non_manifold_edges)
 
     @property
     def is_solid(self) -> bool:
@@ -59,18 +59,18 @@ class Health(Record):
 
         It is closed, outside is outside everywhere, and hardly anything is in several pieces.
         """
-        return self.faces > 0 and self.volume > 0 and not self.ailments and self.overlap <= OVERLAP
+        return self.faces > 0 and self.volume > 0 and not self.defects and self.overlap <= OVERLAP
 
     @property
-    def ailments(self) -> int:
+    def defects(self) -> int:
         """How much is wrong, as one number to compare by."""
         return (
             self.non_finite
             + self.collapsed
             + self.repeated
             + self.open_edges
-            + self.crowded_edges
-            + self.twisted_edges
+            + self.non_manifold_edges
+            + self.inconsistent_edges
             + self.inverted
             + self.doubled
         )
@@ -83,15 +83,15 @@ def examine_mesh(mesh: Mesh) -> Health:
     surface of a whole: that reading is taken in which less is wrong.
     """
     whole = examine(mesh.vertices, mesh.faces)
-    if whole.ailments == 0:
+    if whole.defects == 0:
         return whole._replace(overlap=_overlap(*weld(mesh.vertices, mesh.faces)))
     if len(mesh.parts) < 2:
         return whole
     parts = [examine(part.vertices, part.faces) for part in mesh.parts]
     together = Health(*(sum(values) for values in zip(*parts, strict=True)))
-    if together.ailments >= whole.ailments:
+    if together.defects >= whole.defects:
         return whole
-    return together._replace(overlap=_overlap(*_apart(mesh)) if not together.ailments else 0.0)
+    return together._replace(overlap=_overlap(*_apart(mesh)) if not together.defects else 0.0)
 
 
 def _overlap(points: Floats, faces: Integers) -> float:
@@ -130,8 +130,8 @@ def examine(vertices: Floats, faces: Integers) -> Health:
         collapsed,
         _repeated(kept),
         _count(edges.is_open),
-        _count(edges.is_torn),
-        _count(edges.is_twisted),
+        _count(edges.is_unmatched),
+        _count(edges.is_inconsistent),
         len(pieces.volumes),
         _count(inside_out(points, kept, pieces)),
         _count(pieces.is_hollow[pieces.of_face]),

@@ -6,6 +6,7 @@ import numpy as np
 
 from urdfkit.core.spatial import vector
 from urdfkit.mesh.components import are_flat, inside_out, take_apart
+from urdfkit.mesh.convex_hull import arrays_of
 from urdfkit.mesh.edges import Edges, three_cornered
 from urdfkit.mesh.geometry import Floats, Integers, Mesh
 from urdfkit.mesh.measures import Measures, Uniform
@@ -127,11 +128,10 @@ def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Fl
     # manifold3d computes with 32 bits here and there: a part far from the origin, or in
     # nanometres, would lose its shape.
     scaled = (places - middle) / size
-    mesh = manifold3d.Manifold.hull_points(scaled).to_mesh64()
-    corners = np.asarray(mesh.vert_properties, dtype=np.float64)[:, :3]
+    corners, faces = arrays_of(manifold3d.Manifold.hull_points(scaled))
     if not len(corners):
         return None, _extreme(places)
-    volume, first, second = uniform(corners, np.asarray(mesh.tri_verts), np.zeros(3))
+    volume, first, second = uniform(corners, faces, np.zeros(3))
     points = _extreme(corners) * size + middle
     if volume <= FLAT:
         return None, points

@@ -10,7 +10,7 @@ from urdfkit.mesh.geometry import Floats, Integers, MeshPart
 from urdfkit.mesh.grouping import distinct
 from urdfkit.mesh.welding import weld
 
-#: Faces that meet at a larger angle, in degrees, meet at an edge that is seen.
+#: Faces that meet at a larger angle, in degrees, meet at a visible edge.
 CREASE = 35.0
 
 
@@ -44,7 +44,7 @@ def shaded(part: MeshPart, crease: float = CREASE) -> MeshPart:
 
 
 def _directed(sums: Floats) -> Floats:
-    """Unit vectors; upwards where only faces without area meet, which nobody sees."""
+    """Unit vectors; upwards where only faces without area meet."""
     normals = _unit(sums)
     normals[np.linalg.norm(normals, axis=1) < 0.5] = (0.0, 0.0, 1.0)
     return normals

@@ -26,7 +26,7 @@ _MORE = (1.5, 2.5, 5)
 #: How much simpler than within a tolerance a mesh may be by quadrics, and steps to find that.
 _FEWER, _STEPS = 8.0, 5
 
-#: Is told how many of how many steps are done.
+#: Called with the number of steps done, and of all.
 Progress = Callable[[int, int], None]
 
 
@@ -66,17 +66,19 @@ def to_budget(mesh: Mesh, triangles: int, progress: Progress | None = None) -> S
     Args:
         mesh: any.
         triangles: how many.
-        progress: is told how far it is.
+        progress: called with the number of steps done, and of all.
 
     Raises:
         Unreachable: the shape cannot be kept with so few, or there is none.
     """
-    judge = _Judge(mesh, progress)
+    measured = _Deviations(mesh, progress)
     if len(mesh.faces) <= triangles:
-        return judge.unchanged
+        return measured.unchanged
     finer = [mesh]
     tries = []
-    for coarser in within_tolerances(mesh, _FINEST * judge.diagonal, _COARSEST * judge.diagonal):
+    for coarser in within_tolerances(
+        mesh, _FINEST * measured.diagonal, _COARSEST * measured.diagonal
+    ):
         if len(coarser.faces) <= triangles:
             tries.append(coarser)
             break
@@ -86,8 +88,8 @@ def to_budget(mesh: Mesh, triangles: int, progress: Progress | None = None) -> S
     few = few or [one for one in in_cells(mesh) if 0 < len(one.faces) <= triangles][:1]
     if not few:
         raise Unreachable(f"{triangles} triangles are too few for this shape")
-    judge.expect(len(few))
-    return min(map(judge, few), key=lambda one: one.deviation / (2 if one.after.is_solid else 1))
+    measured.expect(len(few))
+    return min(map(measured, few), key=lambda one: one.deviation / (2 if one.after.is_solid else 1))
 
 
 def to_error(mesh: Mesh, error: float, progress: Progress | None = None) -> Simplified:
@@ -96,46 +98,46 @@ def to_error(mesh: Mesh, error: float, progress: Progress | None = None) -> Simp
     Args:
         mesh: any.
         error: in the unit of the mesh, measured both ways.
-        progress: is told how far it is.
+        progress: called with the number of steps done, and of all.
 
     Raises:
         Unreachable: there is no shape.
     """
-    judge = _Judge(mesh, progress)
+    measured = _Deviations(mesh, progress)
     coarser = [mesh, *within_tolerances(mesh, _FINEST_OF_ERROR * error, _COARSEST_OF_ERROR * error)]
-    judge.expect(len(coarser).bit_length() + len(_MORE) + 1 + _STEPS)
-    best, at = judge.unchanged, 0
+    measured.expect(len(coarser).bit_length() + len(_MORE) + 1 + _STEPS)
+    best, at = measured.unchanged, 0
     low, high = 1, len(coarser)
     while low < high:
         middle = (low + high) // 2
-        judged = judge(coarser[middle])
-        if judged.deviation <= error:
-            best, at, low = judged, middle, middle + 1
+        found = measured(coarser[middle])
+        if found.deviation <= error:
+            best, at, low = found, middle, middle + 1
         else:
             high = middle
     number = len(best.mesh.faces)
     starts = _starts(coarser[: at + 1], number)
-    start = min(starts, key=lambda one: judge(with_fewer(one, number // 2)).deviation)
+    start = min(starts, key=lambda one: measured(with_fewer(one, number // 2)).deviation)
     fewest, most = number / _FEWER, float(number)
     for _ in range(_STEPS):
         wanted = (fewest * most) ** 0.5
-        judged = judge(with_fewer(start, round(wanted)))
-        if judged.deviation > error:
+        found = measured(with_fewer(start, round(wanted)))
+        if found.deviation > error:
             fewest = wanted
             continue
         most = wanted
-        if len(judged.mesh.faces) < len(best.mesh.faces):
-            best = judged
-    judge.done()
+        if len(found.mesh.faces) < len(best.mesh.faces):
+            best = found
+    measured.done()
     return best
 
 
-class _Judge:
+class _Deviations:
     """Measures how far simpler meshes are from one.
 
     Attributes:
         diagonal: of its bounding box.
-        unchanged: the verdict on the mesh itself.
+        unchanged: the mesh itself, measured.
     """
 
     def __init__(self, mesh: Mesh, progress: Progress | None) -> None:
@@ -150,16 +152,16 @@ class _Judge:
         self._done = self._total = 0
 
     def expect(self, steps: int) -> None:
-        """Say how many verdicts will be asked for, at most."""
+        """Say how many meshes will be measured, at most."""
         self._total = steps
 
     def done(self) -> None:
-        """Say that no more will be asked for."""
+        """Say that no more will be measured."""
         if self._progress:
             self._progress(self._total, self._total)
 
     def __call__(self, mesh: Mesh) -> Simplified:
-        """The verdict on a simpler mesh; infinitely far is one that has no triangles."""
+        """A simpler mesh, measured; one without triangles is infinitely far."""
         self._done += 1
         if self._progress:
             self._progress(self._done, self._total)

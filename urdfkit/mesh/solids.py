@@ -12,6 +12,7 @@ import numpy as np
 from manifold3d import CrossSection, JoinType, Manifold, Mesh64, OpType
 
 from urdfkit.core.spatial import Vector
+from urdfkit.mesh.convex_hull import arrays_of
 from urdfkit.mesh.geometry import Floats, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.normals import shaded
 
@@ -91,9 +92,7 @@ def as_mesh(solid: Manifold) -> Mesh:
 
 
 def _part(solid: Manifold, material: MeshMaterial | None = None) -> MeshPart:
-    mesh = solid.to_mesh64()
-    vertices = np.asarray(mesh.vert_properties[:, :3], dtype=float)
-    return MeshPart(vertices, np.asarray(mesh.tri_verts, dtype=np.int64), material)
+    return MeshPart(*arrays_of(solid), material)
 
 
 def _on_grid(solid: Manifold) -> Manifold:

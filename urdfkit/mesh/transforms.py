@@ -41,7 +41,7 @@ def _scaled(part: MeshPart, stretch: Floats, mirrored: bool) -> MeshPart:
         lengths = np.linalg.norm(normals, axis=1, keepdims=True)
         normals = normals / np.where(lengths > 0, lengths, 1.0)
     faces = part.faces[:, ::-1].copy() if mirrored else part.faces
-    with np.errstate(over="ignore"):  # beyond all numbers, which whoever writes it refuses
+    with np.errstate(over="ignore"):  # infinite coordinates are rejected when the mesh is written
         vertices = part.vertices * stretch
     return part._replace(vertices=vertices, faces=faces, normals=normals)
 

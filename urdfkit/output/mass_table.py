@@ -8,7 +8,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Transform, Vector
 from urdfkit.lint.context import Subject
 from urdfkit.robot.bounding_box import WITHOUT_MESHES
-from urdfkit.robot.composite_body import CompositeBody, whole
+from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.inertia import MassProperties, principal_axes
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
 from urdfkit.robot.kinematics import frames
@@ -72,7 +72,7 @@ def mass_properties(subject: Subject, pose: Mapping[str, float] | None = None) -
         pose: positions of joints in rad or m, for the whole; the others are at 0.
     """
     links = subject.model.links_by_name.values()
-    found = whole(subject.tree, frames(subject.tree, pose or {}))
+    found = composite_body(subject.tree, frames(subject.tree, pose or {}))
     body = found.properties
     moments, axes = principal_axes(body.tensor) if body else (None, None)
     rows = [_row(subject, link) for link in links if _has_geometry_or_mass(link)]

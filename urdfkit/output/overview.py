@@ -13,7 +13,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Subject
 from urdfkit.robot.bounding_box import WITHOUT_MESHES, extent_of
-from urdfkit.robot.composite_body import CompositeBody, whole
+from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.joints import driven
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import Body, RobotModel, Shape
@@ -150,7 +150,7 @@ def summarise(subject: Subject, pose: Mapping[str, float] | None = None) -> Over
         subject.targets.names,
         subject.targets.evidence,
         structure(subject.tree),
-        Weight(_masses(model), whole(subject.tree, placed)),
+        Weight(_masses(model), composite_body(subject.tree, placed)),
         shapes,
         reach(subject.tree),
         tuple(sensors(model)),

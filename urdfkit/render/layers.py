@@ -21,7 +21,7 @@ from urdfkit.render.contacts import overlaps
 from urdfkit.render.materials import Colour, SurfaceMaterial
 from urdfkit.render.primitives import Triangles
 from urdfkit.render.scene import Label, Scene, SceneItem, build, placed, turned
-from urdfkit.robot.composite_body import whole
+from urdfkit.robot.composite_body import composite_body
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, positions
 from urdfkit.robot.model import Joint, Link, Tensor
@@ -170,7 +170,7 @@ def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, fl
         yield _sign(
             link.name, "mass", ball, Transform(position=link.inertial.origin.position), MASS
         )
-    found = whole(subject.tree, scene.frames)
+    found = composite_body(subject.tree, scene.frames)
     if found.properties:
         center = found.properties.center
         ball = primitives.sphere(BALL * size * 1.3)

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from urdfkit.mesh.measures import Measures
-    from urdfkit.robot.assets.mesh_files import Files
+    from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.assets.triangles import Meshes
     from urdfkit.robot.model import RobotModel, Shape
     from urdfkit.robot.tree import KinematicTree
@@ -28,7 +28,7 @@ class Robot(Protocol):
     def tree(self) -> KinematicTree: ...
 
     @property
-    def files(self) -> Files: ...
+    def files(self) -> MeshFiles: ...
 
     @property
     def meshes(self) -> Meshes: ...

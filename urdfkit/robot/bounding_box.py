@@ -1,4 +1,4 @@
-"""The box around a robot at a configuration, from all that is seen and touched of it."""
+"""The box around a robot at a configuration, around its visuals and collisions."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
 
     Args:
         robot: the robot.
-        placed: where each link is, as `mechanics.kinematics.frames` tells it.
+        placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
     """
     boxes: list[BoundingBox] = []
     measured: set[str] = set()
@@ -47,10 +47,10 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
     root = ""
     for name, link in robot.model.links_by_name.items():
         if name not in placed or not (link.visuals or link.collisions):
-            continue  # a link of a loop that no root leads to is nowhere
+            continue  # a link of a loop that no root leads to has no place
         root = root or robot.tree.root_of[name]
         if robot.tree.root_of[name] != root:
-            left_out[name] = f"they do not hang on {root}"
+            left_out[name] = f"not connected to root link {root}"
             continue
         for body in (*link.visuals, *link.collisions):
             if body.shape is None:

@@ -1,4 +1,4 @@
-"""A robot as one rigid body: its mass, and where its joints tell it, centre and tensor."""
+"""A robot as one rigid body: its mass, centre and tensor at a configuration."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ class CompositeBody(Record):
     reason: str
 
 
-def whole(tree: KinematicTree, placed: Mapping[str, Transform]) -> CompositeBody:
+def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> CompositeBody:
     """All links together.
 
     Args:
         tree: of the model.
-        placed: where each link is, as `mechanics.kinematics.frames` tells it.
+        placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
     """
     mass = tree.model.mass
     links = tree.model.links_by_name

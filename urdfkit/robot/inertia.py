@@ -194,7 +194,7 @@ def agree(tensor: Tensor, other: Tensor, factor: float) -> bool:
 
 
 def combined(bodies: Iterable[MassProperties]) -> MassProperties:
-    """Several bodies in one frame as one rigid body; nothing at the origin if they weigh nothing.
+    """Several bodies in one frame as one rigid body; zero at the origin if they have no mass.
 
     Bodies without mass count with their tensor where the others balance.
     """

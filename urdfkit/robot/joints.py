@@ -1,4 +1,4 @@
-"""What the readers of URDF make of joints, shared by the rules JNT."""
+"""Limits, ranges and units of joints, as URDF parsers take them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SOFT_LIMITS = ("soft_lower_limit", "soft_upper_limit")
 #: In m: a slide is looked at within so much of its zero, whatever its limits say.
 FAR = 1000.0
 
-#: Places that a finding about many joints lists beside the first.
+#: Places that a finding about many joints lists besides the first.
 _MAX_RELATED = 20
 
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from math import atan2, cos, isfinite, pi, sin
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Transform, Vector, unit
+from urdfkit.core.spatial import Transform, Vector, rotation_about, unit
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.model import Joint, Mimic
@@ -54,17 +54,17 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
     """
     found: dict[str, MimicLaw] = {}
     for start in joints:
-        name, way = start, list[tuple[str, Mimic]]()
+        name, chain = start, list[tuple[str, Mimic]]()
         while name in joints and name not in found:
             mimic = joints[name].mimic
             if mimic is None or mimic.joint is None:
                 found[name] = MimicLaw(name, 1.0, 0.0)
                 break
-            found[name] = _STILL  # unless the way leads out, and not back here
-            way.append((name, mimic))
+            found[name] = _STILL  # unless the chain ends, and does not come back here
+            chain.append((name, mimic))
             name = mimic.joint.value
         law = found.get(name, _ABSENT)
-        for follower, mimic in reversed(way):
+        for follower, mimic in reversed(chain):
             law = _followed(law, mimic)
             found[follower] = law
     return found
@@ -126,7 +126,7 @@ def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: 
         seen: name of the link that it is seen from.
 
     Raises:
-        UnknownLink: there is no such link, or no way between the two.
+        UnknownLink: there is no such link, or no joints between the two.
     """
     for name in (link, seen):
         if name not in tree.model.links_by_name:
@@ -146,25 +146,13 @@ def motion(joint: Joint, position: float) -> Transform:
     if joint.kind in SLIDING:
         return Transform(position=(axis[0] * position, axis[1] * position, axis[2] * position))
     if joint.kind in TURNING:
-        return Transform(about(axis, position))
+        return Transform(rotation_about(axis, position))
     return Transform()
 
 
 def direction(joint: Joint) -> Vector:
     """The unit vector of the axis; x where none is written or it has no direction."""
     return unit(joint.axis.value) if joint.axis and any(joint.axis.value) else (1.0, 0.0, 0.0)
-
-
-def about(axis: Vector, angle: float) -> Rotation:
-    """Rotation about a unit vector (Rodrigues' formula)."""
-    x, y, z = axis
-    c, s = cos(angle), sin(angle)
-    t = 1 - c
-    return (
-        (t * x * x + c, t * x * y - s * z, t * x * z + s * y),
-        (t * x * y + s * z, t * y * y + c, t * y * z - s * x),
-        (t * x * z - s * y, t * y * z + s * x, t * z * z + c),
-    )
 
 
 def best_angle(a: float, b: float, ends: tuple[float, float]) -> float:

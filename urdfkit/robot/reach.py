@@ -60,7 +60,7 @@ def reach(tree: KinematicTree) -> Reach | None:
 
 
 def _chains(tree: KinematicTree) -> list[list[Joint]]:
-    """The ways from each moving joint that has none above it to the ends of the tree."""
+    """The chains from each moving joint that has none above it to the ends of the tree."""
     found: list[list[Joint]] = []
     for end, joints in tree.children.items():
         if joints:

@@ -1,4 +1,4 @@
-"""Rigid bodies: links that fixed joints make one.
+"""Rigid bodies: links connected by fixed joints.
 
 Gazebo, MuJoCo, Drake and Pinocchio merge them; what matters to a simulator is the whole.
 """
@@ -69,7 +69,7 @@ def properties_of(link: Link, frame: Transform) -> MassProperties:
 def rigid_bodies(
     tree: KinematicTree, preserved: frozenset[str] = frozenset()
 ) -> tuple[RigidBody, ...]:
-    """The rigid bodies of a model, each before those that hang on it.
+    """The rigid bodies of a model, each before its children.
 
     A link in a closed loop that no root leads to is in no body.
 

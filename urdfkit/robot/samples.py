@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 
 def robot_xml(*parts: str) -> str:
     """Elements one below the other."""
     return "\n".join(parts)
 
 
+def element_xml(tag: str, *inside: str) -> str:
+    """An element: its tag and attributes, and the elements in it."""
+    if not inside:
+        return f"<{tag}/>"
+    indented = "\n".join(inside).replace("\n", "\n  ")
+    return f"<{tag}>\n  {indented}\n</{tag.partition(' ')[0]}>"
+
+
 def link_xml(name: str, *inside: str) -> str:
     """A ``<link>`` with some elements in it."""
-    return _element(f'link name="{name}"', *inside)
+    return element_xml(f'link name="{name}"', *inside)
 
 
 def joint_xml(
@@ -18,7 +28,7 @@ def joint_xml(
 ) -> str:
     """A ``<joint>`` of a type, with other elements after its parent and child."""
     ends = f'<parent link="{parent}"/>', f'<child link="{child}"/>'
-    return _element(f'joint name="{name}" type="{kind}"', *ends, *inside)
+    return element_xml(f'joint name="{name}" type="{kind}"', *ends, *inside)
 
 
 def arm_xml(kind: str, *inside: str) -> str:
@@ -26,14 +36,30 @@ def arm_xml(kind: str, *inside: str) -> str:
     return robot_xml(link_xml("base"), link_xml("arm"), joint_xml(kind, *inside))
 
 
+def hand_xml(kind: str, left: Iterable[str], right: Iterable[str], *finger: str) -> str:
+    """A hand with two fingers.
+
+    Args:
+        kind: the type of ``left_joint`` and ``right_joint``.
+        left: elements of the left joint.
+        right: elements of the right joint.
+        finger: elements of each of the three links.
+    """
+    return robot_xml(
+        *(link_xml(name, *finger) for name in ("hand", "left_finger", "right_finger")),
+        joint_xml(kind, *left, name="left_joint", parent="hand", child="left_finger"),
+        joint_xml(kind, *right, name="right_joint", parent="hand", child="right_finger"),
+    )
+
+
 def visual_xml(shape: str, *others: str) -> str:
     """A ``<visual>`` with a shape, such as ``<sphere radius="0.1"/>``, and other elements."""
-    return _element("visual", f"<geometry>{shape}</geometry>", *others)
+    return element_xml("visual", f"<geometry>{shape}</geometry>", *others)
 
 
 def collision_xml(shape: str, *others: str) -> str:
     """A ``<collision>`` with a shape, such as ``<sphere radius="0.1"/>``, and other elements."""
-    return _element("collision", f"<geometry>{shape}</geometry>", *others)
+    return element_xml("collision", f"<geometry>{shape}</geometry>", *others)
 
 
 def inertial_xml(mass: str, moments: str) -> str:
@@ -45,17 +71,10 @@ def inertial_xml(mass: str, moments: str) -> str:
     """
     x, y, z = moments.split()
     tensor = f'<inertia ixx="{x}" ixy="0" ixz="0" iyy="{y}" iyz="0" izz="{z}"/>'
-    return _element("inertial", f'<mass value="{mass}"/>', tensor)
+    return element_xml("inertial", f'<mass value="{mass}"/>', tensor)
 
 
 def mesh_xml(role: str, filename: str) -> str:
     """A link with a mesh as its visual or collision."""
     shape = f'<mesh filename="{filename}"/>'
     return link_xml("arm", visual_xml(shape) if role == "visual" else collision_xml(shape))
-
-
-def _element(tag: str, *inside: str) -> str:
-    if not inside:
-        return f"<{tag}/>"
-    indented = "\n".join(inside).replace("\n", "\n  ")
-    return f"<{tag}>\n  {indented}\n</{tag.partition(' ')[0]}>"

@@ -183,7 +183,7 @@ class MeshSolid(Record):
 
     @property
     def origin(self) -> Transform:
-        """The centre of its matter, with the axes of the link."""
+        """The centre of mass at uniform density, with the axes of the link."""
         return Transform(position=self.shape_mass.center)
 
     @property
@@ -212,7 +212,7 @@ class MeshSolid(Record):
 
 
 class LinkSolid:
-    """The shapes of a link that are taken for its matter."""
+    """The shapes of a link that its mass is spread over."""
 
     def __init__(self, parts: tuple[Primitive | MeshSolid, ...]) -> None:
         self.parts = parts

@@ -97,7 +97,7 @@ class Standing(Record):
     visuals: bool = False
 
     def facts(self) -> dict[str, object]:
-        """For JSON; lengths in m, angles in rad, None for what the verdict leaves open."""
+        """For JSON; lengths in m, angles in rad, None where the verdict says nothing of them."""
         numbers = dict.fromkeys(Stability._fields) if self.stability is None else {}
         return {
             "verdict": self.verdict,
@@ -118,7 +118,7 @@ def standing(
     payload: Mapping[str, float] | None = None,
     visuals: bool = False,
 ) -> Standing:
-    """The verdict on a robot at a pose; without the readers of meshes, by its primitives alone.
+    """The verdict on a robot at a pose; without the mesh libraries, by its primitives alone.
 
     Args:
         robot: the robot.

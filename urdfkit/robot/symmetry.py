@@ -1,7 +1,7 @@
 """The left and right of a robot: links and joints that are made to be mirror images.
 
-Builders write one side and copy it. What then differs between the two is a slip more often than
-an intention, and the twin that is right tells the value that was meant.
+Authors write one side and copy it. What then differs between the two is a mistake more often than
+an intention, and the counterpart shows the intended value.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _RIGHT_OF = {"left": "right", "l": "r"} | {
 
 _NUMBER = r"\d+"
 
-#: Longer names are nobody's, and taking them apart costs their length squared.
+#: Longer names are not compared: taking them apart costs their length squared.
 _LONGEST = 200
 
 
@@ -43,17 +43,17 @@ def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
     taken: set[str] = set()
     found: list[tuple[str, str]] = []
     for name in known:
-        for twin in _right_counterparts(name):
-            if twin in known and name not in taken and twin not in taken:
-                taken.update((name, twin))
-                found.append((name, twin))
+        for right in _right_counterparts(name):
+            if right in known and name not in taken and right not in taken:
+                taken.update((name, right))
+                found.append((name, right))
     return found
 
 
 @lru_cache(maxsize=4096)
 def _right_counterparts(name: str) -> tuple[str, ...]:
     """A name with one of its words for left turned into right, the last word first."""
-    symmetric_pairs: list[str] = []
+    names: list[str] = []
     for match in reversed(list(re.finditer(_WORD, name))):
         word = match.group()
         right = _RIGHT_OF.get(word.lower())
@@ -65,8 +65,8 @@ def _right_counterparts(name: str) -> tuple[str, ...]:
             right = right.upper()
         elif word[0].isupper():
             right = right.capitalize()
-        symmetric_pairs.append(name[: match.start()] + right + name[match.end() :])
-    return tuple(symmetric_pairs)
+        names.append(name[: match.start()] + right + name[match.end() :])
+    return tuple(names)
 
 
 def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
@@ -100,7 +100,7 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
 def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
     """The moving joints that are made to be mirror images, the left one first.
 
-    By their names, or, numbered, by mirrored places on one link; the links of two hang on
+    By their names, or, numbered, by mirrored places on one link; the links of two are on
     different branches.
     """
     joints: dict[str, Joint] = {}
@@ -126,10 +126,10 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
 
 
 def apart(found: Iterable[tuple[str, str]], parents: Mapping[str, str]) -> list[tuple[str, str]]:
-    """The pairs of links of which neither hangs on the other.
+    """The pairs of links of which neither is below the other.
 
-    What hangs on one another are not twins, whatever it is called: the axes ``l`` and ``r`` of
-    some industrial arms.
+    Links of one chain are no counterparts, whatever their names: the axes ``l`` and ``r`` of some
+    industrial arms.
 
     Args:
         found: pairs of names of links.
@@ -139,12 +139,12 @@ def apart(found: Iterable[tuple[str, str]], parents: Mapping[str, str]) -> list[
     kept: list[tuple[str, str]] = []
     for pair in found:
         first, second = (spans.get(name) for name in pair)
-        if first and second and not (_holds(first, second) or _holds(second, first)):
+        if first and second and not (_contains(first, second) or _contains(second, first)):
             kept.append(pair)
     return kept
 
 
-def _holds(outer: tuple[int, int], inner: tuple[int, int]) -> bool:
+def _contains(outer: tuple[int, int], inner: tuple[int, int]) -> bool:
     return outer[0] <= inner[0] and inner[1] <= outer[1]
 
 

@@ -18,7 +18,7 @@ _DONE = -1
 
 
 class KinematicTree:
-    """Who hangs on whom.
+    """The parent and child joints of each link.
 
     Attributes:
         children: the joints that have a link as parent, by its name.
@@ -58,7 +58,7 @@ class KinematicTree:
 
     @cached_property
     def roots(self) -> tuple[Link, ...]:
-        """The links that are nobody's child, in the order of the document."""
+        """The links without a parent joint, in the order of the document."""
         links = self.model.links_by_name
         return tuple(links[name] for name, joints in self.parents.items() if not joints)
 

@@ -2,7 +2,7 @@
 
 The file is one that a control plugin names in ``<parameters>``, or one that the launch file loads
 which starts the robot. ROS 2 keeps the parameters of each node below ``ros__parameters``; in ROS 1
-the controllers stand in any namespace, and are known by their ``type``.
+the controllers are in any namespace, and are known by their ``type``.
 Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_control.
 """
 
@@ -71,7 +71,7 @@ class Controller(Record):
 
 
 class ParameterFile(Record):
-    """A file of parameters.
+    """A parameter file.
 
     Attributes:
         span: where it is named: in a control plugin or in the launch file.
@@ -120,7 +120,7 @@ def _runs_on_hardware(description: RosDescription) -> bool:
 
 
 def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, list[Controller]]]:
-    """The controllers of each file of parameters that can be read."""
+    """The controllers of each parameter file that can be read."""
     for file, source in _sources(description):
         yield file, read(source)
 
@@ -136,7 +136,7 @@ def _sources(description: RosDescription) -> Iterator[tuple[ParameterFile, Sourc
 
 
 def read(source: Source) -> list[Controller]:
-    """The controllers of a file; none if it is not YAML, or no file of parameters."""
+    """The controllers of a file; none if it is not a YAML file of parameters."""
     root = load(source)
     sections = _sections(root)
     if not sections:
@@ -192,7 +192,7 @@ def _controller(name: str, kind: Value, section: Section, ros: int) -> Controlle
 
 
 def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]:
-    """The parameters of each ROS node, by namespace and name, and the key that they stand under.
+    """The parameters of each ROS node, by namespace and name, and the key above them.
 
     ``**`` stands for any namespace.
     """
@@ -225,29 +225,29 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
             stack += node.items()
 
 
-def unparsed(description: RosDescription) -> Iterator[tuple[ParameterFile, Span, str]]:
-    """The files of parameters that are no YAML, with the place and the reason."""
+def syntax_errors(description: RosDescription) -> Iterator[tuple[ParameterFile, Span, str]]:
+    """The parameter files that are not YAML, with the place and the reason."""
     for file, source in _sources(description):
         if found := mistake(source):
             yield file, *found
 
 
-def lost(
+def unread_keys(
     description: RosDescription,
 ) -> Iterator[tuple[ParameterFile, list[tuple[Span, str, str]]]]:
-    """Of each file the keys under which nobody looks: place, message and remedy."""
+    """The keys of each file that are not read: place, message and help."""
     for file, source in _sources(description):
-        yield file, list(_lost(load(source)))
+        yield file, list(_unread_keys(load(source)))
 
 
-def _lost(root: Node) -> Iterator[tuple[Span, str, str]]:
+def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
     if not isinstance(root, dict):
         return
     sections = [(k, node) for k, node in root.items() if isinstance(node, dict)]
     for key, node in sections:
         for inner in node:
             if isinstance(inner, Key) and inner != _PARAMETERS and _is_parameters(inner):
-                message = f"what '{key}' holds is not read: '{inner}' is not '{_PARAMETERS}'"
+                message = f"parameters of '{key}' are not read: '{inner}' is not '{_PARAMETERS}'"
                 yield inner.span, message, f"write {_PARAMETERS}"
     managers = [
         inside
@@ -275,10 +275,10 @@ def _unread_sections(
         if not isinstance(key, Key):
             continue
         if name in declared and not any(map(_is_parameters, node)):
-            message = f"what '{key}' holds is not read: it does not stand in {_PARAMETERS}"
+            message = f"parameters of '{key}' are not read: they are not in {_PARAMETERS}"
             yield key.span, message, f"write {_PARAMETERS}: below '{key}', and indent the rest"
         elif name not in declared and (suggested := _mistake_of(name, without)):
-            message = f"'{key}' is no controller of the controller manager, and not read"
+            message = f"'{key}' is not a controller of the controller manager and not read"
             yield key.span, message, f"did you mean '{suggested}'?"
 
 
@@ -290,13 +290,13 @@ def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
     """A ``type`` of no controller: it is not indented below the name, or misspelt."""
     kind = manager.get("type")
     if isinstance(kind, Value) and "/" in kind.text:
-        message = "this type belongs to no controller: it is not indented below a name"
+        message = "type without a controller: it is not indented below a name"
         yield kind.span, message, "indent it below the name of its controller"
     for name, node in manager.items():
         for key, value in node.items() if isinstance(node, dict) and "type" not in node else ():
             is_class = isinstance(value, Value) and "/" in value.text
             if isinstance(key, Key) and is_class and is_typo(key, "type"):
-                yield key.span, f"controller '{name}' has no type, but '{key}'", "write type"
+                yield key.span, f"controller '{name}' has '{key}' instead of type", "write type"
 
 
 def _node_of(key: str) -> str:

@@ -1,6 +1,6 @@
 """The types that ROS 2 sees in a YAML file of parameters.
 
-Parameters are typed when a node starts: a whole number is refused where the node declares a
+Parameters are typed when a node starts: an integer is rejected where the node declares a
 ``double``, and quotes make a string of everything.
 Source: ``rcl_yaml_param_parser/src/parse.c`` of ros2/rcl.
 """
@@ -27,9 +27,9 @@ _OPEN = re.compile(r"[$<{]")
 
 
 def type_of(node: Value | list[Node]) -> str | None:
-    """``bool``, ``int``, ``double``, ``string``, or an array of them; None if nobody can say.
+    """``bool``, ``int``, ``double``, ``string``, or an array of them; None if it is unknown.
 
-    Nobody can of what is empty, tagged or filled in later, and of lists of mixed types.
+    Unknown are empty, tagged and substituted values, and lists of mixed types.
     """
     if isinstance(node, Value):
         return _of_scalar(node)

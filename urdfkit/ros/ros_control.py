@@ -154,7 +154,7 @@ def is_of_pr2(transmission: Element) -> bool:
 def reads_transmissions(targets: Targets) -> bool:
     """True unless all that is known of the consumers is that they are of ROS 2.
 
-    There the transmissions of ROS 1 are passed over, and what is wrong with them harms nobody.
+    There the transmissions of ROS 1 are ignored, and defects in them have no effect.
     """
     return targets.any_of(ROS1) or not targets.any_of(ROS2)
 

@@ -1,7 +1,7 @@
-"""Who will read the robot: the consumers that a finding is weighed for.
+"""Targets: the programs that read the robot, on which severities depend.
 
 The same model suffers differently in each: a root link with inertia makes KDL warn while Gazebo
-needs it. Targets are given, or inferred from what the model itself gives away: its plugins and
+needs it. Targets are given, or inferred from the model itself: its plugins and
 the build system of its package.
 """
 
@@ -62,15 +62,15 @@ class Targets(Record):
     evidence: tuple[str, ...] = ()
 
     def among(self, names: Iterable[str]) -> tuple[str, ...]:
-        """Those of some consumers that are meant."""
+        """Those of some targets that are among these."""
         return tuple(name for name in names if name in self.names)
 
     def any_of(self, names: Iterable[str]) -> bool:
-        """True if one of some consumers is meant."""
+        """True if one of some targets is among these."""
         return bool(self.among(names))
 
     def are_only(self, *names: str) -> bool:
-        """True if no others than some consumers are meant."""
+        """True if no other targets than some are among these."""
         return bool(self.names) and set(self.names) <= set(names)
 
     @property
@@ -94,7 +94,7 @@ def parse(names: Iterable[str]) -> Targets:
 
 
 def infer(model: RobotModel, manifest: Manifest | None) -> Targets:
-    """The targets that a model and the package.xml around it give away, each with the reason."""
+    """The targets that a model and the package.xml around it imply, each with the reason."""
     evidence = list(_evidence(model, manifest))
     left_out = _contradicted(evidence, manifest)
     found: dict[str, str] = {}
@@ -135,7 +135,7 @@ def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[_Evidenc
 def _contradicted(evidence: list[_Evidence], manifest: Manifest | None) -> tuple[str, ...]:
     """Gazebo Classic or gz-sim, if one line speaks for it and more for the other.
 
-    That line is the mistake, which rules tell; it does not make others of what fits the rest.
+    That line is the mistake, which rules report; the rest fits and stays as it is.
     """
     weights = []
     lines = []
@@ -150,7 +150,7 @@ def _contradicted(evidence: list[_Evidence], manifest: Manifest | None) -> tuple
 
 
 def target_of_plugin(name: str, plugin: Element, ros: str | None = None) -> str | None:
-    """The target that a plugin gives away by its library, in a package of that ROS."""
+    """The target that the library of a plugin implies, in a package of that ROS."""
     if "ignition-gazebo" in name or "ign_ros2_control" in name:
         return "gz-fortress"
     if "gz-sim" in name or "gz_ros2_control" in name:
@@ -163,7 +163,7 @@ def target_of_plugin(name: str, plugin: Element, ros: str | None = None) -> str 
 
 
 def _classic_generation(name: str, plugin: Element, ros: str | None) -> str:
-    """A ``<ros>`` block is of ROS 2; else the package tells, else the library, else the spelling.
+    """A ``<ros>`` block is of ROS 2; else the package decides, else the library, else the spelling.
 
     What the package says comes before the rest: a library or tags of ROS 1 in a package of ROS 2
     are a mistake, and many plugins of ROS 1 have snake_case tags among the others.

@@ -1,11 +1,11 @@
-"""What urdfkit says about a robot: severities, edits, diagnostics."""
+"""What urdfkit reports about a robot: severities, edits, fixes, problems, diagnostics."""
 
 from __future__ import annotations
 
 from enum import Enum
 
 from urdfkit.core.record import Record
-from urdfkit.text.document import Step
+from urdfkit.text.document import CallFrame, Step
 from urdfkit.text.source import Span
 
 
@@ -13,7 +13,7 @@ class Severity(str, Enum):
     """How bad a finding is.
 
     ``error``: a mainstream consumer rejects the robot or simulates it wrongly;
-    ``warning``: it loads but is hardly meant; ``info``: style or a hint.
+    ``warning``: it loads but is probably not intended; ``info``: style or a hint.
     """
 
     ERROR = "error"
@@ -50,7 +50,7 @@ class Edit(Record):
 
 
 class Fix(Record):
-    """A remedy as text edits. ``safe``: it cannot change what the robot does."""
+    """A fix as text edits. ``safe``: it cannot change what the robot does."""
 
     title: str
     edits: tuple[Edit, ...]
@@ -69,8 +69,32 @@ class Related(Record):
     message: str
 
 
+class Problem(Record):
+    """Something wrong with the text of a description.
+
+    Attributes:
+        code: the rule that explains it.
+        span: where.
+        message: what.
+        help: what to do; the rule's own help if empty.
+        frame: the macro calls and includes that led there.
+        related: other places that explain it.
+        fix: as text edits.
+        severity: if it is not that of the rule.
+    """
+
+    code: str
+    span: Span
+    message: str
+    help: str = ""
+    frame: CallFrame | None = None
+    related: tuple[Related, ...] = ()
+    fix: Fix | None = None
+    severity: Severity | None = None
+
+
 class Call(Record):
-    """One way in which a macro body or an included file caused a finding.
+    """One expansion of a macro body or an included file that caused a finding.
 
     Attributes:
         message: with the numbers of this call.
@@ -93,10 +117,10 @@ class Diagnostic(Record):
         confidence: how sure it is.
         message: who, how much, what bound.
         span: the place in the file that a person edits.
-        calls: the ways in which expansion arrived there, worst first; one for a plain element.
+        calls: the expansions that arrived there, worst first; one for a plain element.
         related: other places that explain it.
         help: what to do.
-        fix: a remedy as text edits, or None.
+        fix: as text edits, or None.
         targets: the consumers that the severity is for; empty if it is for all.
         alike: the same for findings of one rule that people are shown as one where they are many.
         variants: names of the variants of the robot that it is found in; empty if it is in all.

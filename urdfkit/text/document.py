@@ -26,7 +26,7 @@ def _compiled(pattern: bytes) -> re.Pattern[bytes]:
 
 
 class Step(Record):
-    """One step on the way from the checked file to a place: a macro call or an include.
+    """One step of an expansion trace: a macro call, an include or a launch file.
 
     Attributes:
         kind: ``macro``, ``include`` or ``launch``.
@@ -42,7 +42,7 @@ class Step(Record):
 
 
 class CallFrame:
-    """The innermost step of a way, linked to the ones before it; shared by many elements."""
+    """The innermost step of a trace, linked to the ones before it; shared by many elements."""
 
     __slots__ = ("call", "definition", "kind", "name", "outer")
 

@@ -17,7 +17,7 @@ def parse(text: bytes | str, path: str = "<unknown>") -> ast.Module:
         SyntaxError: it is no Python, or nested too deeply to be read.
     """
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # what Python thinks of its style is nobody's business
+        warnings.simplefilter("ignore")  # about its style
         try:
             return ast.parse(text, path)
         except (ValueError, RecursionError, MemoryError) as error:

@@ -21,7 +21,7 @@ XYZ = "x y z"
 RGBA = "red green blue alpha"
 QUATERNION = "x y z w"
 
-#: How many numbers an attribute has. One scale for all three axes is refused, too.
+#: How many numbers an attribute has. One scale for all three axes is rejected, too.
 LENGTHS = {FLOAT: 1, XYZ: 3, RGBA: 4, QUATERNION: 4}
 
 #: The versions that ``<robot version>`` may name, oldest first; without one it is the first.
@@ -33,7 +33,7 @@ class AttributeRule(Record):
 
     Attributes:
         type: one of the constants above.
-        required: True if readers refuse the element without it.
+        required: True if parsers reject the element without it.
         since: the first URDF version that has it.
     """
 
@@ -152,7 +152,7 @@ JOINT_GRAMMAR = Grammar(
             {
                 "rising": _OPTIONAL_FLOAT,
                 "falling": _OPTIONAL_FLOAT,
-                "reference_position": AttributeRule(TEXT),  # in the specification, read by nobody
+                "reference_position": AttributeRule(TEXT),  # in the specification, never read
             },
             {},
         ),
@@ -164,7 +164,7 @@ JOINT_GRAMMAR = Grammar(
         # effort and velocity: JNT002 knows for which types they are required.
         "limit": Grammar(
             dict.fromkeys(("lower", "upper", "effort", "velocity"), _OPTIONAL_FLOAT)
-            # URDF 1.2, and passed over in older versions
+            # URDF 1.2, and ignored in older versions
             | dict.fromkeys(("acceleration", "deceleration", "jerk"), AttributeRule(TEXT)),
             {},
         ),

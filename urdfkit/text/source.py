@@ -12,7 +12,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 
-#: Text files over this size are refused: no robot needs it, and a hostile one would.
+#: Text files over this size are rejected: no robot needs it, and a hostile one would.
 MAX_BYTES = 64 * 1024 * 1024
 
 # Patterns of the ordinary check are compiled when they are needed: each takes 0.1 ms of 40.
@@ -42,7 +42,7 @@ class Source:
     r.urdf:2:15
 
     Attributes:
-        path: as the user or the file that includes it spelt it.
+        path: as the user or the file that includes it wrote it.
         data: the text in UTF-8, without a byte-order mark.
         encoding: that of the file on disk.
         undecodable: offset in ``data`` of the first byte that is not text, or None.
@@ -150,7 +150,7 @@ class Source:
 
 
 def why_unreadable(path: str, error: OSError) -> str:
-    """Why a file could not be opened, and the remedy."""
+    """Why a file could not be opened, and what to do."""
     if os.path.isdir(path):
         return "is a directory; pass the files in it"
     if isinstance(error, PermissionError):
@@ -164,7 +164,7 @@ def why_unreadable(path: str, error: OSError) -> str:
         beside = os.listdir(folder or ".")
     except OSError:
         return f"no such directory '{folder}'"
-    # By stems: what ends in '.urdf' is alike enough to be meant otherwise.
+    # By stems: what ends in '.urdf' is similar anyway.
     alike = [other for other in beside if nearest(_stem(name), [_stem(other)])]
     suggested = nearest(name, alike, cutoff=0)
     return "file not found" + (f"; did you mean '{suggested}'?" if suggested else "")

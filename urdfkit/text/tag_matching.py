@@ -1,4 +1,4 @@
-"""Fits end tags to start tags in a text where some are missing, wrong or one too many."""
+"""Matches end tags to start tags in a text where some are missing, wrong or one too many."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class SyntaxMistake(Record):
         notes: other places that explain it, as (start, end, message).
         trailing: True for what follows the end of the root element.
         help: what to do; empty where the message says it.
-        remedy: texts that put it right, as (start, end, text); empty where they are not known.
+        fix: texts that put it right, as (start, end, text); empty where they are not known.
     """
 
     start: int
@@ -29,7 +29,7 @@ class SyntaxMistake(Record):
     notes: tuple[tuple[int, int, str], ...] = ()
     trailing: bool = False
     help: str = ""
-    remedy: tuple[tuple[int, int, str], ...] = ()
+    fix: tuple[tuple[int, int, str], ...] = ()
 
 
 class TagToken(Record):
@@ -48,7 +48,7 @@ class TagToken(Record):
 
 
 class TagMatching:
-    """Fits end tags to start tags."""
+    """Matches end tags to start tags."""
 
     def __init__(
         self, data: bytes, tags: list[TagToken], mistakes: list[SyntaxMistake], *, cut_off: bool
@@ -195,7 +195,7 @@ class TagMatching:
             self._add((0, 0), "there is no element in the file")
 
     def _shown(self, tag: TagToken) -> str:
-        """A start tag with its name attribute, so that it can be told from its like."""
+        """A start tag with its name attribute, so that it can be told from others."""
         text = self._data[tag.start : tag.end][:500]
         found = re.search(rb"""\bname\s*=\s*["']([^"'<>\n]{1,60})["']""", text)
         name = f' name="{found.group(1).decode("utf-8", "replace")}"' if found else ""

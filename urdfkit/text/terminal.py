@@ -51,18 +51,18 @@ def wrap(text: str, width: int, *, indent: int = 0, used: int = 0) -> str:
         used: columns of the first line that are taken.
     """
     lines = [""]
-    target_bounds = width - used
-    if used and target_bounds < width // 4:
-        target_bounds = 0  # a lone word at the end of a long first line reads badly
-    if columns(text) <= target_bounds:
+    available = width - used
+    if used and available < width // 4:
+        available = 0  # a lone word at the end of a long first line reads badly
+    if columns(text) <= available:
         return text
     for word in text.split(" "):
         line = f"{lines[-1]} {word}" if lines[-1] else word
-        if columns(line) <= target_bounds or not (lines[-1] or used):
+        if columns(line) <= available or not (lines[-1] or used):
             lines[-1] = line
         else:
             lines.append(word)
-            target_bounds = width - indent
+            available = width - indent
             used = 0
     return f"\n{' ' * indent}".join(lines)
 

@@ -1,9 +1,9 @@
-"""Every place where a text is not well-formed XML, in words, with the place to mend.
+"""Every place where a text is not well-formed XML, in words, with the place to fix.
 
-A parser stops at the first error, and often names the place where it noticed a slip made above.
+A parser stops at the first error, and often names the place where it noticed a mistake made above.
 This scanner reads on: it takes the text apart into tags, then fits end tags to start tags, and
 chooses where something is missing what the rest of the file agrees with best. It is run on files
-that expat has refused; it never refuses a file that expat accepts.
+that expat has rejected; it never rejects a file that expat accepts.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
     controls = _controls(data)
     count = sum(end - start for start, end in controls)
     if count > MAX_CONTROLS:
-        message = f"the file is no text: it holds {count} control characters"
+        message = f"not a text file: it holds {count} control characters"
         return [SyntaxMistake(*controls[0], message, help=_NAME_ANOTHER)]
     scanner = _Scanner(data)
     scanner.run()
@@ -77,7 +77,7 @@ def _other_kind(data: bytes) -> tuple[str, str] | None:
     if start.startswith(b"version https://git-lfs"):
         return "the file is a pointer of Git LFS, not the robot itself", "run: git lfs pull"
     if b"<" not in data:
-        return "the file is no XML: there is no tag in it", _NAME_ANOTHER
+        return "not an XML file: there is no tag in it", _NAME_ANOTHER
     return None
 
 
@@ -180,7 +180,7 @@ class _Scanner:
             return self._start_tag(found)
         if found := _SPACED_START.match(data, start):
             name = found.group(1).decode("utf-8", "replace")
-            self._add(start, found.end(), f"no blank may stand between '<' and '{name}'")
+            self._add(start, found.end(), f"no space may stand between '<' and '{name}'")
             return self._start_tag(found)
         self._add(start, start + 1, "'<' begins no tag; in a text it must be written '&lt;'")
         return start + 1
@@ -287,14 +287,14 @@ class _Scanner:
         """Read an attribute; the offset behind it, negative if it also ends the tag."""
         data, name = self.data, found.group().decode("utf-8", "replace")
         if found.start() == before:
-            self._add(before, before, f"a blank is missing before '{name}'")
+            self._add(before, before, f"a space is missing before '{name}'")
         if found.group() in seen:
             first = (*seen[found.group()], "first given here")
             self._add(*found.span(), f"attribute '{name}' is given twice", first)
         seen[found.group()] = found.span()
         equals = re.compile(rb"\s*=\s*").match(data, found.end())
         if (equals or found).end() == len(data):
-            return len(data)  # which the caller tells
+            return len(data)  # which the caller reports
         if equals is None:
             self._add(*found.span(), f"attribute '{name}' has no value")
             return found.end()
@@ -368,20 +368,20 @@ def _control(data: bytes, start: int, end: int) -> SyntaxMistake:
 
 def _hyphens(data: bytes, start: int, end: int) -> SyntaxMistake | None:
     """The hyphens that XML forbids in a comment, whose text is between two offsets."""
-    remedy: list[tuple[int, int, str]] = []
+    fix: list[tuple[int, int, str]] = []
     for found in _HYPHENS.finditer(data[start:end]):
         at, count = start + found.start(), len(found[0])
         is_word = count == 2 and found.end() < end - start  # such as an option of a command
         text = "- -" if is_word else "=" * count
-        remedy.append((at, at + count, text if count > 1 else ""))
-    if not remedy:
+        fix.append((at, at + count, text if count > 1 else ""))
+    if not fix:
         return None
-    first, last, _ = remedy[0]
+    first, last, _ = fix[0]
     if last - first == 1:
         message, help = "'--->' does not end a comment", "write '-->'"
     else:
         message, help = "'--' is not allowed inside a comment", "write '- -' or '=='"
-    return SyntaxMistake(first, last, message, help=help, remedy=tuple(remedy))
+    return SyntaxMistake(first, last, message, help=help, fix=tuple(fix))
 
 
 def _is_character(code: int) -> bool:

@@ -7,16 +7,13 @@ the rule that explains it; the rules XML and XAC turn Problems into findings.
 from __future__ import annotations
 
 import gc
-import os
-import re
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
-from urdfkit.core.record import Record
-from urdfkit.text.comments import without_comments
-from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
+from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_declaration import encoding_problems, forgiven
 
 if TYPE_CHECKING:
     from urdfkit.text.tag_matching import SyntaxMistake
@@ -26,69 +23,9 @@ MAX_ELEMENTS = 1_000_000
 #: Places of the same defect that are worth naming.
 MAX_RELATED = 5
 
-# Compiled when needed, which is seldom.
-_DECLARATION = rb"<\?xml[\s?][^>]*\?>|<\?xml\?>"
-_OWN_TAG = rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b"
-_VERSION = rb"""\bversion\s*=\s*["']([^"']*)["']"""
-_UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
-
-
-class Problem(Record):
-    """Something wrong with the text of a description.
-
-    Attributes:
-        code: the rule that explains it.
-        span: where.
-        message: what.
-        help: what to do; the rule's own help if empty.
-        frame: the macro calls and includes that led there.
-        related: other places that explain it.
-        fix: as text edits.
-        severity: if it is not that of the rule.
-    """
-
-    code: str
-    span: Span
-    message: str
-    help: str = ""
-    frame: CallFrame | None = None
-    related: tuple[Related, ...] = ()
-    fix: Fix | None = None
-    severity: Severity | None = None
-
 
 class DocumentTooLarge(Exception):
     """The document is larger than any robot."""
-
-
-def is_xacro(source: Source) -> bool:
-    """Decide by content whether a file is xacro.
-
-    17 of 676 public models are xacro in a ``.urdf``, and many a plain URDF still declares the
-    namespace of the xacro it once came from, or holds a call that no macro answers any more:
-    readers of URDF pass over those. A file whose name says xacro is taken at its word.
-    """
-    if ".xacro" in os.path.basename(source.path).lower():
-        return True
-    data = source.data
-    has_tags, has_namespace = b"<xacro:" in data, b"xmlns:xacro" in data
-    if not has_tags and not has_namespace:
-        return False
-    text = without_comments(data)
-    if has_tags and re.search(_OWN_TAG, text):
-        return True
-    return has_namespace and re.search(rb"\$[{(]", text) is not None
-
-
-_LAUNCH = (
-    ".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py",
-    ".launch.yaml", "_launch.yaml", ".launch.yml", "_launch.yml",
-)  # fmt: skip
-
-
-def is_launch(path: str) -> bool:
-    """True for the names that launch files have."""
-    return path.endswith(_LAUNCH)
 
 
 def read_xml(
@@ -97,7 +34,7 @@ def read_xml(
     """Read plain XML.
 
     What urdfdom loads although it is not strict XML (text before the declaration, another
-    version number, undeclared prefixes) is read, and told as a Problem.
+    version number, undeclared prefixes) is read, and reported as a Problem.
 
     Args:
         source: the file.
@@ -107,7 +44,7 @@ def read_xml(
         The document, or None if it is not well formed, and what is wrong with it.
     """
     problems = encoding_problems(source, strict=False)
-    data = _forgiven(source, problems)
+    data = forgiven(source, problems)
     builder = _Builder(source, frame)
     try:
         builder.parse(data)
@@ -120,104 +57,6 @@ def read_xml(
     problems += builder.undeclared_prefixes() + builder.unexpanded()
     assert builder.root is not None
     return Document(builder.root, (source,)), problems
-
-
-def encoding_problems(source: Source, *, strict: bool) -> list[Problem]:
-    """An encoding that readers do not know, or a byte that is not text in it.
-
-    Args:
-        source: the file.
-        strict: True where only UTF-8 is read, as by xacro.
-    """
-    if source.undecodable is not None:
-        return [_undecodable(source, source.undecodable)]
-    encoding = source.encoding
-    if encoding in _UTF_8 or (source.data.isascii() and not encoding.startswith("utf-")):
-        return []
-    if not strict and _is_known_to_expat(encoding):
-        return []
-    reader = "xacro" if strict else "urdfdom"
-    message = f"the file is in {encoding}; {reader} reads UTF-8 only"
-    return [Problem("XML002", Span(source, 0, 0), message)]
-
-
-def _undecodable(source: Source, start: int) -> Problem:
-    at = Span(source, start, start + 1)
-    declared = re.search(rb"encoding\s*=\s*[\"']([^\"']*)", source.data[:200])
-    if declared is None:
-        message = f"this byte is not {source.encoding}, which XML takes where nothing is declared"
-        return Problem("XML002", at, message)
-    try:
-        "".encode(source.encoding)
-    except (LookupError, UnicodeError):  # the latter of the codec 'undefined'
-        at = Span(source, *declared.span(1))
-        return Problem("XML002", at, f"the declared encoding '{source.encoding}' does not exist")
-    return Problem("XML002", at, f"this byte is not {source.encoding}, which the file declares")
-
-
-def _is_known_to_expat(encoding: str) -> bool:
-    """True for encodings of one byte per character, in which urdfdom at least finds the tags."""
-    if encoding.startswith("utf-"):
-        return False
-    try:
-        expat.ParserCreate().Parse(
-            f'<?xml version="1.0" encoding="{encoding}"?><a/>'.encode(), True
-        )
-    except (expat.ExpatError, LookupError, ValueError):
-        return False
-    return True
-
-
-def _forgiven(source: Source, problems: list[Problem]) -> bytes:
-    """The bytes to parse: what urdfdom forgives in and before the XML declaration is blanked."""
-    data = source.data
-    declaration = re.search(_DECLARATION, data[:20_000])
-    if declaration is None:
-        return data
-    start, end = declaration.span()
-    if start:
-        if without_comments(data[:start]).strip():
-            return data
-        problems.append(_before_declaration(Span(source, 0, start), end))
-    if not _is_sound(declaration.group()):
-        at = Span(source, start, end)
-        fix = Fix("write the XML declaration anew", (Edit(at, '<?xml version="1.0"?>'),), safe=True)
-        message = "the XML declaration is not that of XML 1.0"
-        problems.append(Problem("XML007", at, message, fix=fix))
-    # The encoding is settled by Source; the declaration has nothing more to say.
-    return b" " * end + data[end:]
-
-
-def _is_sound(declaration: bytes) -> bool:
-    """True for an XML declaration that strict readers accept."""
-    version = re.search(_VERSION, declaration)
-    if version is None or version.group(1) not in (b"1.0", b"1.1"):
-        return False
-    try:
-        expat.ParserCreate("utf-8").Parse(declaration + b"<a/>", True)
-    except expat.ExpatError:
-        return False
-    return True
-
-
-def _before_declaration(before: Span, end: int) -> Problem:
-    """What stands before the XML declaration, which ends at ``end``."""
-    text = before.text.strip()
-    edits: tuple[Edit, ...] = (Edit(before, ""),)
-    if not text:
-        message = "white space before the XML declaration"
-        fix = Fix("delete the white space", edits, safe=True)
-        return Problem(
-            "XML007", before, message, "let <?xml ...?> be the first of the file", fix=fix
-        )
-    edits += (Edit(Span(before.source, end, end), f"\n{text}"),)
-    return Problem(
-        "XML007",
-        before,
-        "a comment before the XML declaration, which urdfdom 4 (ROS 2 Jazzy) rejects",
-        "move the comment below <?xml ...?>",
-        fix=Fix("move the comment below the XML declaration", edits, safe=True),
-    )
 
 
 class _Builder:
@@ -247,7 +86,7 @@ class _Builder:
 
         Raises:
             xml.parsers.expat.ExpatError: it is not well formed.
-            TooMuch: it is larger than any robot.
+            DocumentTooLarge: it is larger than any robot.
         """
         collecting = gc.isenabled()
         gc.disable()  # nothing of what is built is garbage
@@ -290,7 +129,7 @@ class _Builder:
         self._text[-1].append(data)
 
     def undeclared_prefixes(self, *, strict: bool = False) -> list[Problem]:
-        """Prefixes without ``xmlns``: strict readers refuse them, urdfdom does not."""
+        """Prefixes without ``xmlns``: strict parsers reject them, urdfdom does not."""
         found = []
         for prefix, first in self._prefixed.items():
             element: Element | None = first
@@ -333,7 +172,7 @@ def unbound_prefixes(source: Source) -> list[Problem]:
     """The prefixes that a well-formed file uses but does not declare, for a strict reader."""
     builder = _Builder(source)
     try:
-        builder.parse(_forgiven(source, []))
+        builder.parse(forgiven(source, []))
     except (expat.ExpatError, DocumentTooLarge):
         return syntax_problems(source)
     assert builder.root is not None
@@ -380,21 +219,21 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
             mistake.message,
             mistake.help or ("move it into the root element" if mistake.trailing else ""),
             related=tuple(Related(Span(source, *place), text) for *place, text in mistake.notes),
-            fix=_remedy(source, mistake),
+            fix=_fix(source, mistake),
         )
         for mistake in syntax_mistakes(data)
     ]
     return problems or [_expat_problem(source, data)]
 
 
-def _remedy(source: Source, mistake: SyntaxMistake) -> Fix | None:
-    """What puts a slip right; it is known for comments, which no reader of robots heeds."""
-    edits = tuple(Edit(Span(source, *place), text) for *place, text in mistake.remedy)
+def _fix(source: Source, mistake: SyntaxMistake) -> Fix | None:
+    """The fix of a mistake; it is known for comments, which no URDF parser reads."""
+    edits = tuple(Edit(Span(source, *place), text) for *place, text in mistake.fix)
     return Fix(mistake.help, edits, safe=True) if edits else None
 
 
 def _expat_problem(source: Source, data: bytes, *, namespaces: bool = False) -> Problem:
-    """What expat says, for a file that only expat refuses."""
+    """What expat says, for a file that only expat rejects."""
     parser = expat.ParserCreate("utf-8", " " if namespaces else None)
     try:
         parser.Parse(data, True)

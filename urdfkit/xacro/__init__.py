@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.text.document import Attribute, CallFrame, Document, Element
-from urdfkit.text.xml_reader import encoding_problems
+from urdfkit.text.xml_declaration import encoding_problems
 from urdfkit.xacro import dom
 from urdfkit.xacro.definitions import Definition
 from urdfkit.xacro.expansion import Run

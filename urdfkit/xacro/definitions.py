@@ -6,9 +6,8 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
-from urdfkit.text.diagnostic import Related
+from urdfkit.text.diagnostic import Problem, Related
 from urdfkit.text.document import CallFrame, Tag
-from urdfkit.text.xml_reader import Problem
 from urdfkit.xacro.dom import Node
 
 if TYPE_CHECKING:

@@ -10,9 +10,9 @@ from typing import Any
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
-from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
+from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import DocumentTooLarge, Problem
+from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro.definitions import Definitions, annotations_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause

@@ -6,9 +6,10 @@ from typing import Any
 from xml.dom import XMLNS_NAMESPACE, expatbuilder
 from xml.parsers import expat
 
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import DocumentTooLarge, Problem, entity_problem
+from urdfkit.text.xml_reader import DocumentTooLarge, entity_problem
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 from urdfkit.xacro.dom import TEXT, Attr, Dom, Node, Text
 

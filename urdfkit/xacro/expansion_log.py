@@ -6,8 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.text.diagnostic import Related
-from urdfkit.text.xml_reader import Problem
+from urdfkit.text.diagnostic import Problem, Related
 from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
 
 if TYPE_CHECKING:

@@ -6,9 +6,8 @@ import os
 import re
 from typing import TYPE_CHECKING
 
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Span, shown
-from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.includes import top_includer
 
 if TYPE_CHECKING:

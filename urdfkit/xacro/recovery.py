@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 from xml.parsers.expat import ExpatError
 
 from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import Problem, syntax_problems, unbound_prefixes
+from urdfkit.text.xml_reader import syntax_problems, unbound_prefixes
 from urdfkit.xacro.budget import deadline
 from urdfkit.xacro.engine import load_engine
 from urdfkit.xacro.errors import root_cause

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.controllers.test_rct013_controllers_name_unknown_joint import controller
+from tests.checks.ros2_control.test_joints_of_controllers import controller
 from tests.controls import plugin
 from tests.gazebos import BASE, WHEELS
 from tests.gazebos import plugin as gazebo_plugin
@@ -99,7 +99,7 @@ def test_what_the_model_does_not_tell(tmp_path: Path) -> None:
     assert reported(tmp_path, drive(0.4, 7), robot().replace('"0.1"', '"0.3"', 1)) == [], (
         "two sizes"
     )
-    assert reported(tmp_path, drive(9, 9).replace("fl", "xl"), robot()) == [], "RCT013"
+    assert reported(tmp_path, drive(9, 9).replace("fl", "xl"), robot()) == [], "RCT001"
     assert reported(tmp_path, drive(9, 9).replace("9", "nine"), robot()) == []
 
 

@@ -19,7 +19,7 @@ NO_EFFORT = joint("j", "revolute", '<limit lower="0" upper="1" velocity="1"/>')
 
 def test_the_reason_and_its_place() -> None:
     (found,) = reported("DYN001", robot(NO_EFFORT), targets=FOR)
-    assert found.message == "Pinocchio makes no model: joint [j]: limit has no effort"
+    assert found.message == "Pinocchio rejects the robot: joint [j]: limit has no effort"
     assert found.span.line == 4
 
 
@@ -36,7 +36,7 @@ def test_the_reason_and_its_place() -> None:
 )
 def test_reasons(text: str, reason: str) -> None:
     (found,) = reported("DYN001", text, targets=FOR)
-    assert found.message == f"Pinocchio makes no model: {reason}"
+    assert found.message == f"Pinocchio rejects the robot: {reason}"
 
 
 def test_nobody_asks_unless_the_robot_is_for_pinocchio() -> None:

@@ -17,7 +17,7 @@ def turning(inside: str = "", kind: str = "continuous", more: str = "") -> str:
 
 def test_a_joint_that_moves_nothing() -> None:
     assert messages("DYN006", turning()) == [
-        "joint 'j' (continuous): link 'a' and what hangs on it have neither mass nor shape"
+        "joint 'j' (continuous): link 'a' and the links below it have neither mass nor shape"
     ]
 
 

@@ -10,16 +10,14 @@ from urdfkit import check
 def test_a_joint_of_ros2_control() -> None:
     text = ROBOT + control(driven("swing"), driven("swnig"))
     assert messages("RCT001", text) == [
-        "<ros2_control> 'c' names joint 'swnig', which is not in the model; did you mean 'swing'?"
+        "<ros2_control> 'c': unknown joint 'swnig'; did you mean 'swing'?"
     ]
     assert places("RCT001", text) == [(NEXT + 3, "swnig")]
 
 
 def test_a_joint_of_a_transmission() -> None:
     text = ROBOT + transmission("wheel")
-    assert messages("RCT001", text) == [
-        "transmission 't' names joint 'wheel', which is not in the model"
-    ]
+    assert messages("RCT001", text) == ["transmission 't': unknown joint 'wheel'"]
     assert places("RCT001", text) == [(NEXT + 1, "wheel")]
     assert reported("RCT001", text, targets=("classic-ros1", "ros2")) != []
     assert reported("RCT001", text, targets=("ros2",)) == [], "nothing reads it there"
@@ -28,7 +26,7 @@ def test_a_joint_of_a_transmission() -> None:
 def test_a_transmission_of_ros2_finds_the_joints_of_its_block_only() -> None:
     inner = '<transmission name="t"><plugin>p/C</plugin><joint name="{}" role="r"/></transmission>'
     assert messages("RCT001", ROBOT + control(driven("swing"), inner.format("slide"))) == [
-        "transmission 't' names joint 'slide', which <ros2_control> 'c' does not list"
+        "transmission 't': joint 'slide' is not in <ros2_control> 'c'"
     ]
     assert reported("RCT001", ROBOT + control(driven("swing"), inner.format("swing"))) == []
 

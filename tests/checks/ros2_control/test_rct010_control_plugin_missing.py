@@ -20,7 +20,7 @@ NAMESPACE = "<ros><namespace>{}</namespace></ros>"
 def test_hardware_that_nothing_loads(hardware: str, simulator: str, file: str) -> None:
     text = ROBOT + control(driven("swing"), plugin=hardware)
     assert messages("RCT010", text) == [
-        f"<ros2_control> 'c' is for {simulator}, and no plugin of <gazebo> loads it ({file})"
+        f"<ros2_control> 'c' is for {simulator}, but no plugin in <gazebo> loads it ({file})"
     ]
     assert places("RCT010", text) == [(NEXT + 1, "<plugin>")]
     assert reported("RCT010", text + plugin(file)) == []
@@ -48,7 +48,7 @@ def test_two_plugins_in_one_namespace() -> None:
 
 def test_the_plugin_of_ros1_wants_transmissions() -> None:
     assert messages("RCT010", ROBOT + plugin("libgazebo_ros_control.so")) == [
-        "plugin libgazebo_ros_control.so: no transmission, so that it drives no joint"
+        "plugin libgazebo_ros_control.so: no transmission, so it drives no joint"
     ]
     assert (
         reported("RCT010", ROBOT + plugin("libgazebo_ros_control.so") + transmission("swing")) == []
@@ -61,7 +61,7 @@ def test_transmissions_for_gazebo_that_nothing_loads() -> None:
     drive = plugin("libgazebo_ros_planar_move.so", "<commandTopic>cmd_vel</commandTopic>")
     assert messages("RCT010", ROBOT + transmission("swing") + drive) == [
         (
-            "the robot has transmissions and is for Gazebo Classic, and no plugin of <gazebo> "
+            "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "
             "loads them (libgazebo_ros_control.so)"
         )
     ]

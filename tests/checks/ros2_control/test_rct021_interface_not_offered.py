@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.controllers.test_rct013_controllers_name_unknown_joint import (
+from tests.checks.ros2_control.test_joints_of_controllers import (
     TRAJECTORY,
     controller,
 )

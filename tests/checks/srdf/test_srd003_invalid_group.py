@@ -8,6 +8,11 @@ from tests.srdfs import findings
 
 BAD = [
     (
+        '<group name="g"><chain base_link="hand" tip_link="base"/></group>',
+        "group 'g': tip link 'base' is not a descendant of base link 'hand'",
+        None,
+    ),
+    (
         '<group name="g"/>',
         "group 'g' is empty",
         None,
@@ -24,6 +29,8 @@ BAD = [
     ),
 ]
 GOOD = [
+    '<group name="g"><chain base_link="base" tip_link="finger"/></group>',
+    '<group name="g"><chain base_link="arm" tip_link="arm"/></group>',
     '<group name="g"/><group name="g"><link name="arm"/></group>',
     (
         '<group name="a"><group name="b"/><group name="c"/></group><group name="b">'

@@ -15,10 +15,10 @@ from urdfkit import check
     [
         (
             '<group name="g"><chain tip_link="arm"/></group>',
-            "<chain> has no base_link, so that MoveIt ignores it",
+            "<chain> has no base_link (ignored)",
         ),
-        ('<group_state name="s"/>', "<group_state> has no group, so that MoveIt ignores it"),
-        ('<disable_collisions link1="arm"/>', "<disable_collisions> has no link2, so that MoveIt"),
+        ('<group_state name="s"/>', "<group_state> has no group (ignored)"),
+        ('<disable_collisions link1="arm"/>', "<disable_collisions> has no link2 (ignored)"),
         (
             '<group_state name="s" group="g"><joint name="shoulder" value="0,5"/></group_state>',
             "state 's': value '0,5' is not a number",

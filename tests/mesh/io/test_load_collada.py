@@ -13,8 +13,8 @@ import numpy as np
 
 from tests.mesh import made
 from tests.mesh.measures import bounds, volume
+from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.geometry import Mesh, MeshMaterial, MeshPart
-from urdfkit.mesh.hull import hull
 from urdfkit.mesh.io.load import UnloadableMesh, load, salvage
 from urdfkit.mesh.writers import encode
 

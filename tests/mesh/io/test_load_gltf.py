@@ -202,7 +202,7 @@ def test_what_is_no_triangle_is_told() -> None:
     mesh = load_bytes(json.dumps(content).encode(), "a.gltf")
     assert mesh.extras == ("1 line or point set", "1 camera", "1 animation")
     content["meshes"][0]["primitives"] = [lines]
-    with pytest.raises(UnloadableMesh, match="shows no triangles"):
+    with pytest.raises(UnloadableMesh, match="holds no triangles"):
         load_bytes(json.dumps(content).encode(), "a.gltf")
 
 

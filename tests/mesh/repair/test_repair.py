@@ -61,10 +61,10 @@ def test_what_is_planted_is_a_defect_and_most_of_it_is_repaired(kind: int) -> No
     good = 0
     for name, shape in SHAPES.items():
         before = examine(*_arrays(spoilt(name, kind)))
-        assert before.ailments, "else the test proves nothing"
+        assert before.defects, "else the test proves nothing"
         done = repaired(name, kind)
         assert done.before == before
-        assert done.after.ailments < before.ailments
+        assert done.after.defects < before.defects
         result = as_trimesh(done.mesh)
         good += result.is_volume and abs(result.volume / shape.volume - 1) < 0.02
     assert good >= len(SHAPES) - 1
@@ -159,7 +159,7 @@ def test_what_is_no_surface_is_not_made_one(faces: list[list[int]]) -> None:
     mesh = Mesh((MeshPart(points, np.array(faces, dtype=np.int64).reshape(-1, 3)),))
     done = repair(mesh)
     assert not done.after.is_solid
-    assert done.after.ailments <= done.before.ailments
+    assert done.after.defects <= done.before.defects
 
 
 @needs_corpus
@@ -182,6 +182,6 @@ def test_real_meshes(file: str) -> None:
     if done.before.is_solid:
         assert done.mesh is mesh
     else:
-        assert done.after.ailments < done.before.ailments
+        assert done.after.defects < done.before.defects
         diagonal = float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
         assert done.lost < 0.01 * diagonal

@@ -120,7 +120,6 @@ def test_the_default_is_zero_or_the_middle() -> None:
         ).tree
     )
     assert arrays.default.tolist() == [0, 1.5]
-    assert arrays.extremes().tolist() == [[0, 1.5], [-1, 1.5], [2, 1.5], [0, 1], [0, 2]]
 
 
 def test_the_axes_between_two_links() -> None:

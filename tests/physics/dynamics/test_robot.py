@@ -22,7 +22,7 @@ from urdfkit.lint.loading import read
 from urdfkit.output.overview import structure
 from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable
 from urdfkit.robot import inertia
-from urdfkit.robot.composite_body import whole
+from urdfkit.robot.composite_body import composite_body
 from urdfkit.robot.kinematics import frames, positions
 from urdfkit.robot.model import Tensor
 from urdfkit.text.source import Source
@@ -114,7 +114,7 @@ def test_the_whole_as_one_body_is_that_of_the_parallel_axes() -> None:
     text = link("base", inertial(3, (0.1, 0.2, 0.25))) + link("a", odd)
     robot = dynamics(text + moving("base", "a", "revolute", "1 2 3", xyz="0.5 -0.4 0.2"))
     pose = {"a_joint": 0.7}
-    expected = whole(robot.tree, frames(robot.tree, pose)).properties
+    expected = composite_body(robot.tree, frames(robot.tree, pose)).properties
     found = robot.mass_properties(pose)
     assert expected is not None
     assert found.mass == 5
@@ -379,6 +379,6 @@ def test_torques_and_jacobians_are_slopes(path: str) -> None:
 
 
 def overview_of(subject: Subject, pose: dict[str, float]) -> inertia.MassProperties:
-    found = whole(subject.tree, frames(subject.tree, pose)).properties
+    found = composite_body(subject.tree, frames(subject.tree, pose)).properties
     assert found is not None
     return found

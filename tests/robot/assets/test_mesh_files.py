@@ -12,7 +12,7 @@ from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.io import sniff
 from urdfkit.mesh.io.facts import MeshFacts
 from urdfkit.robot.assets import mesh_files as module
-from urdfkit.robot.assets.mesh_files import Files, Suggestion, is_typo
+from urdfkit.robot.assets.mesh_files import MeshFiles, Suggestion, is_typo
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -23,7 +23,7 @@ def package(tmp_path: Path) -> Path:
     return add_package(tmp_path / "a" / "b" / "c" / "d" / "arm_description", "arm")
 
 
-def files(package: Path, text: str, path: str = "urdf/arm.urdf") -> Files:
+def files(package: Path, text: str, path: str = "urdf/arm.urdf") -> MeshFiles:
     source = Source(str(package / path), whole_robot(text).encode())
     return Subject(source, Resolver(environment={})).files
 

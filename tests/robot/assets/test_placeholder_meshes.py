@@ -19,7 +19,7 @@ from tests.mesh.made import binary_stl
 from tests.mesh.shapes_made import as_mesh, as_trimesh
 from urdfkit.lint.loading import read
 from urdfkit.mesh.parts import PARTS
-from urdfkit.mesh.writers import GoodMesh, write
+from urdfkit.mesh.writers import SoundMesh, write
 from urdfkit.robot.assets.placeholder_meshes import (
     GeneratedMesh,
     NoSuchMesh,
@@ -215,7 +215,7 @@ def test_mass_and_inertia_give_a_block(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("visual", "reason"),
     [
-        ("b.stl", "neither its name nor its link tells"),
+        ("b.stl", "neither its name nor its link says"),
         ("b.step", "only .dae, .stl"),
         ("package://not_there/b.stl", "package 'not_there' not found"),
         ("http://example.org/b.stl", "'http://' leads to no file"),
@@ -238,7 +238,7 @@ def test_a_file_that_several_links_name_is_made_once(tmp_path: Path) -> None:
 def test_one_mesh_by_its_reference(tmp_path: Path) -> None:
     (tmp_path / "good.stl").write_bytes(binary_stl())
     subject = read(robot(tmp_path, "good.stl", BOX))
-    with pytest.raises(GoodMesh, match=r"good\.stl is a good mesh already"):
+    with pytest.raises(SoundMesh, match=r"good\.stl is a good mesh already"):
         generate(subject, "good.stl")
     with pytest.raises(NoSuchMesh, match=r"'god\.stl'; did you mean 'good\.stl'\?"):
         generate(subject, "god.stl")
@@ -255,7 +255,7 @@ def test_a_part_for_a_new_file(tmp_path: Path) -> None:
     path = tmp_path / "imu.glb"
     one = generate_part(str(path), PARTS_BY_KEY["xsens_mti"])
     one.write()
-    with pytest.raises(GoodMesh):
+    with pytest.raises(SoundMesh):
         generate_part(str(path), PARTS_BY_KEY["xsens_mti"])
     path.write_bytes(b"")
     assert generate_part(str(path), PARTS_BY_KEY["xsens_mti"]).defect == "is empty"

@@ -38,7 +38,7 @@ from urdfkit.ros.catalog.controllers import (
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.catalog.ros_control import parameters
 from urdfkit.ros.controllers import Controller, Section, managers, named_sections
-from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.parameter_types import is_not_positive, type_of
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Node, Value
@@ -46,19 +46,13 @@ from urdfkit.text.source import Span
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
-_YAML = b"""\
-controller_manager:
-  ros__parameters:
-    update_rate: 100
-    arm:
-      type: joint_trajectory_controller/JointTrajectoryController
-arm:
-  ros__parameters:
-    joints: [shoulder]
-    command_interfaces: [position]
-    state_interfaces: [position]
-    action_monitor_rate: 20.0
-"""
+_YAML = controller_yaml(
+    "joint_trajectory_controller/JointTrajectoryController",
+    "joints: [shoulder]",
+    "command_interfaces: [position]",
+    "state_interfaces: [position]",
+    "action_monitor_rate: 20.0",
+)
 FILES = {
     "config/bad.yaml": _YAML.replace(b"20.0", b"20"),
     "config/good.yaml": _YAML,

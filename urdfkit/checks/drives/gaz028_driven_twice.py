@@ -1,7 +1,7 @@
 """Two plugins drive the same joint.
 
 Both write its velocity or force in every step, and the last one wins or they fight. Usual pairs are
-a drive plugin beside ros2_control, or beside the transmissions of `libgazebo_ros_control.so`.
+a drive plugin next to ros2_control, or next to the transmissions of `libgazebo_ros_control.so`.
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -12,36 +12,29 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.gazebo.drives import driven
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="rotor">
-  <inertial>
-    <mass value="0.2"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="rotor_joint" type="continuous">
-  <parent link="base"/>
-  <child link="rotor"/>
-  <axis xyz="0 0 1"/>
-</joint>
-<gazebo>
-  <plugin name="gz::sim::systems::JointController" filename="gz-sim-joint-controller-system">
-    <joint_name>rotor_joint</joint_name>
-  </plugin>
-  <plugin name="gz::sim::systems::ApplyJointForce" filename="gz-sim-apply-joint-force-system">
-    <joint_name>rotor_joint</joint_name>
-  </plugin>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    solid_xml("rotor", mass="0.2", moments="0.001 0.001 0.001"),
+    joint_xml("continuous", '<axis xyz="0 0 1"/>', name="rotor_joint", child="rotor"),
+    gazebo_xml(
+        plugin_xml(
+            "gz::sim::systems::JointController",
+            "gz-sim-joint-controller-system",
+            "<joint_name>rotor_joint</joint_name>",
+        ),
+        plugin_xml(
+            "gz::sim::systems::ApplyJointForce",
+            "gz-sim-apply-joint-force-system",
+            "<joint_name>rotor_joint</joint_name>",
+        ),
+    ),
+)
 GOOD = BAD[: BAD.index('  <plugin name="gz::sim::systems::ApplyJointForce"')] + "</gazebo>"
 
 

@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.robot.samples import joint_xml, robot_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import rewrite
 from urdfkit.text.grammar import is_expression
@@ -27,28 +29,16 @@ if TYPE_CHECKING:
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.text.located_yaml import Value
 
-BAD = """\
-<link name="base_footprint">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="base_link">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<joint name="base_joint" type="fixed">
-  <parent link="base_footprint"/>
-  <child link="base_link"/>
-</joint>
-<gazebo>
-  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
-    <robotBaseFrame>base_link</robotBaseFrame>
-  </plugin>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base_footprint"),
+    solid_xml("base_link"),
+    joint_xml("fixed", name="base_joint", parent="base_footprint", child="base_link"),
+    gazebo_xml(
+        plugin_xml(
+            "drive", "libgazebo_ros_planar_move.so", "<robotBaseFrame>base_link</robotBaseFrame>"
+        )
+    ),
+)
 GOOD = BAD.replace("Frame>base_link<", "Frame>base_footprint<")
 FIXED = GOOD
 

@@ -1,9 +1,9 @@
-"""Pinocchio makes no model of the robot.
+"""Pinocchio rejects the robot.
 
-Asked for with `--target pinocchio`: Pinocchio itself reads the expanded URDF, in a process of its
-own. Where it rejects, `buildModelFromUrdf` raises a ValueError that tells no reason; the reason
-goes to the standard error of the C++ library, and is repeated here. It rejects several roots,
-loops, names that are used twice or not at all, and joints whose `<limit>` lacks an effort.
+Checked with `--target pinocchio`: Pinocchio itself reads the expanded URDF, in a process of its
+own. If it rejects the robot, `buildModelFromUrdf` raises a ValueError without the reason; the
+reason goes to the standard error of the C++ library, and is repeated here. It rejects several
+roots, loops, names that are used twice or not at all, and joints whose `<limit>` lacks an effort.
 
 Sources:
     Pinocchio, URDF model: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/model.cpp
@@ -47,7 +47,7 @@ def check(subject: Subject) -> Findings:
         refusal = opinion(subject.text).refusal
         if refusal:
             reason, _, _ = refusal.partition(".  ")  # what follows is advice
-            yield Finding(_place(subject.model, refusal), f"Pinocchio makes no model: {reason}")
+            yield Finding(_place(subject.model, refusal), f"Pinocchio rejects the robot: {reason}")
 
 
 def _place(model: RobotModel, refusal: str) -> Element:

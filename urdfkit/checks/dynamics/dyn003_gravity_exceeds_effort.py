@@ -1,12 +1,11 @@
-"""Gravity asks more of a joint than its effort.
+"""The gravity torque of a joint exceeds its effort limit.
 
 In some pose within the limits the joint must hold more than the `effort` of its `<limit>`:
-whatever the controller does, the robot sags or falls there. The poses are all joints at zero and
-at their limits, some drawn with a fixed seed, and a search for the worst; the root is
-held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs and
-counterweights are not part of URDF: where the real robot has them, ignore this. Links whose gravity
-is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual way to stand for counterweights, do
-not count. `urdfkit statics` has the numbers for all joints, and takes payloads.
+whatever the controller does, the robot sags or falls there. A search finds the worst pose, with the
+root held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs
+and counterweights are not part of URDF: if the real robot has them, ignore this finding. Links
+whose gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for
+counterweights, do not count. `urdfkit statics` has the numbers for all joints, and takes payloads.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint

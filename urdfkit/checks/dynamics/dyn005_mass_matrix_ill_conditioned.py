@@ -1,10 +1,10 @@
-"""A link weighs so little beside what hangs on it that the mass matrix can hardly be inverted.
+"""The mass matrix is ill-conditioned: a link is too light for the links below it.
 
-A simulator solves for accelerations with the joint-space mass matrix at every step. A body next to
-nothing between two joints with parallel axes lets both spin against each other without resistance:
-the matrix loses as many digits as the masses are apart, and with single precision (PhysX, Bullet)
-there is nothing left. The robot trembles or explodes. Give the link the mass of the real part, or
-make one of the joints fixed.
+A simulator solves for accelerations with the joint-space mass matrix at every step. A body of
+almost no mass between two joints with parallel axes lets both spin against each other without
+resistance: the matrix loses as many digits as the masses differ by, and with single precision
+(PhysX, Bullet) none are left. The robot trembles or explodes. Give the link the mass of the real
+part, or make one of the joints fixed.
 
 Sources:
     Featherstone 2004, An Empirical Study of the Joint Space Inertia Matrix: https://dokumen.tips/documents/an-empirical-study-of-the-joint-space-inertia-matrix.html
@@ -61,5 +61,5 @@ def check(subject: Subject) -> Findings:
     joints = " against ".join(f"'{name}'" for name in found.joints[:2])
     yield Finding(
         subject.model.joints_by_name[first].at,
-        f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves next to no mass",
+        f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves almost no mass",
     )

@@ -1,8 +1,8 @@
 """A joint moves nothing: no link below it has a mass, a visual or a collision.
 
-Such a joint is a degree of freedom that no one sees. Its row of the mass matrix is zero, which
-Pinocchio's forward dynamics and MuJoCo do not take; Gazebo drops the massless link with it. Where
-it only marks a place, make it fixed; where it is a stand-in for a mechanism, `<mimic>` says so.
+Such a degree of freedom has no effect. Its row of the mass matrix is zero, which Pinocchio's
+forward dynamics and MuJoCo reject; Gazebo drops the massless link with it. If it only marks a
+frame, make it fixed; if it stands for a mechanism, add `<mimic>`.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -46,6 +46,6 @@ def check(subject: Subject) -> Findings:
             continue
         yield Finding(
             joint.at,
-            f"joint '{joint.name}' ({joint.kind}): link '{child}' and what hangs on it have "
-            "neither mass nor shape",
+            f"joint '{joint.name}' ({joint.kind}): link '{child}' and the links below it "
+            "have neither mass nor shape",
         )

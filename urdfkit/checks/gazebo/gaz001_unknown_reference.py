@@ -14,20 +14,12 @@ from __future__ import annotations
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.editing.edits import fix_value
 
-BAD = """\
-<link name="wheel">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="whel">
-  <mu1>0.8</mu1>
-</gazebo>"""
+BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0.8</mu1>", reference="whel"))
 GOOD = BAD.replace("whel", "wheel")
 FIXED = GOOD
 
@@ -50,11 +42,6 @@ def check(subject: Subject) -> Findings:
                 reference,
                 f"unknown link or joint '{reference.value}': Gazebo ignores {lost}",
                 f"did you mean '{suggested}'?" if suggested else "",
-                _fix(reference, suggested) if suggested else None,
+                fix_value(reference, suggested),
                 alike="" if suggested else "unknown",
             )
-
-
-def _fix(reference: Attribute, suggested: str) -> Fix | None:
-    edits = replace_value(reference, suggested)
-    return Fix.of(f"rename '{reference.value}' to '{suggested}'", edits)

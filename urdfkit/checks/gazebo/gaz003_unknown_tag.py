@@ -19,23 +19,16 @@ from urdfkit.core.suggest import Suggester, did_you_mean, nearest
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import RobotModel
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions, suggested
 from urdfkit.ros.catalog.sensors import children
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors, written
-from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import rename_element
+from urdfkit.text.editing.edits import fix_tag
 
-BAD = """\
-<link name="wheel">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="wheel">
-  <mu>0.8</mu>
-</gazebo>"""
+BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu>0.8</mu>", reference="wheel"))
 GOOD = BAD.replace("mu>", "mu1>")
 FIXED = GOOD
 
@@ -82,12 +75,11 @@ def _unknown(tag: str, elements: list[Element]) -> Finding:
 
 
 def _misspelt(element: Element, right: str) -> Finding:
-    edits = rename_element(element, right)
     return Finding(
         element,
         f"unknown element <{element.tag}> in <gazebo> (ignored)",
         f"did you mean <{right}>?",
-        Fix.of(f"rename it to <{right}>", edits),
+        fix_tag(element, right),
     )
 
 
@@ -107,8 +99,6 @@ def _in_sensor(child: Element, who: str, parent: str, known: Iterable[str]) -> F
     if instead := _INSTEAD.get(child.tag):
         return Finding(child, message, instead, alike=child.tag)
     intended = nearest(child.tag, known, _TYPO)
-    fix = (
-        Fix.of(f"rename it to <{intended}>", rename_element(child, intended)) if intended else None
-    )
+    fix = fix_tag(child, intended)
     message += did_you_mean(child.tag, known)
     return Finding(child, message, "fix the name of the element", fix, alike=child.tag)

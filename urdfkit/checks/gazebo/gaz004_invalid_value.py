@@ -35,23 +35,16 @@ from urdfkit.checks.gazebo.sensor_values import invalid_in_sensors
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import RobotModel, number
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import Extension, extensions
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import corrected, leading, quoted, text_of, value
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
 
-BAD = """\
-<link name="wheel">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="wheel">
-  <mu1>0,8</mu1>
-</gazebo>"""
+BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0,8</mu1>", reference="wheel"))
 GOOD = BAD.replace("0,8", "0.8")
 FIXED = GOOD
 

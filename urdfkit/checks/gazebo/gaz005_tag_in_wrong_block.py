@@ -22,26 +22,19 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Joint, Link, RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.ros.catalog.extensions import Extension, copied, extensions
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import STEP, insert_after, lines_of, remove_element
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="camera"/>
-<joint name="camera_joint" type="fixed">
-  <parent link="base"/>
-  <child link="camera"/>
-</joint>
-<gazebo reference="camera">
-  <preserveFixedJoint>true</preserveFixedJoint>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    link_xml("camera"),
+    joint_xml("fixed", name="camera_joint", child="camera"),
+    gazebo_xml("<preserveFixedJoint>true</preserveFixedJoint>", reference="camera"),
+)
 GOOD = BAD.replace('reference="camera"', 'reference="camera_joint"')
 FIXED = GOOD
 

@@ -12,23 +12,17 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import extensions
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="wheel">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="wheel">
-  <mu1>0.8</mu1>
-</gazebo>
-<gazebo reference="wheel">
-  <mu1>100</mu1>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("wheel"),
+    gazebo_xml("<mu1>0.8</mu1>", reference="wheel"),
+    gazebo_xml("<mu1>100</mu1>", reference="wheel"),
+)
 GOOD = BAD.replace("100", "0.8")
 
 #: Of a whole body, however many links were merged into it.

@@ -19,21 +19,14 @@ from __future__ import annotations
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.materials import materials
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
 
-BAD = """\
-<link name="wheel">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="wheel">
-  <material>Orange</material>
-</gazebo>"""
+BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<material>Orange</material>", reference="wheel"))
 GOOD = BAD.replace("Orange", "Gazebo/Orange")
 FIXED = GOOD
 

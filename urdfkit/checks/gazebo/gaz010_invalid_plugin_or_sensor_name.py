@@ -30,23 +30,16 @@ import re
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.source import Span
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo>
-  <plugin filename="libgazebo_ros_planar_move.so"/>
-</gazebo>"""
+BAD = robot_xml(solid_xml("base"), gazebo_xml('<plugin filename="libgazebo_ros_planar_move.so"/>'))
 GOOD = BAD.replace("<plugin", '<plugin name="drive"')
 FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
 
@@ -133,5 +126,5 @@ def _invalid_node_name(use: PluginUse) -> Findings:
         attribute,
         f"{use.title}: '{use.name}' is not a valid ROS 2 node name",
         f"write '{good}': letters, digits and underscores, no digit first",
-        Fix.of(f"rename it to '{good}'", replace_value(attribute, good)),
+        fix_value(attribute, good),
     )

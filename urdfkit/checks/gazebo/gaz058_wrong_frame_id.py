@@ -24,28 +24,27 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.plugins import PluginUse
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.document import Attribute, Element
-from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
-BAD = """\
-<link name="camera">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="camera">
-  <sensor name="imu" type="imu">
-    <plugin name="driver" filename="libgazebo_ros_imu_sensor.so">
-      <frameName>camra</frameName>
-    </plugin>
-  </sensor>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("camera"),
+    gazebo_xml(
+        sensor_xml(
+            "imu",
+            "imu",
+            plugin_xml("driver", "libgazebo_ros_imu_sensor.so", "<frameName>camra</frameName>"),
+        ),
+        reference="camera",
+    ),
+)
 FIXED = GOOD = BAD.replace("camra", "camera")
 
 #: Tags of a sensor of gz-sim, and those that each version reads.
@@ -75,7 +74,7 @@ def _unknown(subject: Subject) -> Findings:
             continue
         if name.startswith("/"):
             message = f"{who}: frame_id '{name}' begins with a slash, which tf2 rejects"
-            yield Finding(at, message, f"write {name.strip('/')}", _fix(at, name, name.strip("/")))
+            yield Finding(at, message, f"write {name.strip('/')}", fix_value(at, name.strip("/")))
         elif bare not in known and name not in known and not _is_of_the_world(name):
             suggested = suggester.suggested(name)
             help = f"did you mean '{suggested}'?" if suggested else "name a link of the robot"
@@ -83,7 +82,7 @@ def _unknown(subject: Subject) -> Findings:
                 at,
                 f"{who}: frame_id '{name}' is not a link of the robot",
                 help,
-                _fix(at, name, suggested) if suggested else None,
+                fix_value(at, suggested),
                 confidence=Confidence.INFERRED,
             )
 
@@ -151,8 +150,3 @@ def _is_of_the_world(name: str) -> bool:
 
 def _is_of_ros1(use: PluginUse) -> bool:
     return use.plugin is not None and use.plugin.generation == "classic-ros1"
-
-
-def _fix(at: Element | Attribute, name: str, suggested: str) -> Fix | None:
-    edits = rewrite(at, suggested)
-    return Fix.of(f"rename '{name}' to '{suggested}'", edits)

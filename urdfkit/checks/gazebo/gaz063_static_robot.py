@@ -12,30 +12,19 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
+from urdfkit.robot.samples import joint_xml, robot_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import is_true
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<joint name="axle" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-</joint>
-<gazebo>
-  <static>true</static>
-  <plugin name="control" filename="libgazebo_ros_control.so"/>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    solid_xml("wheel"),
+    joint_xml("continuous", name="axle", child="wheel"),
+    gazebo_xml(
+        "<static>true</static>", '<plugin name="control" filename="libgazebo_ros_control.so"/>'
+    ),
+)
 GOOD = BAD.replace("true", "false")
 
 

@@ -22,21 +22,16 @@ import re
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Plugin, misspelt
 from urdfkit.ros.gazebo.plugins import PluginUse
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.editing.edits import fix_value
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo>
-  <plugin name="drive" filename="libgazebo_ros_planar_mvoe.so"/>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"), gazebo_xml('<plugin name="drive" filename="libgazebo_ros_planar_mvoe.so"/>')
+)
 GOOD = BAD.replace("mvoe", "move")
 FIXED = GOOD
 
@@ -69,7 +64,7 @@ def _misspelt(use: PluginUse, suggested: str) -> Finding:
         at,
         f"{use.title}: unknown plugin library",
         f"did you mean '{suggested}'?",
-        Fix.of(f"write {suggested}", replace_value(at, suggested)),
+        fix_value(at, suggested),
         alike=suggested,
         severity=Severity.WARNING,
     )
@@ -85,7 +80,7 @@ def _unknown_class(use: PluginUse) -> Findings:
             name,
             f"{use.title}: the library has no class '{use.name}', only {' or '.join(classes)}",
             f'write name="{classes[0]}"',
-            Fix.of(f"name the class {classes[0]}", replace_value(name, classes[0])),
+            fix_value(name, classes[0]),
             severity=Severity.ERROR,
         )
 

@@ -19,23 +19,21 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets, target_of_plugin
 from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.editing.edits import all_or_none, replace_value
 
 TARGETS = ("gz-fortress",)
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo>
-  <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system"/>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    gazebo_xml(
+        '<plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system"/>'
+    ),
+)
 GOOD = BAD.replace("gz::sim", "ignition::gazebo").replace("gz-sim", "ignition-gazebo")
 FIXED = GOOD
 

@@ -21,19 +21,15 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.plugins import PluginUse
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="base">
-  <plugin name="drive" filename="libgazebo_ros_planar_move.so"/>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    gazebo_xml('<plugin name="drive" filename="libgazebo_ros_planar_move.so"/>', reference="base"),
+)
 GOOD = BAD.replace(' reference="base"', "")
 
 _WHERE = {
@@ -62,7 +58,7 @@ def check(subject: Subject) -> Findings:
     for use in subject.plugins:
         reference = use.block.get("reference")
         if use.place == "link" and reference not in known:
-            continue  # GAZ001: the whole block is lost
+            continue  # GAZ001: the whole block is ignored
         kinds = use.plugin.kinds if use.plugin else ()
         where = " or ".join(_WHERE[kind] for kind in kinds)
         if use.place == "link":

@@ -21,26 +21,26 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Plugin, renames
 from urdfkit.ros.gazebo.parameters import UnreadParameter, unread
 from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import rename_element
+from urdfkit.text.editing.edits import fix_tag, rename_element
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo>
-  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
-    <robotBaseFrme>base</robotBaseFrme>
-    <odometryFrame>odom</odometryFrame>
-  </plugin>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    gazebo_xml(
+        plugin_xml(
+            "drive",
+            "libgazebo_ros_planar_move.so",
+            "<robotBaseFrme>base</robotBaseFrme>",
+            "<odometryFrame>odom</odometryFrame>",
+        )
+    ),
+)
 GOOD = BAD.replace("Frme", "Frame")
 FIXED = GOOD
 
@@ -75,7 +75,7 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
         element,
         f"{use.title}: unknown element <{element.tag}> (ignored)",
         f"did you mean <{name}>?",
-        Fix.of(f"rename it to <{name}>", rename_element(element, name)),
+        fix_tag(element, name),
         alike=f"{use.filename} misspelt",
         severity=Severity.INFO if _is_default(use, name, element.text) else Severity.WARNING,
     )

@@ -13,22 +13,16 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Parameter, Plugin
 from urdfkit.ros.gazebo.plugins import PluginUse
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="arm">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo>
-  <plugin name="pose" filename="libgazebo_ros_p3d.so">
-    <topicName>arm_pose</topicName>
-  </plugin>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("arm"),
+    gazebo_xml(plugin_xml("pose", "libgazebo_ros_p3d.so", "<topicName>arm_pose</topicName>")),
+)
 GOOD = BAD.replace("    <topic", "    <bodyName>arm</bodyName>\n    <topic")
 
 

@@ -28,34 +28,23 @@ from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.catalog.extensions import rewritten
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference, conversion_result
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.editing.edits import from_macro, insert_before, rewrite
+from urdfkit.text.editing.edits import fix_value, from_macro, insert_before
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<joint name="wheel_joint" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-  <axis xyz="0 1 0"/>
-</joint>
-<gazebo>
-  <plugin name="states" filename="libgazebo_ros_joint_state_publisher.so">
-    <jointName>wheel_jont</jointName>
-  </plugin>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    solid_xml("wheel"),
+    joint_xml("continuous", '<axis xyz="0 1 0"/>', name="wheel_joint", child="wheel"),
+    gazebo_xml(
+        plugin_xml(
+            "states", "libgazebo_ros_joint_state_publisher.so", "<jointName>wheel_jont</jointName>"
+        )
+    ),
+)
 GOOD = BAD.replace("wheel_jont", "wheel_joint")
 FIXED = GOOD
 
@@ -90,9 +79,7 @@ def check(subject: Subject) -> Findings:
 def _unknown(use: PluginUse, reference: Reference, suggester: Suggester) -> Finding:
     item, name = reference.item, reference.name
     suggested = suggester.suggested(name)
-    fix = None
-    if suggested and item.text == name:
-        fix = Fix.of(f"rename '{name}' to '{suggested}'", rewrite(item.at, suggested))
+    fix = fix_value(item.at, suggested) if item.text == name else None
     return Finding(
         item.at,
         f"{use.title} refers to unknown {reference.kind} '{name}'{use.outcome}",

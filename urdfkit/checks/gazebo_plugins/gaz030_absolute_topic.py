@@ -12,21 +12,21 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo>
-  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
-    <commandTopic>/cmd_vel</commandTopic>
-    <robotBaseFrame>base</robotBaseFrame>
-  </plugin>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    gazebo_xml(
+        plugin_xml(
+            "drive",
+            "libgazebo_ros_planar_move.so",
+            "<commandTopic>/cmd_vel</commandTopic>",
+            "<robotBaseFrame>base</robotBaseFrame>",
+        )
+    ),
+)
 GOOD = BAD.replace("/cmd_vel<", "cmd_vel<")
 
 

@@ -28,27 +28,21 @@ from collections.abc import Iterable, Mapping
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import SensorType, types
 from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.source import Span
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="base">
-  <sensor name="lidar" type="gpu_lidr">
-    <update_rate>10</update_rate>
-  </sensor>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    gazebo_xml(sensor_xml("lidar", "gpu_lidr", "<update_rate>10</update_rate>"), reference="base"),
+)
 FIXED = GOOD = BAD.replace("gpu_lidr", "gpu_lidar")
 
 #: The least similarity of a typo to a type.
@@ -138,7 +132,7 @@ def _is_made(type: SensorType, targets: Targets) -> bool:
 
 
 def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:
-    """True for a type of a foreign package, whose plugin stands in the sensor."""
+    """True for a type of a foreign package, whose plugin is in the sensor."""
     from urdfkit.ros.catalog.plugins import find  # loads the catalogue
 
     files = [(plugin.get("filename") or "").strip() for plugin in sensor.plugins]
@@ -148,5 +142,4 @@ def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:
 
 def _fix(sensor: Sensor, known: Iterable[str]) -> Fix | None:
     kind, suggested = sensor.at.attributes.get("type"), nearest(sensor.type, known, _TYPO)
-    edits = replace_value(kind, suggested) if kind and suggested else None
-    return Fix.of(f"write {suggested}", edits)
+    return fix_value(kind, suggested) if kind else None

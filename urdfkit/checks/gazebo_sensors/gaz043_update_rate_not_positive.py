@@ -14,21 +14,15 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="base">
-  <sensor name="camera" type="camera">
-    <update_rate>0</update_rate>
-  </sensor>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    gazebo_xml(sensor_xml("camera", "camera", "<update_rate>0</update_rate>"), reference="base"),
+)
 GOOD = BAD.replace(">0<", ">30<")
 
 #: In the types of sensors that are rendered, or cast rays.

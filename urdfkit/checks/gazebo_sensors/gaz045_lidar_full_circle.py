@@ -17,8 +17,8 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.editing.edits import fix_value
 
 BAD = LIDAR.replace(">-1<", ">-3.1415926<").replace(">1<", ">3.1415926<")
 GOOD = BAD.replace(">3.1415926<", ">3.1241<")
@@ -39,7 +39,6 @@ def check(subject: Subject) -> Findings:
         step = 2 * pi / count
         if span > 2 * pi - step / 2:
             text = f"{first.value + 2 * pi - step:.6g}"
-            edits = rewrite(last.at, text)
             more = "the first and the last coincide"
             if span > 2 * pi + step / 2:
                 more = "the last repeat the first"
@@ -47,5 +46,5 @@ def check(subject: Subject) -> Findings:
                 last,
                 f"{sensor.who}: {count:g} beams over {span:g} rad: {more}",
                 f"write {text}",
-                Fix.of(f"write {text}", edits),
+                fix_value(last.at, text),
             )

@@ -21,8 +21,8 @@ from urdfkit.robot.model import number, numbers
 from urdfkit.ros.gazebo.rejection import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
-from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.diagnostic import Confidence, Severity
+from urdfkit.text.editing.edits import fix_value
 
 BAD = LIDAR.replace(">-1<", ">-90<").replace(">1<", ">90<")
 GOOD = FIXED = BAD.replace("90<", "1.5708<")
@@ -42,12 +42,11 @@ def check(subject: Subject) -> Findings:
             angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
             if angle is not None and abs(angle.value) > 2 * pi + 1e-3:
                 text, tag = f"{radians(angle.value):.6g}", path.rpartition("/")[2]
-                edits = rewrite(angle.at, text)
                 yield Finding(
                     angle,
                     f"{sensor.who}: <{tag}> is {angle.value:g} rad, more than a full turn",
                     f"if it is in degrees, write {text}",
-                    Fix.of(f"write {text}", edits),
+                    fix_value(angle.at, text),
                     confidence=Confidence.INFERRED,
                 )
         yield from _turned_far(sensor)
@@ -63,12 +62,11 @@ def _turned_far(sensor: Sensor) -> Findings:
         most = max(values[3:], key=abs)
         if abs(most) > 2 * pi + 1e-3:
             right = " ".join(f"{part:.6g}" for part in (*values[:3], *map(radians, values[3:])))
-            edits = rewrite(pose, right)
             yield Finding(
                 pose,
                 f"{sensor.who}: <pose> rotates it by {most:g} rad, more than a full turn",
                 f"if it is in degrees, write {right}",
-                Fix.of(f"write {right}", edits),
+                fix_value(pose, right),
                 confidence=Confidence.INFERRED,
             )
 
@@ -80,11 +78,10 @@ def _field_of_view(sensor: Sensor) -> Findings:
         if element is None or value is None or 0 < value <= 2 * pi:
             continue
         text = f"{radians(value):.6g}"
-        edits = rewrite(element, text) if value > 0 else None
         yield Finding(
             element,
             f"{sensor.who}: <horizontal_fov> is {value:g} rad, must be in (0, 2 pi]: {REJECTED}",
             f"if it is in degrees, write {text}" if value > 0 else "",
-            Fix.of(f"write {text}", edits),
+            fix_value(element, text) if value > 0 else None,
             severity=Severity.ERROR,
         )

@@ -15,26 +15,20 @@ from __future__ import annotations
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import collision_xml, robot_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import replace_text
+from urdfkit.text.editing.edits import fix_value
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-  <collision>
-    <geometry><sphere radius="0.1"/></geometry>
-  </collision>
-</link>
-<gazebo reference="base">
-  <sensor name="bumper" type="contact">
-    <contact><collision>base_colision</collision></contact>
-  </sensor>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base", collision_xml('<sphere radius="0.1"/>')),
+    gazebo_xml(
+        sensor_xml("bumper", "contact", "<contact><collision>base_colision</collision></contact>"),
+        reference="base",
+    ),
+)
 GOOD = BAD.replace("base_colision", "base_collision")
 FIXED = GOOD
 
@@ -69,7 +63,7 @@ def check(subject: Subject) -> Findings:
             yield Finding(
                 named,
                 f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}",
-                fix=_fix(named, suggested),
+                fix=fix_value(named, suggested),
             )
 
 
@@ -78,8 +72,3 @@ def _called(collision: Element) -> tuple[str, ...]:
     own = collision.get("name") or ""
     link = collision.parent.get("name") if collision.parent else ""
     return (own, f"{own}_collision", f"{link}_collision")
-
-
-def _fix(named: Element, suggested: str) -> Fix | None:
-    edits = replace_text(named, suggested) if suggested else None
-    return Fix.of(f"write {suggested}", edits)

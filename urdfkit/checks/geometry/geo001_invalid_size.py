@@ -33,8 +33,7 @@ from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 
 BAD = link_xml("arm", collision_xml('<box size="0.1 -0.2 0.3"/>'))
-GOOD = BAD.replace("-0.2", "0.2")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("-0.2", "0.2")
 
 
 @rule(Severity.ERROR, help="write a positive size in m")

@@ -29,25 +29,15 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, Mismatch, VisualCollisionPair
 from urdfkit.robot.model import Body, Link
+from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
 from urdfkit.robot.shapes import BoundingBox
 from urdfkit.text.diagnostic import Confidence, Edit, Fix, Related, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_first, remove_element
 
-BAD = """\
-<link name="base">
-  <visual>
-    <origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>
-    <geometry><box size="0.2 0.3 0.1"/></geometry>
-  </visual>
-  <collision>
-    <geometry><box size="0.2 0.3 0.1"/></geometry>
-  </collision>
-</link>"""
-GOOD = BAD.replace(
-    "<collision>", '<collision>\n    <origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>'
-)
-FIXED = GOOD
+_BOX, _ORIGIN = '<box size="0.2 0.3 0.1"/>', '<origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>'
+BAD = link_xml("base", visual_xml(_BOX, _ORIGIN), collision_xml(_BOX))
+FIXED = GOOD = BAD.replace("<collision>", f"<collision>\n    {_ORIGIN}")
 
 
 #: Factors between units of length, and what they are made of.

@@ -21,19 +21,14 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
+from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 
-BAD = """\
-<material name="orange">
-  <color rgba="255 140 0 1"/>
-</material>
-<link name="base">
-  <visual>
-    <geometry><box size="0.1 0.1 0.1"/></geometry>
-    <material name="orange"/>
-  </visual>
-</link>"""
+BAD = robot_xml(
+    '<material name="orange"><color rgba="255 140 0 1"/></material>',
+    link_xml("base", visual_xml('<box size="0.1 0.1 0.1"/>', '<material name="orange"/>')),
+)
 FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 
 #: Components up to this are 1 with an error, not values up to 255.

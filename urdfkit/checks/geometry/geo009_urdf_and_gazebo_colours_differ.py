@@ -16,21 +16,17 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material
+from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="wheel">
-  <visual>
-    <geometry><cylinder radius="0.06" length="0.05"/></geometry>
-    <material name="black"><color rgba="0 0 0 1"/></material>
-  </visual>
-</link>
-<gazebo reference="wheel">
-  <material>Gazebo/Red</material>
-</gazebo>"""
+_BLACK = '<material name="black"><color rgba="0 0 0 1"/></material>'
+BAD = robot_xml(
+    link_xml("wheel", visual_xml('<cylinder radius="0.06" length="0.05"/>', _BLACK)),
+    '<gazebo reference="wheel">\n  <material>Gazebo/Red</material>\n</gazebo>',
+)
 GOOD = BAD.replace("Gazebo/Red", "Gazebo/Black")
 
 #: Red, green or blue differ by more than this between colours that nobody confuses.

@@ -15,22 +15,15 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.robot.shapes import SIZES
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute, Element
 
-BAD = """\
-<link name="sign">
-  <visual>
-    <geometry><box size="0.3 0.01 0.2"/></geometry>
-    <material name="logo">
-      <texture filename="package://sign_description/textures/logo.png"/>
-    </material>
-  </visual>
-</link>"""
-GOOD = BAD.replace(
-    '<texture filename="package://sign_description/textures/logo.png"/>', '<color rgba="0 0 1 1"/>'
-)
+_TEXTURE = '<texture filename="package://sign_description/textures/logo.png"/>'
+_MATERIAL = f'<material name="logo">{_TEXTURE}</material>'
+BAD = link_xml("sign", visual_xml('<box size="0.3 0.01 0.2"/>', _MATERIAL))
+GOOD = BAD.replace(_TEXTURE, '<color rgba="0 0 1 1"/>')
 
 
 @rule(

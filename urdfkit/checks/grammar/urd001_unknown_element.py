@@ -35,8 +35,7 @@ BAD = """\
     <geometry><box size="0.2 0.2 0.1"/></geometry>
   </colision>
 </link>"""
-GOOD = BAD.replace("colision", "collision")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("colision", "collision")
 
 #: What replaced an element of early versions.
 _INSTEAD = {"joint_properties": "write <dynamics> instead, which has the same attributes"}

@@ -27,8 +27,7 @@ BAD = robot_xml(
     link_xml("lid"),
     joint_xml("continuous", '<dynamics damping="0.1" fricton="0.2"/>', name="hinge", child="lid"),
 )
-GOOD = BAD.replace("fricton", "friction")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("fricton", "friction")
 
 #: Foreign attributes, and elements that have them, that are shown.
 _SHOWN = 5

@@ -30,8 +30,7 @@ from urdfkit.text.grammar import owner
 from urdfkit.text.source import Span
 
 BAD = link_xml("wheel", visual_xml('<cylinder radus="0.1" length="0.05"/>'))
-GOOD = BAD.replace("radus", "radius")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("radus", "radius")
 
 
 @rule(Severity.ERROR, help="add the attribute")

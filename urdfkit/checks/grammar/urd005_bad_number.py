@@ -30,8 +30,7 @@ BAD = """\
     <geometry><sphere radius="0,05"/></geometry>
   </collision>
 </link>"""
-GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.05"')
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.05"')
 
 
 @rule(

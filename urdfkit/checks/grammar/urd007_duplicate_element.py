@@ -30,8 +30,7 @@ BAD = """\
     <origin xyz="0 0 0.05" />
   </collision>
 </link>"""
-GOOD = BAD.replace('    <origin xyz="0 0 0.05" />\n', "")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('    <origin xyz="0 0 0.05" />\n', "")
 
 
 @rule(Severity.WARNING, help="remove one of them")

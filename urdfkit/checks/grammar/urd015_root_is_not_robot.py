@@ -17,8 +17,7 @@ from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import rename_element
 
 BAD = '<Robot name="cart">\n  <link name="base"/>\n</Robot>\n'
-GOOD = BAD.replace("Robot", "robot")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("Robot", "robot")
 
 
 @rule(Severity.ERROR, help="check the file that holds the <robot>")

@@ -30,8 +30,7 @@ from urdfkit.robot.samples import inertial_xml, link_xml
 from urdfkit.text.diagnostic import Severity
 
 BAD = link_xml("arm", inertial_xml("2", "0.01 0.01 0.15"))
-GOOD = BAD.replace('"0.15"', '"0.015"')
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('"0.15"', '"0.015"')
 
 
 @rule(

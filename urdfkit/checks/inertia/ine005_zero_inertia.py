@@ -34,10 +34,9 @@ BAD = robot_xml(
     ),
     joint_xml("continuous"),
 )
-GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
+FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
     '"0" iyz="0" izz="0"', '"0.00197917" iyz="0" izz="0.000625"'
 )
-FIXED = GOOD
 
 
 @rule(

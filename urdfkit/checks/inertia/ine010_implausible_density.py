@@ -34,8 +34,9 @@ BAD = link_xml(
     collision_xml('<cylinder radius="0.05" length="0.03"/>'),
     inertial_xml("350", "0.245 0.245 0.4375"),
 )
-GOOD = BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375", "0.0004375")
-FIXED = GOOD
+FIXED = GOOD = (
+    BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375", "0.0004375")
+)
 
 
 @rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)

@@ -21,20 +21,13 @@ from urdfkit.core.spatial import Vector
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside, center_mistake
+from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 from urdfkit.text.diagnostic import Confidence, Severity
 
-BAD = """\
-<link name="caster">
-  <collision>
-    <geometry><sphere radius="0.05"/></geometry>
-  </collision>
-  <inertial>
-    <origin xyz="-0.4 0 0"/>
-    <mass value="0.5"/>
-    <inertia ixx="0.0005" ixy="0" ixz="0" iyy="0.0005" iyz="0" izz="0.0005"/>
-  </inertial>
-</link>"""
-GOOD = BAD.replace("-0.4 0 0", "0 0 0")
+GOOD = link_xml(
+    "caster", collision_xml('<sphere radius="0.05"/>'), inertial_xml("0.5", "0.0005 0.0005 0.0005")
+)
+BAD = GOOD.replace("<mass", '<origin xyz="-0.4 0 0"/>\n    <mass')
 
 
 @rule(Severity.WARNING, help="write the <origin> of the <inertial> in the link's own frame, in m")

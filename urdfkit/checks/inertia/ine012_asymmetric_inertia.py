@@ -16,33 +16,12 @@ from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import unlike
+from urdfkit.robot.samples import hand_xml, inertial_xml
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
-BAD = """\
-<link name="hand"/>
-<link name="left_finger">
-  <inertial>
-    <mass value="0.015"/>
-    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
-  </inertial>
-</link>
-<link name="right_finger">
-  <inertial>
-    <mass value="0.15"/>
-    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
-  </inertial>
-</link>
-<joint name="left" type="fixed">
-  <origin xyz="0 0.02 0"/>
-  <parent link="hand"/>
-  <child link="left_finger"/>
-</joint>
-<joint name="right" type="fixed">
-  <origin xyz="0 -0.02 0"/>
-  <parent link="hand"/>
-  <child link="right_finger"/>
-</joint>"""
-GOOD = BAD.replace('"0.15"', '"0.015"')
+_ORIGINS = ['<origin xyz="0 0.02 0"/>'], ['<origin xyz="0 -0.02 0"/>']
+GOOD = hand_xml("fixed", *_ORIGINS, inertial_xml("0.015", "2.4e-6 2.4e-6 7.5e-7"))
+BAD = '"0.15"'.join(GOOD.rsplit('"0.015"', 1))
 
 
 @rule(Severity.WARNING, help="compare the two, and give both the right value")

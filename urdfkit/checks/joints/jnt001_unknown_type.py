@@ -25,8 +25,7 @@ from urdfkit.text.grammar import is_expression
 from urdfkit.text.schema import JOINT_TYPES
 
 BAD = arm_xml("Revolute", '<limit lower="-1" upper="1" effort="10" velocity="1"/>')
-GOOD = BAD.replace("Revolute", "revolute")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("Revolute", "revolute")
 
 #: Similarity from which a word is a misspelt type.
 _SIMILAR = 0.75

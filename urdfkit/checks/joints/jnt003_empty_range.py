@@ -27,8 +27,7 @@ from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import swap
 
 BAD = arm_xml("revolute", '<limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>')
-GOOD = BAD.replace('lower="2.775" upper="-2.775"', 'lower="-2.775" upper="2.775"')
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('lower="2.775" upper="-2.775"', 'lower="-2.775" upper="2.775"')
 
 #: How robots made for PyBullet say that a joint is free.
 _FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))

@@ -36,8 +36,7 @@ from urdfkit.text.editing.edits import replace_value
 BAD = arm_xml(
     "prismatic", '<axis xyz="0 3 4"/>', '<limit lower="0" upper="0.5" effort="100" velocity="1"/>'
 )
-GOOD = BAD.replace("0 3 4", "0 0.6 0.8")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("0 3 4", "0 0.6 0.8")
 
 #: sdformat's bound for no direction; MuJoCo's is smaller.
 _ZERO = 1e-6

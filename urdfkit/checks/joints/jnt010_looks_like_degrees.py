@@ -38,8 +38,7 @@ from urdfkit.text.editing.edits import replace_value, scale_limits
 from urdfkit.text.grammar import owner
 
 BAD = arm_xml("revolute", '<limit lower="-90" upper="90" effort="10" velocity="1"/>')
-GOOD = BAD.replace('lower="-90" upper="90"', 'lower="-1.570796327" upper="1.570796327"')
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('lower="-90" upper="90"', 'lower="-1.570796327" upper="1.570796327"')
 
 #: Further than two turns to one side, in rad.
 _FAR = 4 * pi

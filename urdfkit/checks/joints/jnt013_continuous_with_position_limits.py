@@ -22,8 +22,7 @@ BAD = arm_xml(
     '<axis xyz="0 0 1"/>',
     '<limit lower="-6.28" upper="6.28" effort="9" velocity="6.28"/>',
 )
-GOOD = BAD.replace('lower="-6.28" upper="6.28" ', "")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('lower="-6.28" upper="6.28" ', "")
 
 
 @rule(Severity.WARNING, help="remove lower and upper, or make the joint revolute")

@@ -23,26 +23,14 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.samples import hand_xml
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.schema import JOINT_TYPES
 
-BAD = """\
-<link name="hand"/>
-<link name="left_finger"/>
-<link name="right_finger"/>
-<joint name="left_finger_joint" type="prismatic">
-  <parent link="hand"/>
-  <child link="left_finger"/>
-  <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
-  <mimic joint="right_finger_joint"/>
-</joint>
-<joint name="right_finger_joint" type="prismatic">
-  <parent link="hand"/>
-  <child link="right_finger"/>
-  <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
-  <mimic joint="left_finger_joint"/>
-</joint>"""
-GOOD = BAD.replace('  <mimic joint="right_finger_joint"/>\n', "")
+_LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
+_OF_LEFT, _OF_RIGHT = '<mimic joint="left_joint"/>', '<mimic joint="right_joint"/>'
+BAD = hand_xml("prismatic", [_LIMIT, _OF_RIGHT], [_LIMIT, _OF_LEFT])
+GOOD = hand_xml("prismatic", [_LIMIT], [_LIMIT, _OF_LEFT])
 
 #: Joints that a message names.
 _MAX_NAMES = 6

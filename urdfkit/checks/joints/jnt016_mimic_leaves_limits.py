@@ -16,23 +16,11 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import hand_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="hand"/>
-<link name="left_finger"/>
-<link name="right_finger"/>
-<joint name="left_finger_joint" type="revolute">
-  <parent link="hand"/>
-  <child link="left_finger"/>
-  <limit lower="0" upper="0.8" effort="20" velocity="2"/>
-</joint>
-<joint name="right_finger_joint" type="revolute">
-  <parent link="hand"/>
-  <child link="right_finger"/>
-  <limit lower="0" upper="0.8" effort="20" velocity="2"/>
-  <mimic joint="left_finger_joint" multiplier="-1"/>
-</joint>"""
+_LIMIT = '<limit lower="0" upper="0.8" effort="20" velocity="2"/>'
+BAD = hand_xml("revolute", [_LIMIT], [_LIMIT, '<mimic joint="left_joint" multiplier="-1"/>'])
 GOOD = BAD.replace(' multiplier="-1"', "")
 
 #: Part of the range that is rounding.

@@ -18,8 +18,7 @@ from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_element
 
 BAD = arm_xml("fixed", '<axis xyz="0 1 0"/>')
-GOOD = BAD.replace('  <axis xyz="0 1 0"/>\n', "")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('  <axis xyz="0 1 0"/>\n', "")
 
 
 @rule(Severity.INFO)

@@ -31,26 +31,13 @@ from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.kinematics import TURNING, direction
 from urdfkit.robot.model import Joint, Placed, number
+from urdfkit.robot.samples import hand_xml
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
-BAD = """\
-<link name="torso"/>
-<link name="left_arm"/>
-<link name="right_arm"/>
-<joint name="left_shoulder" type="revolute">
-  <parent link="torso"/>
-  <child link="left_arm"/>
-  <origin xyz="0 0.2 0"/>
-  <axis xyz="0 1 0"/>
-  <limit lower="-1" upper="2" effort="80" velocity="11"/>
-</joint>
-<joint name="right_shoulder" type="revolute">
-  <parent link="torso"/>
-  <child link="right_arm"/>
-  <origin xyz="0 -0.2 0"/>
-  <axis xyz="0 1 0"/>
-  <limit lower="-1" upper="2" effort="1000" velocity="11"/>
-</joint>"""
+_AXIS = '<axis xyz="0 1 0"/>'
+_LIMIT = '<limit lower="-1" upper="2" effort="80" velocity="11"/>'
+_LEFT, _RIGHT = '<origin xyz="0 0.2 0"/>', '<origin xyz="0 -0.2 0"/>'
+BAD = hand_xml("revolute", [_LEFT, _AXIS, _LIMIT], [_RIGHT, _AXIS, _LIMIT.replace("80", "1000")])
 GOOD = BAD.replace("1000", "80")
 
 _TOLERANCE = 0.01

@@ -20,48 +20,22 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import RobotModel
+from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="hand">
-  <inertial>
-    <mass value="0.4"/>
-    <inertia ixx="3e-4" ixy="0" ixz="0" iyy="2e-4" iyz="0" izz="4e-4"/>
-  </inertial>
-</link>
-<link name="left_finger">
-  <inertial>
-    <mass value="0.015"/>
-    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
-  </inertial>
-</link>
-<link name="right_finger">
-  <inertial>
-    <mass value="0.015"/>
-    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
-  </inertial>
-</link>
-<joint name="left_finger_joint" type="prismatic">
-  <parent link="hand"/>
-  <child link="left_finger"/>
-  <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
-</joint>
-<joint name="right_finger_joint" type="prismatic">
-  <parent link="hand"/>
-  <child link="right_finger"/>
-  <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
-  <mimic joint="left_finger_joint"/>
-</joint>
-<gazebo>
-  <plugin name="control" filename="libgazebo_ros_control.so"/>
-</gazebo>"""
+_LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
+_INERTIAL = inertial_xml("0.015", "2.4e-6 2.4e-6 7.5e-7")
+BAD = robot_xml(
+    hand_xml("prismatic", [_LIMIT], [_LIMIT, '<mimic joint="left_joint"/>'], _INERTIAL),
+    '<gazebo>\n  <plugin name="control" filename="libgazebo_ros_control.so"/>\n</gazebo>',
+)
 GOOD = BAD.replace(
     "</gazebo>",
     """\
   <plugin name="fingers" filename="libroboticsgroup_gazebo_mimic_joint_plugin.so">
-    <joint>left_finger_joint</joint>
-    <mimicJoint>right_finger_joint</mimicJoint>
+    <joint>left_joint</joint>
+    <mimicJoint>right_joint</mimicJoint>
   </plugin>
 </gazebo>""",
 )

@@ -14,22 +14,14 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import hand_xml
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
-_FINGER = """\
-<link name="{side}_finger"/>
-<joint name="{side}_joint" type="prismatic">
-  <parent link="palm"/>
-  <child link="{side}_finger"/>
-  <origin xyz="0 {y} 0.05"/>
-  <axis xyz="0 {axis} 0"/>
-  <limit lower="0" upper="0.04" effort="10" velocity="0.1"/>{mimic}
-</joint>
-"""
-_MIMIC = '\n  <mimic joint="left_joint"/>'
-_LEFT = '<link name="palm"/>\n' + _FINGER.format(side="left", y=0.01, axis=1, mimic="")
-BAD = _LEFT + _FINGER.format(side="right", y=-0.01, axis=1, mimic=_MIMIC)
-GOOD = _LEFT + _FINGER.format(side="right", y=-0.01, axis=-1, mimic=_MIMIC)
+_LIMIT = '<limit lower="0" upper="0.04" effort="10" velocity="0.1"/>'
+_LEFT = '<origin xyz="0 0.01 0.05"/>', '<axis xyz="0 1 0"/>', _LIMIT
+_RIGHT = '<origin xyz="0 -0.01 0.05"/>', '<axis xyz="0 1 0"/>', _LIMIT
+BAD = hand_xml("prismatic", _LEFT, (*_RIGHT, '<mimic joint="left_joint"/>'))
+GOOD = BAD.replace('-0.01 0.05"/>\n  <axis xyz="0 1 0"/>', '-0.01 0.05"/>\n  <axis xyz="0 -1 0"/>')
 
 #: In m: fingers nearer to each other than this have no gap to close.
 _NEAR = 1e-3

@@ -59,10 +59,10 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
     """A wheel whose joint turns about another axis than its shape."""
     if joint.kind != "continuous" or not _is_wheel(joint, link):
         return
-    tyre = _tyre(link, mesh_solid)
-    if tyre is None:
+    wheel = _wheel_shape(link, mesh_solid)
+    if wheel is None:
         return
-    (body, axle), axis = tyre, direction(joint)
+    (body, axle), axis = wheel, direction(joint)
     what = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
     if abs(dot(axis, axle)) < _ACROSS:
         yield Finding(
@@ -109,7 +109,9 @@ def _is_wheel(joint: Joint, link: Link) -> bool:
     return "wheel" in names and not any(word in names for word in _OTHERS)
 
 
-def _tyre(link: Link, mesh_solid: Callable[[Body], MeshSolid | None]) -> tuple[Body, Vector] | None:
+def _wheel_shape(
+    link: Link, mesh_solid: Callable[[Body], MeshSolid | None]
+) -> tuple[Body, Vector] | None:
     """The flat shape of a wheel about its joint, and the axis of it; None if it has none."""
     for bodies in (link.collisions, link.visuals):
         shape = bodies[0].shape if len(bodies) == 1 else None

@@ -15,23 +15,14 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import LinkSolid, solid
 from urdfkit.text.diagnostic import Confidence, Severity
 
-_LINK = """\
-<link name="{name}">
-  <visual>
-    <origin xyz="0 0 0.12"/>
-    <geometry><box size="0.05 0.05 0.24"/></geometry>
-  </visual>
-</link>
-"""
-BAD = f"""\
-{_LINK.format(name="arm")}{_LINK.format(name="hand")}<joint name="wrist" type="fixed">
-  <parent link="arm"/>
-  <child link="hand"/>
-  <origin xyz="0 0 2.4"/>
-</joint>"""
+_SHAPE = visual_xml('<box size="0.05 0.05 0.24"/>', '<origin xyz="0 0 0.12"/>')
+BAD = robot_xml(
+    link_xml("base", _SHAPE), link_xml("arm", _SHAPE), joint_xml("fixed", '<origin xyz="0 0 2.4"/>')
+)
 GOOD = BAD.replace("2.4", "0.24")
 
 #: Times that the gap is longer than the longest shape; and in m.

@@ -17,21 +17,23 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint, Placed
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Confidence, Severity
 
-_LINK = '<link name="{name}"/>\n'
-_JOINT = """\
-<joint name="{name}" type="revolute">
-  <parent link="{parent}"/>
-  <child link="{child}"/>
-  <limit lower="-2" upper="2" effort="{effort}" velocity="3"/>
-</joint>
-"""
 _LINKS = ("base", "shoulder", "arm", "forearm", "hand")
-_EFFORTS = {"waist": "80", "lift": "80", "elbow": "40000", "wrist": "20"}
-BAD = "".join(_LINK.format(name=name) for name in _LINKS) + "".join(
-    _JOINT.format(name=name, parent=parent, child=child, effort=effort)
-    for (name, effort), parent, child in zip(_EFFORTS.items(), _LINKS, _LINKS[1:], strict=False)
+_EFFORTS = (80, 80, 40000, 20)
+BAD = robot_xml(
+    *map(link_xml, _LINKS),
+    *(
+        joint_xml(
+            "revolute",
+            f'<limit lower="-2" upper="2" effort="{effort}" velocity="3"/>',
+            name=f"{child}_joint",
+            parent=parent,
+            child=child,
+        )
+        for effort, parent, child in zip(_EFFORTS, _LINKS, _LINKS[1:], strict=False)
+    ),
 )
 GOOD = BAD.replace("40000", "40")
 

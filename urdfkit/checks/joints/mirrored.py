@@ -14,8 +14,8 @@ from urdfkit.robot.symmetry import pairs
 _NEAR = 1e-4
 _AXES = "xyz"
 
-#: In m: robots are not quite symmetric. And pairs that are, beside the one that is not.
-_OFF, _OTHERS = 0.004, 2
+#: In m: robots are not quite symmetric. And the symmetric pairs next to the one that is not.
+_OFFSET, _OTHERS = 0.004, 2
 
 
 class _Pair(Record):
@@ -36,13 +36,13 @@ class _Pair(Record):
 def misplaced(subject: Subject) -> Iterator[tuple[Joint, Joint, str]]:
     """Counterparts that are not mirror images: the right one, the misplaced one, and the reason."""
     reported = set()
-    for one, other, reason in _of_one_link(subject.model):
+    for one, other, reason in _on_one_link(subject.model):
         reported |= {one.name, other.name}
         yield one, other, f"{_at(other)} {reason} its counterpart '{one.name}' {_at(one)}"
-    for pair in _out_of_line(list(_pairs(subject))):
+    for pair in _asymmetric(list(_pairs(subject))):
         if pair.right.name in reported:
             continue
-        if _is_odd(subject.model, pair.left, pair.right):
+        if _is_left_misplaced(subject.model, pair.left, pair.right):
             x, y, z = pair.off
             swapped = _Pair(pair.right, pair.left, (-x, y, -z))
             yield swapped.left, swapped.right, _shift(swapped)
@@ -50,7 +50,7 @@ def misplaced(subject: Subject) -> Iterator[tuple[Joint, Joint, str]]:
             yield pair.left, pair.right, _shift(pair)
 
 
-def _of_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
+def _on_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
     """Counterparts on one link of which one has a sign too many or too few."""
     joints = {joint.name: joint for joint in model.joints if joint.name}
     for left, right in pairs(joints):
@@ -58,10 +58,14 @@ def _of_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
         if one.parent is None or other.parent is None or one.parent.value != other.parent.value:
             continue
         if one.kind == other.kind and (reason := _reason(one, other)):
-            yield (other, one, reason) if _is_odd(model, one, other) else (one, other, reason)
+            yield (
+                (other, one, reason)
+                if _is_left_misplaced(model, one, other)
+                else (one, other, reason)
+            )
 
 
-def _is_odd(model: RobotModel, left: Joint, right: Joint) -> bool:
+def _is_left_misplaced(model: RobotModel, left: Joint, right: Joint) -> bool:
     """True if the left one of two is misplaced, as the other joints on their link show."""
     assert left.parent is not None
     others = [
@@ -74,8 +78,8 @@ def _is_odd(model: RobotModel, left: Joint, right: Joint) -> bool:
     ]
     first, second = left.origin.position, right.origin.position
     places = [joint.origin.position for joint in others]
-    if alike := _in_row(second, places) - _in_row(first, places):
-        return alike > 0
+    if difference := _count_mirrored(second, places) - _count_mirrored(first, places):
+        return difference > 0
     if not _is_equal(first, second):
         return any(_is_equal(first, place) for place in places)
     joints = {joint.name: joint.origin.position for joint in others if joint.name}
@@ -84,8 +88,8 @@ def _is_odd(model: RobotModel, left: Joint, right: Joint) -> bool:
     return (first[1] > 0) != is_left_positive
 
 
-def _in_row(place: Vector, places: list[Vector]) -> int:
-    """How many places are as far from the middle in x and as high."""
+def _count_mirrored(place: Vector, places: list[Vector]) -> int:
+    """How many places are at the same height and distance from the middle in x."""
     x, _, z = place
     return sum(abs(abs(a) - abs(x)) < _NEAR and abs(c - z) < _NEAR for a, _, c in places)
 
@@ -98,13 +102,13 @@ def _pairs(subject: Subject) -> Iterator[_Pair]:
     frames = subject.tree.frames
     for left, right in subject.symmetric_joints:
         here, there = (frames.get(joint.child.value) for joint in (left, right) if joint.child)
-        if here and there and abs(here.position[1] - there.position[1]) > _OFF:
+        if here and there and abs(here.position[1] - there.position[1]) > _OFFSET:
             (x, y, z), (a, b, c) = here.position, there.position
             yield _Pair(left, right, (a - x, b + y, c - z))
 
 
-def _out_of_line(found: list[_Pair]) -> list[_Pair]:
-    """The pairs that are no mirror images, though their parents are, or two that are."""
+def _asymmetric(found: list[_Pair]) -> list[_Pair]:
+    """The pairs that are no mirror images, though their parents are."""
     known = {pair.right.child.value: pair.distance for pair in found if pair.right.child}
     odd, inherited = [], 0
     for pair in found:
@@ -114,31 +118,31 @@ def _out_of_line(found: list[_Pair]) -> list[_Pair]:
         above = 0.0 if is_shared else known.get(pair.right.parent.value, 0.0)
         if above > _NEAR:
             inherited += 1
-        elif pair.distance > _OFF:
+        elif pair.distance > _OFFSET:
             odd.append(pair)
     exact = sum(pair.distance <= _NEAR for pair in found)
     if len(odd) == 1 and exact >= _OTHERS and exact + inherited + 1 == len(found):
         x, _, z = odd[0].off
-        return odd if max(abs(x), abs(z)) > _OFF else []  # the plane of symmetry is unknown
-    return [pair for pair in odd if _is_shifted(pair)]
+        return odd if max(abs(x), abs(z)) > _OFFSET else []  # the plane of symmetry is unknown
+    return [pair for pair in odd if _is_shifted_along_one_axis(pair)]
 
 
-def _is_shifted(pair: _Pair) -> bool:
+def _is_shifted_along_one_axis(pair: _Pair) -> bool:
     """True for counterparts on one link that differ in x alone, or in z."""
     left, right = pair.left, pair.right
     if left.origin.rotation != right.origin.rotation or left.parent is None or right.parent is None:
         return False
-    is_alike = [abs(part) <= _NEAR for part in pair.off]
-    return left.parent.value == right.parent.value and is_alike[1] and sum(is_alike) == 2
+    is_equal = [abs(part) <= _NEAR for part in pair.off]
+    return left.parent.value == right.parent.value and is_equal[1] and sum(is_equal) == 2
 
 
 def _shift(pair: _Pair) -> str:
     """Such as ``is 0.03 m forward of the mirror image of 'left_hip'``."""
     x, y, z = pair.off
-    ways = ((x, "forward", "backward"), (y, "to the left", "to the right"), (z, "up", "down"))
+    directions = ((x, "forward", "backward"), (y, "to the left", "to the right"), (z, "up", "down"))
     shifts = [
         f"{abs(part):.2g} m {plus if part > 0 else minus}"
-        for part, plus, minus in ways
+        for part, plus, minus in directions
         if abs(part) > _NEAR
     ]
     return f"is {' and '.join(shifts)} of the mirror image of '{pair.left.name}'"

@@ -94,7 +94,7 @@ def _is_whole(subject: Subject) -> bool:
 
 
 def _package_files(subject: Subject) -> Iterator[str]:
-    """The YAML files of the packages that the launch file lies in and names."""
+    """The YAML files of the packages that the launch file is in and names."""
     home = subject.resolver.packages.enclosing(subject.source.path)
     folders = {home[1]} if home else set()
     for package in subject.launch.packages:

@@ -35,8 +35,7 @@ from urdfkit.text.editing.edits import replace_value
 from urdfkit.workspace.resolve import ResolvedReference
 
 BAD = mesh_xml("visual", "package://arm_description/meshes/forarm.stl")
-GOOD = BAD.replace("forarm", "forearm")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("forarm", "forearm")
 FILES = {
     "package.xml": b"<package><name>arm_description</name></package>",
     "meshes/forearm.stl": PLATE,

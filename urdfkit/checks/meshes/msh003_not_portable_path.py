@@ -34,8 +34,7 @@ from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 
 BAD = mesh_xml("visual", "file:///home/student/arm_description/meshes/forearm.stl")
-GOOD = BAD.replace("file:///home/student/arm_description", "package://arm_description")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("file:///home/student/arm_description", "package://arm_description")
 FILES = {
     "package.xml": b"<package><name>arm_description</name></package>",
     "meshes/forearm.stl": PLATE,

@@ -32,8 +32,7 @@ BAD = robot_xml(
     link_xml("lid"),
     joint_xml("fixed", name="hinge", parent="base_lnk", child="lid"),
 )
-GOOD = BAD.replace("base_lnk", "base_link")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("base_lnk", "base_link")
 
 
 @rule(Severity.ERROR, reports_missing=True)

@@ -14,23 +14,17 @@ from __future__ import annotations
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import is_expression, owner
 
-BAD = """\
-<material name="dark_grey">
-  <color rgba="0.3 0.3 0.3 1"/>
-</material>
-<link name="base">
-  <visual>
-    <geometry><box size="0.4 0.3 0.1"/></geometry>
-    <material name="dark_gray"/>
-  </visual>
-</link>"""
-GOOD = BAD.replace('"dark_gray"', '"dark_grey"')
-FIXED = GOOD
+BAD = robot_xml(
+    '<material name="dark_grey"><color rgba="0.3 0.3 0.3 1"/></material>',
+    link_xml("base", visual_xml('<box size="0.4 0.3 0.1"/>', '<material name="dark_gray"/>')),
+)
+FIXED = GOOD = BAD.replace("gray", "grey")
 
 
 #: Visuals with the same material that are shown.

@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 from urdfkit.lint.context import Subject
-from urdfkit.text.xml_reader import is_launch
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.package_references import are_in
 
 #: Former codes and names of rules.
 REDIRECTS = {
-    "LAU002": "XAC011",
-    "MSH005": "XAC011",
-    "LAU014": "PKG002",
     "LAU017": "PKG001",
-    "PKG003": "PKG005",
-    "PKG006": "PKG005",
-    "manifest-refused": "PKG005",
-    "name-differs": "PKG005",
+    "LAU014": "PKG002",
+    "PKG003": "PKG005", "PKG006": "PKG005", "manifest-refused": "PKG005", "name-differs": "PKG005",
     "not-registered": "PKG005",
-}
+    "LAU002": "XAC011", "MSH005": "XAC011",
+}  # fmt: skip
 
 
 def applies(subject: Subject) -> bool:

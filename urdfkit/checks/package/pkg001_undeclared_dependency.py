@@ -19,8 +19,9 @@ from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import insert_after, insert_last
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import is_launch, read_xml
+from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.package_references import of_package
 from urdfkit.workspace.ros_packages import comes_with_ros

@@ -19,8 +19,8 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.package_references import of_package
 

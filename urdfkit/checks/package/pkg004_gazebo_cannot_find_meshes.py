@@ -21,8 +21,8 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.ros.gazebo.paths import survey
 from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import is_launch
 
 NAME = "urdf/bot.urdf"
 BAD = """\

@@ -31,7 +31,8 @@ from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
-from urdfkit.text.xml_reader import is_launch, read_xml
+from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import REQUIRED, beside, known_tags
 from urdfkit.workspace.package_references import are_in
 

@@ -24,8 +24,8 @@ from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.rules import Finding, Findings, Location, reported, rule
 from urdfkit.robot.assets.mesh_files import MeshReference, is_typo
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.manifest import is_known_dependency, manifest_of
 
 BAD = """\
@@ -45,7 +45,7 @@ _NAME = re.compile(r"^package '([^']+)'")
 @rule(
     Severity.ERROR,
     needs=(),
-    help="name its folder with --package NAME=DIR, or add the package to the workspace",
+    help="name its directory with --package NAME=DIR, or add the package to the workspace",
 )
 def check(subject: Subject) -> Findings:
     problems = subject.problems("XAC011")

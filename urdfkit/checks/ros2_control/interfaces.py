@@ -18,9 +18,9 @@ from urdfkit.ros.ros_control import (
     is_of_pr2,
     reads_transmissions,
 )
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.document import Attribute, Element
-from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import fix_value
 
 _HELP = "correct the name of the interface"
 #: The state interfaces of a simulated joint.
@@ -64,7 +64,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
     ]
     if suggested := _typo(name, standard):
         yield Finding(
-            at, f"{who} is unknown; did you mean '{suggested}'?", _HELP, _fix(at, suggested)
+            at, f"{who} is unknown; did you mean '{suggested}'?", _HELP, fix_value(at, suggested)
         )
     elif simulated and name not in standard:
         yield Finding(
@@ -92,7 +92,7 @@ def _of_ros1(subject: Subject) -> Findings:
                     element,
                     f"{who} is unknown; did you mean '{suggested}'?",
                     _HELP,
-                    _fix(element, suggested),
+                    fix_value(element, suggested),
                 )
             elif name and simulated and name not in simulable:
                 yield Finding(
@@ -113,11 +113,6 @@ def _has_default_simulation(subject: Subject) -> bool:
 
 def _is_default(kind: Element) -> bool:
     return kind.text.strip() in ("", "gazebo_ros_control/DefaultRobotHWSim")
-
-
-def _fix(at: Element | Attribute, suggested: str) -> Fix | None:
-    edits = rewrite(at, suggested)
-    return Fix.of(f"write {suggested}", edits)
 
 
 def _typo(name: str, standard: Sequence[str]) -> str:

@@ -6,9 +6,9 @@ from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Findings
 from urdfkit.robot.model import number
 from urdfkit.ros.ros_control import Component
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
 _NUMBERS = ("min", "max", "initial_value")
@@ -54,6 +54,6 @@ def _parameter(who: str, element: Element) -> Findings:
                 severity=Severity.WARNING,
             )
     elif suggested := nearest(name.value, ("initial_value",), _TYPO):
-        fix = Fix.of(f"rename it to {suggested}", replace_value(name, suggested))
+        fix = fix_value(name, suggested)
         message = f"{who}: unknown parameter '{name.value}'; did you mean '{suggested}'?"
         yield Finding(name, message, f"write {suggested}", fix, severity=Severity.WARNING)

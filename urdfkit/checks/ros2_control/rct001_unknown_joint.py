@@ -1,12 +1,19 @@
-"""A transmission or a block of ros2_control names a joint that the model does not have.
+"""A transmission, `<ros2_control>` or a controller names a joint that the robot does not have.
 
-From ROS 2 Jazzy on the controller manager stops with an exception; the simulators of Humble leave
-the joint out. In ROS 1, one such transmission makes the whole hardware of gazebo_ros_control fail,
-so that no joint moves. Correct the name.
+- `<ros2_control>`: from ROS 2 Jazzy on the controller manager stops with an exception; the
+  simulators of Humble leave the joint out.
+- A transmission of ROS 1: the whole hardware of gazebo_ros_control fails, so that no joint moves.
+- A controller in a parameter file: it finds no interface of that name and cannot be activated ("not
+  in the list of available interfaces"). A controller none of whose joints is in the robot is taken
+  for one of another variant, if other controllers fit, or if the names differ in a prefix only.
+
+Correct the name.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
     gazebo_ros_control_plugin.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_ros_control/src/gazebo_ros_control_plugin.cpp
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
+    ros-simulation/gazebo_ros_pkgs#1109: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1109
     PilzDE/pilz_robots#16: https://github.com/PilzDE/pilz_robots/issues/16
 """
 
@@ -16,31 +23,25 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.controllers import Controller
+from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import called, components, driven_joints, reads_transmissions
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
+from urdfkit.text.located_yaml import Value
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>mock_components/GenericSystem</plugin>
-  </hardware>
-  <joint name="sholder">
-    <command_interface name="position"/>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>"""
+BAD = robot_xml(
+    SHOULDER,
+    control_xml(
+        "mock_components/GenericSystem",
+        driven_xml("sholder"),
+    ),
+)
 GOOD = BAD.replace("sholder", "shoulder")
 FIXED = GOOD
 
@@ -48,27 +49,25 @@ FIXED = GOOD
 @rule(Severity.ERROR, help="fix the name, or add the joint", reports_missing=True)
 def check(subject: Subject) -> Findings:
     known = subject.model.joints_by_name
-    if not known:
-        return  # a description of the hardware alone; Webots, say, has the joints in its world
-    suggester = Suggester(known)
+    # Without joints it is a description of the hardware alone: Webots has them in its world.
+    if known and not subject.is_part:
+        yield from _of_robot(subject, Suggester(known))
+    yield from _not_in_block(subject)
+    if not subject.is_part:
+        yield from _of_controllers(subject)
+
+
+def _of_robot(subject: Subject, suggester: Suggester) -> Findings:
     for name, owner in _named(subject):
-        if name.value in known or is_expression(name.value):
+        if name.value in subject.model.joints_by_name or is_expression(name.value):
             continue
-        if subject.is_part:  # the file that includes it has the joint
-            return
         hint = suggester.hint(name.value)
         yield Finding(
             name,
-            f"{owner} names joint '{name.value}', which is not in the model{hint}",
-            fix=_fix(name, suggester.suggested(name.value)),
+            f"{owner}: unknown joint '{name.value}'{hint}",
+            fix=fix_value(name, suggester.suggested(name.value)),
             alike="" if hint else owner,
         )
-    yield from _not_in_block(subject)
-
-
-def _fix(name: Attribute, suggested: str) -> Fix | None:
-    edits = replace_value(name, suggested) if suggested else None
-    return Fix.of(f"rename '{name.value}' to '{suggested}'", edits)
 
 
 def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:
@@ -93,7 +92,43 @@ def _not_in_block(subject: Subject) -> Findings:
                 if name and name.value not in listed and not is_expression(name.value):
                     yield Finding(
                         name,
-                        f"{called(transmission)} names joint '{name.value}', "
-                        f"which {component.called} does not list",
+                        f"{called(transmission)}: joint '{name.value}' is not in "
+                        f"{component.called}",
                         "list the joint in the same block, or correct the name",
                     )
+
+
+def _of_controllers(subject: Subject) -> Findings:
+    known = set(subject.model.joints_by_name)
+    for component in components(subject.model):  # a controller may command a GPIO, too
+        known.update(part.name for part in component.parts)
+    suggester = Suggester(known)
+    for file, found in subject.controllers:
+        named = [(controller, _joints(controller)) for controller in found]
+        any_known = any(value.text in known for _, values in named for value in values)
+        for controller, values in named:
+            is_of_robot = any(value.text in known for value in values)
+            for value in values:
+                if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
+                    continue
+                hint = suggester.hint(value.text)
+                if is_of_robot or hint or not any_known:
+                    yield Finding(
+                        Location(value.span),
+                        f"controller '{controller.name}': unknown joint '{value.text}'{hint}",
+                        "fix the name in the parameter file",
+                        related=(file.note,),
+                        alike="" if hint else file.path,
+                    )
+
+
+def _is_prefixed(name: str, known: set[str]) -> bool:
+    """True if the model has that joint with another prefix: the file is for another variant."""
+    return any(joint.endswith(name) or name.endswith(joint) for joint in known if joint)
+
+
+def _joints(controller: Controller) -> list[Value]:
+    """The names of joints; those with a slash are interfaces of other controllers."""
+    kind = catalogue().get(controller.type)
+    values = controller.values(kind.joints) if kind else []
+    return [v for v in values if v.text and "/" not in v.text and not is_expression(v.text)]

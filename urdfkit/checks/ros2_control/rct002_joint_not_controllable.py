@@ -25,7 +25,9 @@ from collections.abc import Iterator
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import arm_xml, robot_xml
 from urdfkit.ros.catalog import ros_control
+from urdfkit.ros.gazebo.samples import control_xml, driven_xml
 from urdfkit.ros.ros_control import (
     ROS1,
     ROS2,
@@ -39,22 +41,13 @@ from urdfkit.ros.ros_control import (
 from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="fixed">
-  <parent link="base"/>
-  <child link="arm"/>
-</joint>
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>mock_components/GenericSystem</plugin>
-  </hardware>
-  <joint name="shoulder">
-    <command_interface name="position"/>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>"""
+BAD = robot_xml(
+    arm_xml("fixed"),
+    control_xml(
+        "mock_components/GenericSystem",
+        driven_xml("shoulder"),
+    ),
+)
 GOOD = BAD.replace('type="fixed"', 'type="continuous"')
 
 #: Gazebo with ROS 2 Humble, and with Jazzy or newer.

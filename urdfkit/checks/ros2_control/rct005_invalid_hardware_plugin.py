@@ -24,30 +24,21 @@ import re
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import hardware as simulated_hardware
+from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
-from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.editing.edits import fix_value
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>mock_component/GenericSystem</plugin>
-  </hardware>
-  <joint name="shoulder">
-    <command_interface name="position"/>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>"""
+BAD = robot_xml(
+    SHOULDER,
+    control_xml(
+        "mock_component/GenericSystem",
+        driven_xml("shoulder"),
+    ),
+)
 GOOD = BAD.replace("mock_component/", "mock_components/")
 FIXED = GOOD
 
@@ -107,7 +98,7 @@ def _misspelt(component: Component) -> Findings:
         return
     full = next((one for one in known if one.endswith(f"/{name}")), None)
     if suggested := full or nearest(name, known, _TYPO):
-        fix = Fix.of(f"write {suggested}", rewrite(component.plugin, suggested))
+        fix = fix_value(component.plugin, suggested)
         message = f"{component.called}: unknown hardware '{name}'; did you mean '{suggested}'?"
         yield Finding(component.plugin, message, f"write {suggested}", fix)
 

@@ -16,37 +16,24 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import robot_xml
+from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.grammar import is_expression
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>mock_components/GenericSystem</plugin>
-  </hardware>
-  <joint name="shoulder">
-    <command_interface name="position"/>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>
-<ros2_control name="arm_sim" type="system">
-  <hardware>
-    <plugin>mock_components/GenericSystem</plugin>
-  </hardware>
-  <joint name="shoulder">
-    <command_interface name="position"/>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>"""
+BAD = robot_xml(
+    SHOULDER,
+    control_xml(
+        "mock_components/GenericSystem",
+        driven_xml("shoulder"),
+    ),
+    control_xml(
+        "mock_components/GenericSystem",
+        driven_xml("shoulder"),
+        name="arm_sim",
+    ),
+)
 GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 
 

@@ -22,31 +22,27 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import element_xml, robot_xml
+from urdfkit.ros.gazebo.samples import SHOULDER, control_xml
 from urdfkit.ros.ros_control import Component, ControlPart, Interface, components
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>mock_components/GenericSystem</plugin>
-  </hardware>
-  <joint name="shoulder">
-    <command_interface name="position">
-      <param name="min">-1</param>
-      <param name="max">1.5</param>
-    </command_interface>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>"""
+BAD = robot_xml(
+    SHOULDER,
+    control_xml(
+        "mock_components/GenericSystem",
+        element_xml(
+            'joint name="shoulder"',
+            element_xml(
+                'command_interface name="position"',
+                '<param name="min">-1</param>',
+                '<param name="max">1.5</param>',
+            ),
+            '<state_interface name="position"/>',
+        ),
+    ),
+)
 GOOD = BAD.replace("1.5", "0.9")
 
 #: Relative; people round radians to three digits.

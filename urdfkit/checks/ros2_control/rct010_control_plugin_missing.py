@@ -13,40 +13,25 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugins as files
 from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.gazebo.samples import control_xml, driven_xml, solid_xml
 from urdfkit.ros.ros_control import ControlPlugin, components, control_plugins, is_of_pr2
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="arm">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
-  </hardware>
-  <joint name="shoulder">
-    <command_interface name="position"/>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    solid_xml("arm"),
+    joint_xml(
+        "revolute", '<axis xyz="0 0 1"/>', '<limit lower="-1" upper="1" effort="10" velocity="1"/>'
+    ),
+    control_xml(
+        "gazebo_ros2_control/GazeboSystem",
+        driven_xml("shoulder"),
+    ),
+)
 GOOD = (
     BAD
     + """
@@ -101,7 +86,7 @@ def _missing(subject: Subject) -> Findings:
         if found and component.plugin:
             yield Finding(
                 component.plugin,
-                f"{component.called} is for {found.simulator}, and no plugin of <gazebo> "
+                f"{component.called} is for {found.simulator}, but no plugin in <gazebo> "
                 f"loads it ({files()[found.control]})",
             )
             return  # one plugin serves all
@@ -109,7 +94,7 @@ def _missing(subject: Subject) -> Findings:
     if transmissions and "classic-ros1" in subject.targets.names and subject.plugins:
         yield Finding(
             transmissions[0],
-            "the robot has transmissions and is for Gazebo Classic, and no plugin of <gazebo> "
+            "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "
             f"loads them ({files()['gazebo_ros_control']})",
         )
 
@@ -120,5 +105,5 @@ def _without_transmission(subject: Subject, plugin: ControlPlugin) -> Findings:
         return
     if plugin.at.child("robotSimType") is None:
         yield Finding(
-            plugin.at, f"plugin {plugin.filename}: no transmission, so that it drives no joint"
+            plugin.at, f"plugin {plugin.filename}: no transmission, so it drives no joint"
         )

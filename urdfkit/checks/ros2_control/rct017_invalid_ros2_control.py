@@ -22,38 +22,33 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from urdfkit.checks.ros2_control.interfaces import invalid_interfaces
 from urdfkit.checks.ros2_control.parameters import invalid_values
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import component_types, grammar
+from urdfkit.ros.gazebo.samples import SHOULDER, control_xml
 from urdfkit.ros.ros_control import Component, components
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import rename_element, replace_value
+from urdfkit.text.editing.edits import fix_tag, fix_value
 from urdfkit.text.grammar import is_expression
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>mock_components/GenericSystem</plugin>
-  </hardware>
-  <joints name="shoulder">
-    <command_interface name="position"/>
-    <state_interface name="position"/>
-  </joints>
-</ros2_control>"""
+BAD = robot_xml(
+    SHOULDER,
+    control_xml(
+        "mock_components/GenericSystem",
+        element_xml(
+            'joints name="shoulder"',
+            '<command_interface name="position"/>',
+            '<state_interface name="position"/>',
+        ),
+    ),
+)
 GOOD = BAD.replace("joints", "joint")
 FIXED = GOOD
 
@@ -90,7 +85,7 @@ def _elements(block: Element) -> Findings:
         if child.tag not in known and _PREFIX not in child.tag:
             message = f"<ros2_control>: unknown element <{child.tag}>"
             message += did_you_mean(child.tag, known)
-            yield Finding(child, message, fix=_renamed(child, known))
+            yield Finding(child, message, fix=fix_tag(child, nearest(child.tag, known, _TYPO)))
     for element in _named(block):
         if not element.get("name"):
             yield Finding(element, f"<{element.tag}> has no name", "add a name")
@@ -107,17 +102,11 @@ def _elements(block: Element) -> Findings:
                     child,
                     message + did_you_mean(child.tag, known),
                     "fix the name of the element, or remove it",
-                    _renamed(child, known),
+                    fix_tag(child, nearest(child.tag, known, _TYPO)),
                     severity=Severity.WARNING,
                 )
         if element.tag != "transmission":  # it has joints and actuators of its own
             stack += [child for child in reversed(element.children) if child.tag in tags]
-
-
-def _renamed(child: Element, known: Iterable[str]) -> Fix | None:
-    suggested = nearest(child.tag, known, _TYPO)
-    edits = rename_element(child, suggested) if suggested else None
-    return Fix.of(f"rename it to <{suggested}>", edits)
 
 
 def _named(block: Element) -> Iterator[Element]:
@@ -140,10 +129,8 @@ def _type(component: Component) -> Findings:
     if kind is None:
         yield Finding(component.at, f"{component.called} has no type", help)
     elif kind.value not in known and not is_expression(kind.value):
-        suggested = nearest(kind.value, known)
-        edits = replace_value(kind, suggested) if suggested else None
         message = f"{component.called}: type '{kind.value}' is not one of {', '.join(known)}"
-        fix = Fix.of(f"write {suggested}", edits)
+        fix = fix_value(kind, nearest(kind.value, known))
         yield Finding(kind, message + did_you_mean(kind.value, known), help, fix)
     elif kind.value == "actuator" and len(component.joints) > 1:
         message = f"{component.called}: type actuator with {len(component.joints)} joints, not 1"

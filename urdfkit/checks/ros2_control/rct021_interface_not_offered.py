@@ -22,39 +22,22 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller, ParameterFile
-from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
 from urdfkit.ros.ros_control import components, control_plugins, driven_joints
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Value
 
-BAD = (
-    ARM
-    + """\
-<ros2_control name="arm" type="system">
-  <hardware>
-    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
-  </hardware>
-  <joint name="shoulder">
-    <command_interface name="velocity"/>
-    <state_interface name="velocity"/>
-  </joint>
-</ros2_control>
-"""
-    + CONTROL
-)
+_DRIVEN = control_xml("gz_ros2_control/GazeboSimSystem", driven_xml("shoulder", "velocity"))
+BAD = ARM + _DRIVEN + "\n" + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
-_YAML = b"""\
-controller_manager:
-  ros__parameters:
-    drive:
-      type: velocity_controllers/JointGroupVelocityController
-drive:
-  ros__parameters:
-    joints: [shoulder]
-"""
 FILES = {
-    "config/bad.yaml": _YAML.replace(b"velocity", b"effort").replace(b"Velocity", b"Effort"),
-    "config/good.yaml": _YAML,
+    f"config/{name}.yaml": controller_yaml(
+        f"{kind}/JointGroup{type}Controller", "joints: [shoulder]"
+    )
+    for name, kind, type in (
+        ("bad", "effort_controllers", "Effort"),
+        ("good", "velocity_controllers", "Velocity"),
+    )
 }
 
 #: The control plugin of ROS 1, the interfaces of its joints, and those that controllers need.

@@ -17,33 +17,23 @@ from __future__ import annotations
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.gazebo.samples import control_xml, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.ros_control import Component, components
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.diagnostic import Confidence, Severity
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="base">
-  <sensor name="base_imu" type="imu">
-    <update_rate>100</update_rate>
-  </sensor>
-</gazebo>
-<ros2_control name="robot" type="system">
-  <hardware>
-    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
-  </hardware>
-  <sensor name="base_immu">
-    <state_interface name="orientation.x"/>
-  </sensor>
-</ros2_control>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    gazebo_xml(sensor_xml("base_imu", "imu", "<update_rate>100</update_rate>"), reference="base"),
+    control_xml(
+        "gz_ros2_control/GazeboSimSystem",
+        element_xml('sensor name="base_immu"', '<state_interface name="orientation.x"/>'),
+    ),
+)
 FIXED = GOOD = BAD.replace("base_immu", "base_imu")
 
 _BROADCASTERS = (
@@ -71,12 +61,11 @@ def _not_in_gazebo(subject: Subject, blocks: list[Component]) -> Findings:
             if part.kind != "sensor" or name is None or name.value in simulated:
                 continue
             suggested, hint = suggester.suggested(name.value), suggester.hint(name.value)
-            edits = replace_value(name, suggested) if suggested else None
             yield Finding(
                 name,
                 f"sensor '{name.value}' of <ros2_control> does not exist in <gazebo>{hint}",
                 "use the same name for both sensors",
-                Fix.of(f"rename it to '{suggested}'", edits),
+                fix_value(name, suggested),
             )
 
 

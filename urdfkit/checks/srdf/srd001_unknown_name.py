@@ -10,6 +10,8 @@
   limits of the URDF and no bound on acceleration.
 - `kinematics.yaml` or `ompl_planning.yaml` for an unknown group (warning): MoveIt plans with the
   default planner, and without inverse kinematics.
+- `kinematics.yaml` with a misspelt solver: "The kinematics plugin (arm) failed to load", and the
+  group cannot be moved to a pose.
 - `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml` with an unknown
   joint, or with a controller that has no settings: "Unable to identify any set of controllers that
   can actuate the specified joints".
@@ -33,27 +35,19 @@ from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import link_xml
+from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 
-BAD = """\
-<robot name="bad">
-  <link name="forearm"/>
-</robot>
-"""
+BAD = named_xml("bad", link_xml("forearm"))
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = {
-    "bad.srdf": b"""<robot name="bad">
-  <group name="arm"><link name="forarm"/></group>
-</robot>
-""",
-    "good.srdf": b"""<robot name="good">
-  <group name="arm"><link name="forearm"/></group>
-</robot>
-""",
-}
+FILES = srdf_files(
+    '<group name="arm"><link name="forarm"/></group>',
+    '<group name="arm"><link name="forearm"/></group>',
+)
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 #: Similarity from which another name is suggested: "amr" is like "arm".
@@ -88,9 +82,7 @@ def check(subject: Subject) -> Findings:
 
 
 def _unknown(kind: str, name: Attribute, known: set[str]) -> Finding:
-    suggested = Suggester(known).suggested(name.value)
-    edits = replace_value(name, suggested) if suggested else None
-    fix = Fix.of(f"rename it to '{suggested}'", edits)
+    fix = fix_value(name, Suggester(known).suggested(name.value))
     message = f"unknown {kind} '{name.value}'{Suggester(known, _LIKE).hint(name.value)}"
     return Finding(name, message, fix=fix, alike=name.value if fix else kind)
 

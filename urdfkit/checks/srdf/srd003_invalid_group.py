@@ -1,9 +1,13 @@
-"""A planning group is empty, or groups contain one another in a cycle.
+"""A planning group is empty, its chain is not a path, or groups contain one another in a cycle.
 
-MoveIt prints "Group is empty" and ignores the group, so that whatever refers to it fails. It cannot
-resolve groups that contain one another, and ignores all of them (error).
+- MoveIt prints "Group is empty" and ignores the group (warning), so that whatever refers to it
+  fails.
+- A chain goes from a base link down the tree to a tip link. MoveIt rejects any other chain, and the
+  group has no joints. Base and tip are swapped, or one of them is on another branch.
+- MoveIt cannot resolve groups that contain one another, and ignores all of them.
 
 Sources:
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
@@ -11,43 +15,46 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import arm_xml
+from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<robot name="bad">
-  <link name="arm"/>
-</robot>
-"""
+BAD = named_xml("bad", arm_xml("fixed"))
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = {
-    "bad.srdf": b"""<robot name="bad">
-  <group name="arm"/>
-</robot>
-""",
-    "good.srdf": b"""<robot name="good">
-  <group name="arm"><link name="arm"/></group>
-</robot>
-""",
-}
+FILES = srdf_files(
+    '<group name="g"/>',
+    '<group name="g"><link name="arm"/></group>',
+)
 
 
-@rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
 def check(subject: Subject) -> Findings:
     srdf = subject.srdf
-    for name, elements in srdf.groups_by_name.items() if srdf else ():
+    if srdf is None:
+        return
+    for name, elements in srdf.groups_by_name.items():
         if not any(element.children for element in elements):
             help = "add links, joints or a chain, or delete the group"
-            yield Finding(elements[0], f"group '{name}' is empty", help)
-        cycle = _cycle(name, srdf) if srdf else ()
+            message = f"group '{name}' is empty"
+            yield Finding(elements[0], message, help, severity=Severity.WARNING)
+        cycle = _cycle(name, srdf)
         # A cycle is reported once, at the first of its groups.
         if cycle and name == min(cycle):
-            yield Finding(
-                elements[0],
-                "groups contain one another: " + " -> ".join((*cycle, name)),
-                "remove one of the subgroups",
-                severity=Severity.ERROR,
-            )
+            message = "groups contain one another: " + " -> ".join((*cycle, name))
+            yield Finding(elements[0], message, "remove one of the subgroups")
+    yield from _chains(srdf)
+
+
+def _chains(srdf: Srdf) -> Findings:
+    links = srdf.known("link")
+    for group in srdf.groups:
+        for chain in group.all("chain"):
+            base, tip = chain.get("base_link") or "", chain.get("tip_link") or ""
+            if base in links and tip in links and srdf.way(base, tip) is None:
+                who = f"group '{group.get('name')}'"
+                message = f"{who}: tip link '{tip}' is not a descendant of base link '{base}'"
+                yield Finding(chain, message, "swap base and tip, or name links of one branch")
 
 
 def _cycle(name: str, srdf: Srdf) -> tuple[str, ...]:

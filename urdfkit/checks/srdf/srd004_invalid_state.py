@@ -1,9 +1,10 @@
-"""A named state sets a joint outside its limits, or a fixed joint.
+"""A named state sets a joint outside its limits or a fixed joint, or has the name of another one.
 
-MoveIt does not plan to a state outside the limits: "goal state is out of bounds". The limits were
-changed after the state was written, or the value is in degrees. A fixed joint has no position:
-MoveIt ignores the value or rejects the state. A mimic joint may be set, to the value that it has
-anyway; maintained robots do so.
+- MoveIt does not plan to a state outside the limits: "goal state is out of bounds". The limits were
+  changed after the state was written, or the value is in degrees.
+- A fixed joint has no position: MoveIt ignores the value or rejects the state. A mimic joint may be
+  set, to the value that it has anyway; maintained robots do so.
+- Of two states of one group with the same name MoveIt keeps the last, without a message (warning).
 
 Sources:
     SRDF: https://wiki.ros.org/srdf
@@ -13,37 +14,23 @@ Sources:
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.joints import unit
-from urdfkit.robot.model import number
-from urdfkit.text.diagnostic import Severity
+from urdfkit.robot.model import Joint, number
+from urdfkit.ros.gazebo.samples import SHOULDER
+from urdfkit.ros.moveit.samples import named_xml, srdf_files
+from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.document import Element
 
-BAD = """\
-<robot name="bad">
-  <link name="base"/>
-  <link name="arm"/>
-  <joint name="shoulder" type="revolute">
-    <parent link="base"/>
-    <child link="arm"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="-1" upper="1" effort="10" velocity="1"/>
-  </joint>
-</robot>
-"""
+_STATE = """\
+<group name="arm"><joint name="shoulder"/></group>
+<group_state name="up" group="arm"><joint name="shoulder" value="VALUE"/></group_state>"""
+BAD = named_xml("bad", SHOULDER)
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = {
-    "bad.srdf": b"""<robot name="bad">
-  <group name="arm"><joint name="shoulder"/></group>
-  <group_state name="up" group="arm"><joint name="shoulder" value="1.57"/></group_state>
-</robot>
-""",
-    "good.srdf": b"""<robot name="good">
-  <group name="arm"><joint name="shoulder"/></group>
-  <group_state name="up" group="arm"><joint name="shoulder" value="0.9"/></group_state>
-</robot>
-""",
-}
+FILES = srdf_files(_STATE.replace("VALUE", "1.57"), _STATE.replace("VALUE", "0.9"))
 
 #: MoveIt's own tolerance is larger; rounded values such as 1.57 for pi/2 pass.
 _ROUNDING = 1e-3
@@ -51,24 +38,41 @@ _ROUNDING = 1e-3
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
 def check(subject: Subject) -> Findings:
-    for state in subject.srdf.states if subject.srdf else ():
+    states = subject.srdf.states if subject.srdf else ()
+    for state in states:
         for element in state.all("joint"):
-            joint = subject.model.joints_by_name.get(element.get("name") or "")
-            value = number(element.get("value"))
-            if joint is None:
-                continue
-            who = f"state '{state.get('name')}': joint '{joint.name}'"
-            if joint.kind == "fixed":
-                yield Finding(element, f"{who} is fixed", "remove the joint from the state")
-            if joint.kind not in ("revolute", "prismatic") or joint.limit is None:
-                continue
-            lower, upper = joint.limit.lower, joint.limit.upper
-            if lower is None or upper is None or value is None:
-                continue
-            if not lower.value - _ROUNDING <= value <= upper.value + _ROUNDING:
-                yield Finding(
-                    element,
-                    f"{who}: {value:g} {unit(joint)} is outside its limits "
-                    f"[{lower.value:g}, {upper.value:g}] {unit(joint)}",
-                    "write a value within the limits",
-                )
+            if joint := subject.model.joints_by_name.get(element.get("name") or ""):
+                yield from _value(f"state '{state.get('name')}'", element, joint)
+    yield from _duplicates(states)
+
+
+def _value(state: str, element: Element, joint: Joint) -> Findings:
+    who, value = f"{state}: joint '{joint.name}'", number(element.get("value"))
+    if joint.kind == "fixed":
+        yield Finding(element, f"{who} is fixed", "remove the joint from the state")
+    limit = joint.limit if joint.kind in ("revolute", "prismatic") else None
+    if value is None or limit is None or limit.lower is None or limit.upper is None:
+        return
+    lower, upper = limit.lower.value, limit.upper.value
+    if not lower - _ROUNDING <= value <= upper + _ROUNDING:
+        yield Finding(
+            element,
+            f"{who}: {value:g} {unit(joint)} is outside its limits "
+            f"[{lower:g}, {upper:g}] {unit(joint)}",
+            "write a value within the limits",
+        )
+
+
+def _duplicates(states: Iterable[Element]) -> Findings:
+    first: dict[tuple[str | None, str | None], Element] = {}
+    for state in states:
+        name, group = state.get("name"), state.get("group")
+        before = first.setdefault((name, group), state)
+        if before is not state and name:
+            yield Finding(
+                state,
+                f"duplicate state '{name}' of group '{group}': MoveIt keeps the last",
+                "give each state a unique name",
+                related=(Related(before.span, "first defined here"),),
+                severity=Severity.WARNING,
+            )

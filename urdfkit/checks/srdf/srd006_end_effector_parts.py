@@ -13,33 +13,22 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import joint_xml, link_xml
+from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<robot name="bad">
-  <link name="arm"/>
-  <link name="hand"/>
-  <joint name="flange" type="fixed">
-    <parent link="arm"/>
-    <child link="hand"/>
-  </joint>
-</robot>
-"""
+BAD = named_xml(
+    "bad",
+    link_xml("arm"),
+    link_xml("hand"),
+    joint_xml("fixed", name="flange", parent="arm", child="hand"),
+)
+_GROUPS = """\
+<group name="arm"><link name="arm"/></group>
+<group name="hand"><link name="hand"/></group>
+<end_effector name="hand" group="hand" parent_link="arm" parent_group="arm"/>"""
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = {
-    "bad.srdf": b"""<robot name="bad">
-  <group name="arm"><link name="arm"/><link name="hand"/></group>
-  <group name="hand"><link name="hand"/></group>
-  <end_effector name="hand" group="hand" parent_link="arm" parent_group="arm"/>
-</robot>
-""",
-    "good.srdf": b"""<robot name="good">
-  <group name="arm"><link name="arm"/></group>
-  <group name="hand"><link name="hand"/></group>
-  <end_effector name="hand" group="hand" parent_link="arm" parent_group="arm"/>
-</robot>
-""",
-}
+FILES = srdf_files(_GROUPS.replace("</group>", '<link name="hand"/></group>', 1), _GROUPS)
 
 
 @rule(

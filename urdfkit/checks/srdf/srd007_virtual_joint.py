@@ -15,29 +15,16 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.model import Link
+from urdfkit.robot.samples import arm_xml
+from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<robot name="bad">
-  <link name="base"/>
-  <link name="arm"/>
-  <joint name="shoulder" type="continuous">
-    <parent link="base"/>
-    <child link="arm"/>
-  </joint>
-</robot>
-"""
+BAD = named_xml("bad", arm_xml("continuous"))
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = {
-    "bad.srdf": b"""<robot name="bad">
-  <virtual_joint name="v" type="fixed" parent_frame="world" child_link="arm"/>
-</robot>
-""",
-    "good.srdf": b"""<robot name="good">
-  <virtual_joint name="v" type="fixed" parent_frame="world" child_link="base"/>
-</robot>
-""",
-}
+FILES = srdf_files(
+    '<virtual_joint name="v" type="fixed" parent_frame="world" child_link="arm"/>',
+    '<virtual_joint name="v" type="fixed" parent_frame="world" child_link="base"/>',
+)
 
 
 _TYPES = ("fixed", "planar", "floating")

@@ -15,51 +15,33 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
+from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<robot name="bad">
-  <link name="base">
-    <collision><geometry><sphere radius="0.2"/></geometry></collision>
-  </link>
-  <link name="arm">
-    <collision>
-      <origin xyz="0 0 0.5"/>
-      <geometry><cylinder radius="0.04" length="0.4"/></geometry>
-    </collision>
-  </link>
-  <link name="hand">
-    <collision>
-      <origin xyz="0 0 0.5"/>
-      <geometry><sphere radius="0.1"/></geometry>
-    </collision>
-  </link>
-  <joint name="shoulder" type="revolute">
-    <parent link="base"/>
-    <child link="arm"/>
-    <axis xyz="0 1 0"/>
-    <limit lower="-1" upper="1" effort="10" velocity="1"/>
-  </joint>
-  <joint name="elbow" type="revolute">
-    <parent link="arm"/>
-    <child link="hand"/>
-    <origin xyz="0 0 0.7"/>
-    <axis xyz="0 1 0"/>
-    <limit lower="-3" upper="3" effort="10" velocity="1"/>
-  </joint>
-</robot>
-"""
+_UP = '<origin xyz="0 0 0.5"/>'
+_LIMIT = '<limit lower="-1" upper="1" effort="10" velocity="1"/>'
+BAD = named_xml(
+    "bad",
+    link_xml("base", collision_xml('<sphere radius="0.2"/>')),
+    link_xml("arm", collision_xml('<cylinder radius="0.04" length="0.4"/>', _UP)),
+    link_xml("hand", collision_xml('<sphere radius="0.1"/>', _UP)),
+    joint_xml("revolute", '<axis xyz="0 1 0"/>', _LIMIT),
+    joint_xml(
+        "revolute",
+        '<origin xyz="0 0 0.7"/>',
+        '<axis xyz="0 1 0"/>',
+        _LIMIT.replace("1", "3", 2),
+        name="elbow",
+        parent="arm",
+        child="hand",
+    ),
+)
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = {
-    "bad.srdf": b"""<robot name="bad">
-  <disable_collisions link1="base" link2="hand" reason="Never"/>
-</robot>
-""",
-    "good.srdf": b"""<robot name="good">
-  <disable_collisions link1="base" link2="hand" reason="User"/>
-</robot>
-""",
-}
+FILES = srdf_files(
+    '<disable_collisions link1="base" link2="hand" reason="Never"/>',
+    '<disable_collisions link1="base" link2="hand" reason="User"/>',
+)
 
 #: In m: less may be a matter of rounding.
 _DEEP = 1e-3

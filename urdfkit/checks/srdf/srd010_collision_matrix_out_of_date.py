@@ -19,46 +19,25 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.robot.adjacency import Adjacency
+from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
+from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<robot name="bad">
-  <link name="base">
-    <collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>
-  </link>
-  <link name="arm">
-    <collision><geometry><cylinder radius="0.04" length="0.4"/></geometry></collision>
-  </link>
-  <link name="hand">
-    <collision><geometry><sphere radius="0.1"/></geometry></collision>
-  </link>
-  <joint name="shoulder" type="revolute">
-    <parent link="base"/>
-    <child link="arm"/>
-    <origin xyz="0 0 0.25"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="-1" upper="1" effort="10" velocity="1"/>
-  </joint>
-  <joint name="wrist" type="fixed">
-    <parent link="arm"/>
-    <child link="hand"/>
-    <origin xyz="0 0 0.25"/>
-  </joint>
-</robot>
-"""
+_UP = '<origin xyz="0 0 0.25"/>'
+BAD = named_xml(
+    "bad",
+    link_xml("base", collision_xml('<box size="0.2 0.2 0.2"/>')),
+    link_xml("arm", collision_xml('<cylinder radius="0.04" length="0.4"/>')),
+    link_xml("hand", collision_xml('<sphere radius="0.1"/>')),
+    joint_xml("continuous", _UP, '<axis xyz="0 0 1"/>'),
+    joint_xml("fixed", _UP, name="wrist", parent="arm", child="hand"),
+)
+_PAIR = '<disable_collisions link1="base" link2="arm" reason="Adjacent"/>'
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = {
-    "bad.srdf": b"""<robot name="bad">
-  <disable_collisions link1="base" link2="arm" reason="Adjacent"/>
-</robot>
-""",
-    "good.srdf": b"""<robot name="good">
-  <disable_collisions link1="base" link2="arm" reason="Adjacent"/>
-  <disable_collisions link1="arm" link2="hand" reason="Adjacent"/>
-</robot>
-""",
-}
+FILES = srdf_files(
+    _PAIR, _PAIR + '<disable_collisions link1="arm" link2="hand" reason="Adjacent"/>'
+)
 
 #: In m: bodies that touch do not count.
 _DEEP = 1e-4

@@ -16,33 +16,20 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.robot.model import number
+from urdfkit.robot.samples import arm_xml
+from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, unreadable
 from urdfkit.ros.moveit.srdf_grammar import lacking, mistakes
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute, rename_element
 
-BAD = """\
-<robot name="bad">
-  <link name="base"/>
-  <link name="arm"/>
-  <joint name="shoulder" type="fixed">
-    <parent link="base"/>
-    <child link="arm"/>
-  </joint>
-</robot>
-"""
+BAD = named_xml("bad", arm_xml("fixed"))
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = {
-    "bad.srdf": b"""<robot name="bad">
-  <disable_collision link1="base" link2="arm" reason="Adjacent"/>
-</robot>
-""",
-    "good.srdf": b"""<robot name="good">
-  <disable_collisions link1="base" link2="arm" reason="Adjacent"/>
-</robot>
-""",
-}
+FILES = srdf_files(
+    '<disable_collision link1="base" link2="arm" reason="Adjacent"/>',
+    '<disable_collisions link1="base" link2="arm" reason="Adjacent"/>',
+)
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 
@@ -77,7 +64,7 @@ def _misspelt(srdf: Srdf) -> Findings:
 
 def _incomplete(srdf: Srdf) -> Findings:
     for element, name in lacking(srdf.root):
-        message = f"<{element.tag}> has no {name}, so that MoveIt ignores it"
+        message = f"<{element.tag}> has no {name} (ignored)"
         yield Finding(element, message, f"add {name}")
 
 

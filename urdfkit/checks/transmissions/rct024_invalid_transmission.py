@@ -30,30 +30,28 @@ from urdfkit.core.suggest import nearest
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import number
+from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import words
+from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.ros_control import ROS1, called, is_of_pr2, reads_transmissions
-from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Attribute, Element
-from urdfkit.text.editing.edits import rename_element, rewrite
+from urdfkit.text.editing.edits import fix_tag, fix_value
 
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<transmission name="shoulder_transmission">
-  <type>transmission_interface/SimpleTransmission</type>
-  <joint name="shoulder">
-    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
-  </joint>
-  <actuator name="shoulder_motor">
-    <mechanicalReducton>50</mechanicalReducton>
-  </actuator>
-</transmission>"""
+BAD = robot_xml(
+    SHOULDER,
+    element_xml(
+        'transmission name="shoulder_transmission"',
+        "<type>transmission_interface/SimpleTransmission</type>",
+        element_xml(
+            'joint name="shoulder"',
+            "<hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>",
+        ),
+        element_xml(
+            'actuator name="shoulder_motor"', "<mechanicalReducton>50</mechanicalReducton>"
+        ),
+    ),
+)
 GOOD = BAD.replace("Reducton", "Reduction")
 FIXED = GOOD
 
@@ -149,7 +147,7 @@ def _type(transmission: Element) -> Findings:
     full = next((one for one in known if one.endswith(f"/{name}")), None)
     suggested = full or nearest(name, known, _TYPO)
     if suggested and (full or abs(len(suggested) - len(name)) <= 2):
-        fix = Fix.of(f"write {suggested}", rewrite(element, suggested))
+        fix = fix_value(element, suggested)
         message = "has no package name" if full else f"is unknown; did you mean '{suggested}'?"
         message = f"{called(transmission)}: type '{name}' {message}"
         yield Finding(element, message, f"write {suggested}", fix)
@@ -174,7 +172,7 @@ def _children(element: Element, who: str) -> Findings:
         known = _CHILDREN.get(element.tag, ())
         suggested = nearest(child.tag, known, _TYPO) if child.tag not in known else None
         if suggested:
-            fix = Fix.of(f"rename it to <{suggested}>", rename_element(child, suggested))
+            fix = fix_tag(child, suggested)
             message = f"{who}: unknown element <{child.tag}>; did you mean '{suggested}'?"
             yield Finding(child, message, "fix the name of the element", fix)
         elif child.tag == "mechanicalReduction" and not number(child.text.strip()):

@@ -14,22 +14,16 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Link, RobotModel
-from urdfkit.robot.samples import inertial_xml, link_xml
+from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before
 
 BAD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
-GOOD = (
-    """\
-<link name="base_root"/>
-<joint name="base_root_joint" type="fixed">
-  <parent link="base_root"/>
-  <child link="base"/>
-</joint>
-"""
-    + BAD
+FIXED = GOOD = robot_xml(
+    link_xml("base_root"),
+    joint_xml("fixed", name="base_root_joint", parent="base_root", child="base"),
+    BAD,
 )
-FIXED = GOOD
 TARGETS = ("kdl",)
 
 

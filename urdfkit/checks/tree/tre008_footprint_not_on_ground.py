@@ -19,7 +19,7 @@ from urdfkit.core.spatial import Rotation, Transform, Vector, dot, rotate
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body, Joint, number
+from urdfkit.robot.model import Body, number
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.diagnostic import Edit, Fix, Severity
@@ -32,8 +32,7 @@ BAD = robot_xml(
     link_xml("base_link", collision_xml('<box size="0.4 0.3 0.2"/>')),
     joint_xml("fixed", name="base_footprint_joint", parent="base_footprint", child="base_link"),
 )
-GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
-FIXED = GOOD
+FIXED = GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
 
 #: A body may stand this far above or below the ground, in m: tyres and rubber feet give way.
 TOLERANCE = 0.005
@@ -41,7 +40,7 @@ TOLERANCE = 0.005
 #: Cosine of the angle to the vertical under which an axis is level.
 _LEVEL = 0.1
 
-#: What reaches so many m deeper than the wheels is no caster: the robot has no wheels to stand on.
+#: In m: what reaches that much lower than the wheels is no caster, and they carry nothing.
 _CASTER = 0.1
 
 #: Robots of one model that are looked at.
@@ -65,7 +64,7 @@ def check(subject: Subject) -> Findings:
             height, link, is_known = lowest
             side = "below" if height < 0 else "above"
             lifted_wheels = _lifted_wheels(tree, name, robot, link, height)
-            is_lift = is_known and not lifted_wheels and tree.children[name] == joints[:1]
+            is_too_low = is_known and not lifted_wheels and tree.children[name] == joints[:1]
             yield Finding(
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
@@ -73,17 +72,14 @@ def check(subject: Subject) -> Findings:
                 f"raise '{link}', or make it smaller, until the wheels touch the ground"
                 if lifted_wheels
                 else "",
-                fix=_lifted(joints[0], -height) if is_lift else None,
+                fix=Fix.of(f"raise the robot by {-height:.6g} m", _higher(joints[0].at, -height))
+                if is_too_low
+                else None,
             )
 
 
-def _lifted(joint: Joint, height: float) -> Fix | None:
-    """The joint below the footprint, higher by that much in m."""
-    edits = _higher(joint.at, height)
-    return Fix.of(f"lift the robot by {height:.6g} m", edits)
-
-
 def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:
+    """The joint below the footprint, higher by that much in m."""
     origin = joint.child("origin")
     if origin is None:
         line = f'<origin xyz="0 0 {height:.6g}"/>'
@@ -122,8 +118,8 @@ def _lowest(
     lowest = min(heights, default=(0.0, ""))
     if lowest[1] in _limbs(tree):
         return None
-    floats = lowest[0] > TOLERANCE and not unknown
-    return (*lowest, not unknown) if floats or lowest[0] < -TOLERANCE else None
+    is_above = lowest[0] > TOLERANCE and not unknown
+    return (*lowest, not unknown) if is_above or lowest[0] < -TOLERANCE else None
 
 
 def _lifted_wheels(
@@ -159,17 +155,17 @@ def _lifted_wheels(
     wheels = [name for name, gap in gaps.items() if gap - least < TOLERANCE]
     if lowest in wheels or len(wheels) < 2 or not TOLERANCE < least < _CASTER:
         return ""
-    return f"; the wheels {', '.join(wheels)} are {least:.3g} m above it"
+    return f"; the wheels {', '.join(wheels)} are {least:.3g} m higher"
 
 
 def _limbs(tree: KinematicTree) -> set[str]:
     """The links below two revolute joints or more, as those of legs are."""
-    hinges = dict.fromkeys(tree.frames, 0)
+    counts = dict.fromkeys(tree.frames, 0)
     for joint in tree.spanning:
         assert joint.parent is not None
         assert joint.child is not None
-        hinges[joint.child.value] = hinges[joint.parent.value] + (joint.kind == "revolute")
-    return {name for name, count in hinges.items() if count > 1}
+        counts[joint.child.value] = counts[joint.parent.value] + (joint.kind == "revolute")
+    return {name for name, count in counts.items() if count > 1}
 
 
 def _bottom(body: Body, link: Transform, up: Vector) -> float | None:

@@ -27,8 +27,7 @@ BAD = """\
   <arm side="left"/>
 </robot>
 """
-GOOD = BAD.replace("<arm", "<xacro:arm")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("<arm", "<xacro:arm")
 
 
 @rule(

@@ -11,7 +11,7 @@ from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh.saving import save
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import scaled, upright
-from urdfkit.mesh.writers import refuse_sound
+from urdfkit.mesh.writers import require_replaceable
 
 
 @click.command(
@@ -37,7 +37,7 @@ def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
         raise click.BadParameter("must be more than 0, and finite", param_hint="--scale")
     mesh = load(file)
     if not force:
-        refuse_sound(out)
+        require_replaceable(out)
     mesh = scaled(upright(mesh) if turn else mesh, (scale,) * 3)
     lines = [*save(mesh, out)]
     for lost in mesh.losses:

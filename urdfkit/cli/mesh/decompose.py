@@ -11,9 +11,9 @@ from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
 from urdfkit.mesh.containment import missing, protrusion
+from urdfkit.mesh.convex_decomposition import ENGINES, decompose
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.health import examine, examine_mesh
-from urdfkit.mesh.hull import ENGINES, decompose
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import in_metres
 

@@ -8,8 +8,8 @@ from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.health import examine_mesh
-from urdfkit.mesh.hull import hull
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import in_metres
 

@@ -76,8 +76,8 @@ def render(done: Repair, defect: str) -> Iterator[str]:
     yield from output.indented(f"found {tables.surface(done.before)}", first="")
     for step in done.steps:
         yield f"  {_step(step)}"
-    if done.refused:
-        yield f"repair discarded: {done.refused}; the mesh is unchanged"
+    if done.discarded:
+        yield f"repair discarded: {done.discarded}; the mesh is unchanged"
         return
     yield from tables.columns(tables.before_and_after(done.before, done.after))
     yield from tables.distances(done.lost, done.gained)

@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.writers import glb, losses, refuse_sound, write
+from urdfkit.mesh.writers import glb, losses, require_replaceable, write
 from urdfkit.text.source import shown
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -31,14 +31,14 @@ def destination(file: str, out: str | None, in_place: bool, force: bool) -> str 
 
     Raises:
         UsageError: both a file and in place.
-        GoodMesh: the file is a good mesh, and not to be replaced.
+        SoundMesh: the file is a good mesh, and not to be replaced.
     """
     if out and in_place:
         raise options.UsageError("--output and --write exclude one another")
     if in_place:
         return file
     if out and not force:
-        refuse_sound(out)
+        require_replaceable(out)
     return out
 
 

@@ -36,8 +36,8 @@ def surface(health: Health) -> str:
             (health.collapsed, "degenerate triangles"),
             (health.repeated, "duplicate triangles"),
             (health.open_edges, "open edges"),
-            (health.crowded_edges, "non-manifold edges"),
-            (health.twisted_edges, "edges with inconsistent winding"),
+            (health.non_manifold_edges, "non-manifold edges"),
+            (health.inconsistent_edges, "edges with inconsistent winding"),
             (health.inverted, "inverted bodies"),
             (health.doubled, "triangles of double-sided sheets without volume"),
         )

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Flags, Floats, Integers, MeshMaterial, MeshPart
+from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh, MeshMaterial, MeshPart, NoTriangles
 from urdfkit.mesh.io.facts import counted
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 #: Nodes of a scene, and triangles of all that they show: a short file can show a long one often.
 MAX_NODES = 20_000
@@ -82,6 +84,22 @@ def assemble(
         np.nan_to_num(values["texture coordinates"]) if "texture coordinates" in values else None,
         _rgba(values["colours"]) if "colours" in values else None,
     )
+
+
+def mesh_of(
+    parts: Iterable[MeshPart | None], losses: LostData, files: ReferencedFiles | None = None
+) -> Mesh:
+    """The mesh of some parts.
+
+    Raises:
+        NoTriangles: there are none.
+    """
+    found = tuple(part for part in parts if part is not None)
+    if not found:
+        lost = "; ".join(losses.sentences())
+        raise NoTriangles(f"holds no triangles{f' ({lost})' if lost else ''}")
+    mesh = Mesh(found, losses=losses.sentences())
+    return files.added_to(mesh) if files else mesh
 
 
 def transformed(part: MeshPart, matrix: Floats) -> MeshPart:

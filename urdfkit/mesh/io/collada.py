@@ -27,7 +27,7 @@ _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "sourc
 #: Errors of expat that only the end of the file explains: no element, unclosed token, partial
 #: character, unclosed CDATA section.
 _CUT_OFF = (3, 5, 6, 20)
-#: Errors that the XML readers of Gazebo and assimp pass over: an undefined entity, an encoding.
+#: Errors that the XML parsers of Gazebo and assimp ignore: an undefined entity, an encoding.
 _TOLERATED = (11, 18, 19)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
 from urdfkit.mesh.io.assemble import LostData, Stream
-from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
+from urdfkit.mesh.io.collada_tree import ColladaTree, Element, child, children, tag, text
 from urdfkit.mesh.io.numbers import floats, integers
 from urdfkit.mesh.io.polygons import fans, strips, triangles
 
@@ -53,7 +53,7 @@ class _Input(NamedTuple):
 class Geometries:
     """The surfaces of the geometries of one file, each read once."""
 
-    def __init__(self, tree: Tree, losses: LostData) -> None:
+    def __init__(self, tree: ColladaTree, losses: LostData) -> None:
         self._tree = tree
         self._losses = losses
         self._sources: dict[Element, Floats] = {}
@@ -138,7 +138,7 @@ class Geometries:
             return np.zeros((0, 0))
         numbers = numbers[start:]
         rows = numbers[: len(numbers) // stride * stride].reshape(-1, stride)
-        # A parameter without a name is passed over.
+        # A parameter without a name is ignored.
         used = [i for i, name in enumerate(names[:stride]) if name]
         return rows[:, used] if used else rows
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from urdfkit.mesh.geometry import MeshMaterial
 from urdfkit.mesh.io.assemble import LostData
-from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
+from urdfkit.mesh.io.collada_tree import ColladaTree, Element, child, children, tag, text
 from urdfkit.mesh.io.numbers import floats
-from urdfkit.mesh.io.referenced_files import find_image, place
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 Colour = tuple[float, float, float, float]
 
@@ -21,7 +21,7 @@ _LUMINANCE = (0.212671, 0.715160, 0.072169)
 _DEFAULT = MeshMaterial()
 
 
-class TexturedMaterial(NamedTuple):
+class ColladaMaterial(NamedTuple):
     """A material, and the name under which its texture asks for coordinates."""
 
     material: MeshMaterial
@@ -32,33 +32,26 @@ class ColladaMaterials:
     """The materials of one file.
 
     Args:
-        folder: that the file is in; textures are named relative to it.
-
-    Attributes:
-        textures: the names of images that are used, as written.
-        missing: those of them that are not there.
-        files: where they lie, or would.
+        files: finds the images that they name.
+        losses: gets what cannot be read.
     """
 
-    def __init__(self, tree: Tree, folder: str, losses: LostData) -> None:
+    def __init__(self, tree: ColladaTree, files: ReferencedFiles, losses: LostData) -> None:
         self._tree = tree
-        self._folder = folder
+        self._files = files
         self._losses = losses
-        self._looks: dict[Element, TexturedMaterial] = {}
-        self.textures: list[str] = []
-        self.missing: list[str] = []
-        self.files: list[str] = []
+        self._known: dict[Element, ColladaMaterial] = {}
 
-    def look(self, reference: str) -> TexturedMaterial | None:
-        """The look of ``#material``; None if there is no such material."""
+    def material(self, reference: str) -> ColladaMaterial | None:
+        """What ``#material`` refers to; None if there is no such material."""
         material = self._tree.named(reference, "material")
         if material is None:
             return None
-        if material not in self._looks:
-            self._looks[material] = self._read(material)
-        return self._looks[material]
+        if material not in self._known:
+            self._known[material] = self._read(material)
+        return self._known[material]
 
-    def _read(self, material: Element) -> TexturedMaterial:
+    def _read(self, material: Element) -> ColladaMaterial:
         name = material.get("name") or material.get("id", "")
         instance = child(material, "instance_effect")
         effect = self._tree.named(instance.get("url") if instance is not None else "", "effect")
@@ -67,24 +60,18 @@ class ColladaMaterials:
         shader = next(children(technique, *_SHADERS), None)
         if shader is None:
             self._losses.add("material* without an effect that can be read")
-            return TexturedMaterial(MeshMaterial(name))
+            return ColladaMaterial(MeshMaterial(name))
         base = child(shader, "emission" if tag(shader) == "constant" else "diffuse")
         rgba = self._colour(base) or _DEFAULT.rgba
         texture = child(base, "texture")
-        image = ""
-        if texture is not None:
-            image = self._image(texture.get("texture", ""), effect)
-            self.textures.append(image)
-            rgba = (1.0, 1.0, 1.0, 1.0)
-        opacity = self._opacity(shader, rgba[3])
-        path = find_image(image, self._folder) if image else None
-        if image:
-            self.files.append(path or place(image, self._folder))
-        if texture is not None and path is None:
-            rgba = _DEFAULT.rgba
-            self.missing.append(image)
-        found = MeshMaterial(name, (*rgba[:3], opacity), path)
-        return TexturedMaterial(found, texture.get("texcoord", "") if texture is not None else "")
+        if texture is None:
+            opacity = self._opacity(shader, rgba[3])
+            return ColladaMaterial(MeshMaterial(name, (*rgba[:3], opacity)))
+        image = self._image(texture.get("texture", ""), effect)
+        path = self._files.image(image) if image else None
+        rgb = (1.0, 1.0, 1.0) if path else _DEFAULT.rgba[:3]
+        found = MeshMaterial(name, (*rgb, self._opacity(shader, 1.0)), path)
+        return ColladaMaterial(found, texture.get("texcoord", ""))
 
     def _colour(self, element: Element | None) -> Colour | None:
         """The ``<color>`` in an element; None if it has none that can be read."""
@@ -109,7 +96,7 @@ class ColladaMaterials:
         number = floats(text(child(shader, "transparency", "float")))
         factor = float(number[0]) if len(number) and np.isfinite(number[0]) else 1.0
         if transparent is None or child(transparent, "color") is None:
-            return alpha  # the mode of an absent colour is everybody's guess: 1 is meant, or 0
+            return alpha  # without a colour, its mode is ambiguous: 1 may be opaque or transparent
         colour = self._colour(transparent) or (1.0, 1.0, 1.0, 1.0)
         mode = transparent.get("opaque", "A_ONE")
         if mode.startswith("RGB"):

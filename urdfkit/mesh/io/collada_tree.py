@@ -13,11 +13,11 @@ from urdfkit.mesh.io.collada import forgive
 
 Element: TypeAlias = Any  # lxml comes without types
 
-#: libxml2 refuses longer texts unless told otherwise, and then checks less.
+#: libxml2 rejects longer texts unless `huge_tree` is set, and then checks less.
 _LONG_TEXT = 10_000_000
 
 
-class Tree:
+class ColladaTree:
     """A COLLADA file.
 
     Attributes:

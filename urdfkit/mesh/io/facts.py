@@ -14,7 +14,7 @@ PLY = "PLY"
 GLB = "GLB"
 GLTF = "glTF"
 
-#: Larger files are recognised by their beginning, and not judged further.
+#: Larger files are recognised by their beginning, and not validated further.
 MAX_BYTES = 128 * 1024 * 1024
 
 #: The formats whose triangles are read.

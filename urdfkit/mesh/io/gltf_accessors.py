@@ -1,4 +1,4 @@
-"""The lists of numbers in a glTF file: accessors, which look through views at buffers.
+"""The lists of numbers in a glTF file: accessors of buffer views.
 
 Source: glTF 2.0 Specification, chapter "Binary Data Storage",
 https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html#binary-data-storage.
@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.mesh.geometry import Floats, Integers, NoTriangles
-from urdfkit.mesh.io import referenced_files
 from urdfkit.mesh.io.facts import MAX_BYTES
 from urdfkit.mesh.io.gltf_tree import GltfObject
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 #: Rows of a list of zeros that a sparse one changes: no byte of it need be in the file.
 MAX_ZEROS = 1_000_000
@@ -27,24 +27,20 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 _Numbers = NDArray[Any]
 
 
-class Lists:
+class Accessors:
     """The lists of one file.
 
     Args:
         root: its JSON.
         binary: the binary chunk of a GLB; empty if there is none.
-        folder: that the file lies in, and its buffers.
-
-    Attributes:
-        files: where the buffers lie that are files.
+        files: reads the buffers that are files.
     """
 
-    def __init__(self, root: GltfObject, binary: bytes, folder: str) -> None:
+    def __init__(self, root: GltfObject, binary: bytes, files: ReferencedFiles) -> None:
         self._root = root
         self._binary = binary
-        self._folder = folder
+        self._files = files
         self._buffers: dict[int, bytes] = {}
-        self.files: list[str] = []
 
     def floats(self, index: int) -> Floats:
         """(n, k), a list of vectors; normalised whole numbers lie between -1 or 0 and 1.
@@ -126,9 +122,7 @@ class Lists:
     def _read(self, uri: str) -> bytes:
         data = embedded(uri)
         if data is None:
-            path = referenced_files.place(unquote(uri), self._folder)
-            self.files.append(path)
-            data = referenced_files.read(path, MAX_BYTES)
+            data = self._files.read(unquote(uri), MAX_BYTES)
         if data is None:
             raise NoTriangles(f"needs the file '{uri[:80]}', which cannot be read")
         return data

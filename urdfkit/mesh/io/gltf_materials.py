@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from typing import NamedTuple
-from urllib.parse import unquote
 
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, MeshMaterial
-from urdfkit.mesh.io import referenced_files
-from urdfkit.mesh.io.gltf_accessors import Lists, embedded
+from urdfkit.mesh.io.gltf_accessors import Accessors, embedded
 from urdfkit.mesh.io.gltf_tree import GltfObject
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 _WHITE = (1.0, 1.0, 1.0, 1.0)
 #: What has the base colour and its texture, and what had them in older exporters.
@@ -20,7 +19,7 @@ _DIFFUSE = ("diffuseFactor", "diffuseTexture")
 _AS_THEY_ARE = np.eye(2, 3)
 
 
-class TexturedMaterial(NamedTuple):
+class GltfMaterial(NamedTuple):
     """A material, and what its texture asks of the coordinates.
 
     Attributes:
@@ -45,35 +44,26 @@ class GltfMaterials:
     Args:
         root: its JSON.
         lists: of the same file.
-        folder: that the file lies in, and its images.
-
-    Attributes:
-        textures: the names of images that are used, as written; those that the file holds have
-            none.
-        missing: those of them that are not there.
-        files: where they lie, or would.
+        files: finds the images that the file does not hold itself.
     """
 
-    def __init__(self, root: GltfObject, lists: Lists, folder: str) -> None:
+    def __init__(self, root: GltfObject, lists: Accessors, files: ReferencedFiles) -> None:
         self._root = root
         self._lists = lists
-        self._folder = folder
-        self._looks: dict[int, TexturedMaterial] = {}
-        self.textures: list[str] = []
-        self.missing: list[str] = []
-        self.files: list[str] = []
+        self._files = files
+        self._known: dict[int, GltfMaterial] = {}
 
-    def look(self, index: int) -> TexturedMaterial:
-        """The look of a material.
+    def material(self, index: int) -> GltfMaterial:
+        """A material, by its place in the file.
 
         Raises:
             NoTriangles: it is not in the file.
         """
-        if index not in self._looks:
-            self._looks[index] = self._read(self._root.one_of("materials", index))
-        return self._looks[index]
+        if index not in self._known:
+            self._known[index] = self._read(self._root.one_of("materials", index))
+        return self._known[index]
 
-    def _read(self, material: GltfObject) -> TexturedMaterial:
+    def _read(self, material: GltfObject) -> GltfMaterial:
         base, factor, textured = material.inner("pbrMetallicRoughness"), *_BASE
         if "pbrMetallicRoughness" not in material and _OLDER in material.inner("extensions"):
             base, factor, textured = material.inner("extensions", _OLDER), *_DIFFUSE
@@ -82,12 +72,12 @@ class GltfMaterials:
             alpha = 1.0
         found = MeshMaterial(material.text("name"), (red, green, blue, alpha))
         if textured not in base:
-            return TexturedMaterial(found)
+            return GltfMaterial(found)
         texture = base.inner(textured)
         transform = texture.inner("extensions", "KHR_texture_transform")
         image = self._image(self._root.one_of("textures", texture.whole("index")))
         which = transform.whole("texCoord", texture.whole("texCoord", 0))
-        return TexturedMaterial(found._replace(texture=image), which, _matrix(transform))
+        return GltfMaterial(found._replace(texture=image), which, _matrix(transform))
 
     def _image(self, texture: GltfObject) -> str | bytes | None:
         """The file or the bytes of an image; None if it is not there, or of a newer format."""
@@ -100,14 +90,7 @@ class GltfMaterials:
             return bytes(self._lists.view(image.whole("bufferView")))
         name = image.text("uri")
         data = embedded(name)
-        if data is not None:
-            return data
-        path = referenced_files.find_image(name, self._folder)
-        self.textures.append(name)
-        self.files.append(path or referenced_files.place(unquote(name), self._folder))
-        if path is None:
-            self.missing.append(name)
-        return path
+        return self._files.image(name) if data is None else data
 
 
 def _matrix(transform: GltfObject) -> Floats:

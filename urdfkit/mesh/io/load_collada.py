@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from math import radians
 
 import numpy as np
 
+from urdfkit.core.spatial import rotation_about, unit, vector
 from urdfkit.mesh.geometry import Floats, Mesh, MeshPart, NoTriangles
 from urdfkit.mesh.io.assemble import (
     MAX_NODES,
@@ -19,12 +21,14 @@ from urdfkit.mesh.io.assemble import (
     LostData,
     assemble,
     counted_kinds,
+    mesh_of,
     transformed,
 )
 from urdfkit.mesh.io.collada_geometry import ColladaTriangles, Geometries
-from urdfkit.mesh.io.collada_materials import ColladaMaterials, TexturedMaterial
-from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
+from urdfkit.mesh.io.collada_materials import ColladaMaterial, ColladaMaterials
+from urdfkit.mesh.io.collada_tree import ColladaTree, Element, child, children, tag, text
 from urdfkit.mesh.io.numbers import floats
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 #: Nodes within nodes.
 MAX_DEPTH = 200
@@ -49,7 +53,7 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
         NoTriangles: it shows nothing, or is not to be read.
     """
     try:
-        return _Reader(Tree(data, recover=recover), folder).mesh(unplaced=recover)
+        return _ColladaReader(ColladaTree(data, recover=recover), folder).mesh(unplaced=recover)
     except NoTriangles:
         comma = _DECIMAL_COMMA.search(data)
         if comma is None:
@@ -58,12 +62,13 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
         raise NoTriangles(f"writes numbers with commas for points, such as '{number}'") from None
 
 
-class _Reader:
-    def __init__(self, tree: Tree, folder: str) -> None:
+class _ColladaReader:
+    def __init__(self, tree: ColladaTree, folder: str) -> None:
         self._tree = tree
         self._losses = LostData()
         self._geometries = Geometries(tree, self._losses)
-        self._looks = ColladaMaterials(tree, folder, self._losses)
+        self._files = ReferencedFiles(folder)
+        self._materials = ColladaMaterials(tree, self._files, self._losses)
         self._triangles = 0
         self._placed = False
 
@@ -71,19 +76,11 @@ class _Reader:
         parts = [part for node, matrix in self._nodes() for part in self._shown(node, matrix)]
         if unplaced and not self._placed:
             parts += self._unplaced()
-        if not parts:
-            lost = "; ".join(self._losses.sentences())
-            raise NoTriangles(f"shows no triangles{f' ({lost})' if lost else ''}")
         asset = child(self._tree.root, "asset")
-        return Mesh(
-            tuple(parts),
-            _unit(child(asset, "unit")),
-            text(child(asset, "up_axis")).upper(),
-            self._losses.sentences(),
-            self._extras(),
-            tuple(self._looks.textures),
-            tuple(self._looks.missing),
-            tuple(self._looks.files),
+        return mesh_of(parts, self._losses, self._files)._replace(
+            unit=_unit(child(asset, "unit")),
+            up_axis=text(child(asset, "up_axis")).upper(),
+            extras=self._extras(),
         )
 
     def _nodes(self) -> Iterator[tuple[Element, Floats]]:
@@ -139,9 +136,9 @@ class _Reader:
                 self._losses.add("geometry reference* to nothing")
                 continue
             self._placed = True
-            looks = self._bound(instance)
+            materials = self._bound(instance)
             for surface in self._geometries.surfaces(geometry):
-                part = self._part(surface, looks)
+                part = self._part(surface, materials)
                 if part is not None:
                     moved = transformed(part, matrix @ bound)
                     if np.isfinite(moved.vertices).all():
@@ -174,35 +171,37 @@ class _Reader:
         geometry = self._tree.named(skin.get("source"), "geometry")
         return geometry, np.eye(4) if bound is None else bound
 
-    def _bound(self, instance: Element) -> dict[str, tuple[TexturedMaterial, Element]]:
-        """The looks of an instance by the symbols that its surfaces use."""
+    def _bound(self, instance: Element) -> dict[str, tuple[ColladaMaterial, Element]]:
+        """The materials of an instance by the symbols that its surfaces use."""
         bindings = child(instance, "bind_material", "technique_common")
-        found: dict[str, tuple[TexturedMaterial, Element]] = {}
+        found: dict[str, tuple[ColladaMaterial, Element]] = {}
         for binding in children(bindings, "instance_material"):
-            look = self._looks.look(binding.get("target", ""))
-            if look is None:
+            material = self._materials.material(binding.get("target", ""))
+            if material is None:
                 self._losses.add("material* missing from the file")
             else:
-                found.setdefault(binding.get("symbol", ""), (look, binding))
+                found.setdefault(binding.get("symbol", ""), (material, binding))
         return found
 
     def _part(
-        self, surface: ColladaTriangles, looks: dict[str, tuple[TexturedMaterial, Element]]
+        self, surface: ColladaTriangles, materials: dict[str, tuple[ColladaMaterial, Element]]
     ) -> MeshPart | None:
         self._triangles += len(surface.position.rows)
         if self._triangles > MAX_TRIANGLES:
             raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")
-        look, binding = looks.get(surface.symbol, (None, None))
-        if look is None and surface.symbol:  # unbound: assimp takes the material of that name
-            look = self._looks.look(f"#{surface.symbol}")
+        textured, binding = materials.get(surface.symbol, (None, None))
+        if textured is None and surface.symbol:  # unbound: assimp takes the material of that name
+            textured = self._materials.material(f"#{surface.symbol}")
         uv = None
         if surface.uvs:
-            wanted = _set_of(binding, look.coordinates) if look and binding is not None else ""
+            wanted = ""
+            if textured and binding is not None:
+                wanted = _set_of(binding, textured.coordinates)
             uv = surface.uvs.get(wanted, next(iter(surface.uvs.values())))
         return assemble(
             surface.position,
             self._losses,
-            look.material if look else None,
+            textured.material if textured else None,
             normals=surface.normals,
             uv=uv,
             colors=surface.colors,
@@ -240,23 +239,14 @@ def _moves(kind: str, numbers: Floats) -> Floats | None:
     elif kind == "scale" and len(numbers) >= 3:
         matrix[[0, 1, 2], [0, 1, 2]] = numbers[:3]
     elif kind == "rotate" and len(numbers) >= 4:
-        matrix[:3, :3] = _rotation(numbers[:3], np.radians(numbers[3]))
+        if any(numbers[:3]):
+            axis = unit(vector(numbers[:3]))
+            matrix[:3, :3] = rotation_about(axis, radians(numbers[3]))
     elif kind == "lookat" and len(numbers) >= 9:
         return _look_at(numbers[:9].reshape(3, 3))
     else:
         return None
     return matrix
-
-
-def _rotation(axis: Floats, angle: float) -> Floats:
-    """About an axis, by Rodrigues' formula; none about an axis without length."""
-    length = np.linalg.norm(axis)
-    if not length:
-        return np.eye(3)
-    x, y, z = axis / length
-    across = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    turned: Floats = np.eye(3) + np.sin(angle) * across + (1 - np.cos(angle)) * across @ across
-    return turned
 
 
 def _look_at(points: Floats) -> Floats | None:

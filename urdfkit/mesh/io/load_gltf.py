@@ -8,10 +8,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from math import atan2
 from struct import unpack_from
 
 import numpy as np
 
+from urdfkit.core.spatial import IDENTITY, length, rotation_about, unit, vector
+from urdfkit.mesh.edges import three_cornered
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart, NoTriangles
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.assemble import (
@@ -21,12 +24,14 @@ from urdfkit.mesh.io.assemble import (
     Stream,
     assemble,
     counted_kinds,
+    mesh_of,
     transformed,
 )
-from urdfkit.mesh.io.gltf_accessors import Lists
-from urdfkit.mesh.io.gltf_materials import GltfMaterials, TexturedMaterial
+from urdfkit.mesh.io.gltf_accessors import Accessors
+from urdfkit.mesh.io.gltf_materials import GltfMaterial, GltfMaterials
 from urdfkit.mesh.io.gltf_tree import GltfObject
 from urdfkit.mesh.io.polygons import fans, strips
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 _POINTS_AND_LINES = range(4)
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
@@ -54,7 +59,7 @@ def read(data: bytes, form: str, folder: str) -> Mesh:
     for extension in root.texts("extensionsRequired"):
         if extension in _COMPRESSED:
             raise NoTriangles(f"is compressed with {_COMPRESSED[extension]}, which is not read")
-    return _Reader(root, binary, folder).mesh()
+    return _GltfReader(root, binary, folder).mesh()
 
 
 def _chunks(data: bytes) -> tuple[bytes, bytes]:
@@ -63,30 +68,20 @@ def _chunks(data: bytes) -> tuple[bytes, bytes]:
     return data[20 : 20 + size], data[28 + size :]
 
 
-class _Reader:
+class _GltfReader:
     def __init__(self, root: GltfObject, binary: bytes, folder: str) -> None:
         self._root = root
         self._losses = LostData()
-        self._lists = Lists(root, binary, folder)
-        self._looks = GltfMaterials(root, self._lists, folder)
+        self._files = ReferencedFiles(folder)
+        self._lists = Accessors(root, binary, self._files)
+        self._materials = GltfMaterials(root, self._lists, self._files)
         self._meshes: dict[int, list[MeshPart]] = {}
         self._others = 0
         self._read = self._placed = 0
 
     def mesh(self) -> Mesh:
-        parts = list(self._shown())
-        if not parts:
-            lost = "; ".join(self._losses.sentences())
-            raise NoTriangles(f"shows no triangles{f' ({lost})' if lost else ''}")
-        return Mesh(
-            tuple(parts),
-            up_axis="Y_UP",  # so glTF has it, whatever the numbers are
-            losses=self._losses.sentences(),
-            extras=self._extras(),
-            textures=tuple(self._looks.textures),
-            missing=tuple(self._looks.missing),
-            files=(*self._lists.files, *self._looks.files),
-        )
+        mesh = mesh_of(list(self._shown()), self._losses, self._files)
+        return mesh._replace(up_axis="Y_UP", extras=self._extras())  # whatever the numbers are
 
     def _shown(self) -> Iterator[MeshPart]:
         for node, matrix in self._nodes():
@@ -150,20 +145,18 @@ class _Reader:
         rows = _triangles(corners, mode)
         self._read += len(rows)
         self._bound()
-        look = (
-            self._looks.look(primitive.whole("material"))
-            if "material" in primitive
-            else TexturedMaterial()
-        )
-        uv = self._values(lists, f"TEXCOORD_{look.coordinates}", 2)
+        textured = GltfMaterial()
+        if "material" in primitive:
+            textured = self._materials.material(primitive.whole("material"))
+        uv = self._values(lists, f"TEXCOORD_{textured.coordinates}", 2)
         normals = self._values(lists, "NORMAL", 3)
         colors = self._values(lists, "COLOR_0", 4)
         return assemble(
             Stream(positions, rows),
             self._losses,
-            look.material,
+            textured.material,
             normals=None if normals is None else Stream(normals, rows),
-            uv=None if uv is None else Stream(look.placed(uv), rows),
+            uv=None if uv is None else Stream(textured.placed(uv), rows),
             colors=None if colors is None else Stream(colors, rows),
         )
 
@@ -202,14 +195,9 @@ def _matrix(node: GltfObject) -> Floats:
 
 def _rotation(quaternion: Floats) -> Floats:
     """(3, 3), of a quaternion x, y, z, w; none for one of no length."""
-    length = np.linalg.norm(quaternion)
-    if not length:
-        return np.eye(3)
-    *axis, w = quaternion / length
-    x, y, z = axis
-    across = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    turned: Floats = np.eye(3) + 2 * w * across + 2 * across @ across
-    return turned
+    *axis, w = quaternion.tolist()
+    sine = length(vector(axis))
+    return np.array(rotation_about(unit(vector(axis)), 2 * atan2(sine, w)) if sine else IDENTITY)
 
 
 def _triangles(corners: Integers, mode: int) -> Integers:
@@ -223,7 +211,4 @@ def _triangles(corners: Integers, mode: int) -> Integers:
         return corners[: len(corners) // 3 * 3].reshape(-1, 3)
     else:
         raise NoTriangles(f"is no valid glTF: there is no mode {mode}")
-    # Strips are joined by triangles that have a corner twice.
-    a, b, c = found.T
-    joined: Integers = found[(a != b) & (b != c) & (c != a)]
-    return joined
+    return found[three_cornered(found)]  # strips are joined by triangles that have a corner twice

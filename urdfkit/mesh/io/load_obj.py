@@ -7,11 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart, NoTriangles
-from urdfkit.mesh.io.assemble import LostData, Stream, assemble, counted_kinds
+from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
+from urdfkit.mesh.io.assemble import LostData, Stream, assemble, counted_kinds, mesh_of
 from urdfkit.mesh.io.numbers import floats
-from urdfkit.mesh.io.obj_materials import Library
+from urdfkit.mesh.io.obj_materials import MaterialLibrary
 from urdfkit.mesh.io.polygons import triangles
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 _EXTRAS = {b"l": "line", b"p": "point set", b"curv": "curve", b"surf": "free-form surface"}
 
@@ -35,27 +36,13 @@ def read(data: bytes, folder: str) -> Mesh:
     """
     lines = _Lines(data)
     losses = LostData()
-    library = Library(lines.libraries, folder, losses)
+    files = ReferencedFiles(folder)
+    library = MaterialLibrary(lines.libraries, files, losses)
     points = lines.table(b"v")
     values = (points[:, :3], lines.table(b"vt")[:, :2], lines.table(b"vn")[:, :3])
     colors = points[:, 3:6] if points.shape[1] == 6 else None
-    parts = []
-    for group in lines.groups:
-        part = _part(group, values, colors, library, losses)
-        if part is not None:
-            parts.append(part)
-    if not parts:
-        lost = "; ".join(losses.sentences())
-        raise NoTriangles(f"holds no triangles{f' ({lost})' if lost else ''}")
-    extras = counted_kinds(lines.extras)
-    return Mesh(
-        tuple(parts),
-        losses=losses.sentences(),
-        extras=extras,
-        textures=library.textures,
-        missing=library.missing,
-        files=library.files,
-    )
+    parts = [_part(group, values, colors, library, losses) for group in lines.groups]
+    return mesh_of(parts, losses, files)._replace(extras=counted_kinds(lines.extras))
 
 
 class _Lines:
@@ -118,7 +105,7 @@ def _part(
     group: _Group,
     values: tuple[Floats, Floats, Floats],
     colors: Floats | None,
-    library: Library,
+    library: MaterialLibrary,
     losses: LostData,
 ) -> MeshPart | None:
     corners = [face.partition(b"#")[0].split() for face in group.faces]

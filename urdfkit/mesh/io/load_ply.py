@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from urdfkit.mesh.geometry import Mesh, MeshMaterial, NoTriangles
-from urdfkit.mesh.io.assemble import LostData, Stream, assemble
+from urdfkit.mesh.io.assemble import LostData, Stream, assemble, mesh_of
 from urdfkit.mesh.io.ply import MAX_HEADER
-from urdfkit.mesh.io.referenced_files import find_image, place
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 #: How MeshLab and its like name the image on a mesh.
 _TEXTURE = re.compile(rb"\ncomment TextureFile[ \t]+([^\r\n]+)")
@@ -36,14 +36,10 @@ def read(data: bytes, folder: str) -> Mesh:
     named = _TEXTURE.search(data[:MAX_HEADER])
     if named is None:
         return mesh
-    name = named.group(1).decode("utf-8", "replace").strip()
-    path = find_image(name, folder)
-    return mesh._replace(
-        parts=(mesh.parts[0]._replace(material=MeshMaterial("", (1.0, 1.0, 1.0, 1.0), path)),),
-        textures=(name,),
-        missing=() if path else (name,),
-        files=(path or place(name, folder),),
-    )
+    files = ReferencedFiles(folder)
+    path = files.image(named.group(1).decode("utf-8", "replace").strip())
+    part = mesh.parts[0]._replace(material=MeshMaterial("", (1.0, 1.0, 1.0, 1.0), path))
+    return files.added_to(mesh._replace(parts=(part,)))
 
 
 def _read(data: bytes) -> Mesh:
@@ -71,7 +67,4 @@ def _read(data: bytes) -> Mesh:
         uv=stream(getattr(visual, "uv", None)),
         colors=stream(colors),
     )
-    if part is None:
-        lost = "; ".join(losses.sentences())
-        raise NoTriangles(f"holds no triangles{f' ({lost})' if lost else ''}")
-    return Mesh((part,), losses=losses.sentences())
+    return mesh_of([part], losses)

@@ -10,9 +10,9 @@ import re
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Mesh, NoTriangles
+from urdfkit.mesh.geometry import Floats, Mesh
 from urdfkit.mesh.io import binary_stl
-from urdfkit.mesh.io.assemble import LostData, Stream, assemble
+from urdfkit.mesh.io.assemble import LostData, Stream, assemble, mesh_of
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.io.numbers import floats
 
@@ -57,7 +57,4 @@ def ascii_text(data: bytes) -> Mesh:
 
 def _mesh(corners: Floats, losses: LostData, extras: tuple[str, ...] = ()) -> Mesh:
     index = np.arange(len(corners)).reshape(-1, 3)
-    part = assemble(Stream(corners, index), losses)
-    if part is None:
-        raise NoTriangles("holds no triangles")
-    return Mesh((part,), losses=losses.sentences(), extras=extras)
+    return mesh_of([assemble(Stream(corners, index), losses)], losses)._replace(extras=extras)

@@ -7,7 +7,7 @@ import numpy as np
 from urdfkit.mesh.geometry import MeshMaterial
 from urdfkit.mesh.io.assemble import LostData
 from urdfkit.mesh.io.numbers import floats
-from urdfkit.mesh.io.referenced_files import find_image, place, read
+from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 #: No file of materials is larger.
 MAX_LIBRARY = 4 * 1024 * 1024
@@ -16,35 +16,21 @@ MAX_LIBRARY = 4 * 1024 * 1024
 _OPTIONS = {b"-mm": 2, b"-o": 3, b"-s": 3, b"-t": 3}
 
 
-class Library:
+class MaterialLibrary:
     """The materials that one OBJ file may use.
 
     Args:
         names: of MTL files, as the OBJ file gives them.
-        folder: that they lie in.
+        files: finds them and the images that they name.
         losses: gets what cannot be read.
-
-    Attributes:
-        textures: the names of the images that they use.
-        missing: the names of files that are not there.
-        files: where all these files lie, or would.
     """
 
-    def __init__(self, names: list[str], folder: str, losses: LostData) -> None:
+    def __init__(self, names: list[str], files: ReferencedFiles, losses: LostData) -> None:
         self._materials: dict[str, MeshMaterial] = {}
         self._losses = losses
-        self._folder = folder
-        self.textures: tuple[str, ...] = ()
-        self.missing: tuple[str, ...] = ()
-        self.files: tuple[str, ...] = ()
+        self._files = files
         for name in dict.fromkeys(names):
-            path = place(name, folder)
-            self.files += (path,)
-            data = read(path, MAX_LIBRARY)
-            if data is None:
-                self.missing += (name,)
-            else:
-                self._add(data)
+            self._add(files.read(name, MAX_LIBRARY) or b"")
 
     def material(self, name: str) -> MeshMaterial | None:
         """The material of a name; one without colour where it is not to be had."""
@@ -81,13 +67,7 @@ class Library:
 
     def _textured(self, material: MeshMaterial, rest: bytes) -> MeshMaterial:
         name = _without_options(rest).decode("utf-8", "replace")
-        self.textures = tuple(dict.fromkeys((*self.textures, name)))
-        path = find_image(name, self._folder)
-        self.files += (path or place(name, self._folder),)
-        if path is None:
-            self.missing += (name,)
-            return material
-        return material._replace(texture=path)
+        return material._replace(texture=self._files.image(name))
 
 
 def _without_options(rest: bytes) -> bytes:

@@ -10,7 +10,7 @@ from urdfkit.core.record import Record
 from urdfkit.mesh.io.facts import Defect, empty, truncated, unreadable
 
 MAX_HEADER = 64 * 1024
-#: Lists are walked one by one, which takes time: no verdict on the length beyond this.
+#: Lists are walked one by one, which takes time: the length is not validated beyond this.
 MAX_LISTS = 1_000_000
 
 _END_OF_HEADER = re.compile(rb"\nend_header[ \t]*\r?\n")
@@ -32,7 +32,7 @@ class _Property(Record):
     length: str = ""
 
 
-class _Element(Record):
+class _PlyElement(Record):
     """One kind of thing in the file: ``vertex``, ``face`` or another."""
 
     name: str
@@ -75,15 +75,15 @@ def _counts(length: str) -> bool:
     return not length or _CODES.get(length, "f") not in "fd"
 
 
-def _header(text: str) -> tuple[str, list[_Element]]:
+def _header(text: str) -> tuple[str, list[_PlyElement]]:
     encoding = ""
-    elements: list[_Element] = []
+    elements: list[_PlyElement] = []
     for line in text.split("\n"):
         words = line.split()
         if words[:1] == ["format"] and len(words) > 1:
             encoding = words[1]
         elif words[:1] == ["element"] and len(words) == 3 and words[2].isdecimal():
-            elements.append(_Element(words[1], int(words[2][:18]), []))
+            elements.append(_PlyElement(words[1], int(words[2][:18]), []))
         elif words[:2] == ["property", "list"] and len(words) == 5 and elements:
             elements[-1].properties.append(_Property(words[4], words[3], words[2]))
         elif words[:1] == ["property"] and len(words) == 3 and elements:
@@ -91,7 +91,7 @@ def _header(text: str) -> tuple[str, list[_Element]]:
     return encoding, elements
 
 
-def _judge_ascii(body: bytes, elements: list[_Element]) -> tuple[Defect | None, str]:
+def _judge_ascii(body: bytes, elements: list[_PlyElement]) -> tuple[Defect | None, str]:
     lines = [line for line in body.split(b"\n") if line.strip()]
     at = 0
     not_finite = ""
@@ -114,7 +114,7 @@ def _not_finite_line(line: bytes) -> str:
     return f"a vertex is ({', '.join(words[:3])})" if any(map(_NOT_FINITE.match, words)) else ""
 
 
-def _is_whole(line: bytes, element: _Element) -> bool:
+def _is_whole(line: bytes, element: _PlyElement) -> bool:
     """True if a line has as many numbers as one of the element needs."""
     words = line.split()
     needed = 0
@@ -125,7 +125,9 @@ def _is_whole(line: bytes, element: _Element) -> bool:
     return len(words) >= needed
 
 
-def _judge_binary(body: bytes, elements: list[_Element], order: str) -> tuple[Defect | None, str]:
+def _judge_binary(
+    body: bytes, elements: list[_PlyElement], order: str
+) -> tuple[Defect | None, str]:
     at = 0
     not_finite = ""
     for element in elements:
@@ -144,7 +146,7 @@ def _judge_binary(body: bytes, elements: list[_Element], order: str) -> tuple[De
     return None, not_finite
 
 
-def _walk(body: bytes, at: int, element: _Element, order: str) -> tuple[int, int]:
+def _walk(body: bytes, at: int, element: _PlyElement, order: str) -> tuple[int, int]:
     """How many elements with lists are there, and where they end."""
     steps = [
         (Struct(order + _CODES[p.length]) if p.length else None, Struct(order + _CODES[p.type]))
@@ -167,7 +169,7 @@ def _walk(body: bytes, at: int, element: _Element, order: str) -> tuple[int, int
     return element.number, at
 
 
-def _not_finite_vertex(block: bytes, element: _Element, single: Struct) -> str:
+def _not_finite_vertex(block: bytes, element: _PlyElement, single: Struct) -> str:
     names = [property.name for property in element.properties]
     if not {"x", "y", "z"} <= set(names) or not single.size:
         return ""
@@ -181,7 +183,7 @@ def _not_finite_vertex(block: bytes, element: _Element, single: Struct) -> str:
     return ""
 
 
-def _too_few(element: _Element, held: int) -> Defect:
+def _too_few(element: _PlyElement, held: int) -> Defect:
     things = {"vertex": "vertices", "face": "faces"}.get(element.name, f"'{element.name}'")
     if element.number == 1:
         return truncated(f"declares 1 {element.name} and holds {held}")

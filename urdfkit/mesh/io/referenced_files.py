@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.mesh.geometry import Mesh
 
 
 def find_image(name: str, folder: str) -> str | None:
@@ -22,6 +26,50 @@ def find_image(name: str, folder: str) -> str | None:
         except ValueError:  # a NUL in the name
             return None
     return None
+
+
+class ReferencedFiles:
+    """The files that one mesh file names, each as often as it is named.
+
+    Args:
+        folder: that the mesh file is in; names are relative to it.
+    """
+
+    def __init__(self, folder: str) -> None:
+        self._folder = folder
+        self._textures: list[str] = []
+        self._missing: list[str] = []
+        self._files: list[str] = []
+
+    def image(self, name: str) -> str | None:
+        """The file of an image; None if it is not there."""
+        self._textures.append(name)
+        path = find_image(name, self._folder)
+        if path is None:
+            from urllib.parse import unquote
+
+            self._missing.append(name)
+            self._files.append(place(unquote(name), self._folder))
+        else:
+            self._files.append(path)
+        return path
+
+    def read(self, name: str, most: int) -> bytes | None:
+        """What another file holds; None if it is not there, or has more than some bytes."""
+        path = place(name, self._folder)
+        self._files.append(path)
+        data = read(path, most)
+        if data is None:
+            self._missing.append(name)
+        return data
+
+    def added_to(self, mesh: Mesh) -> Mesh:
+        """A mesh that knows these files."""
+        return mesh._replace(
+            textures=tuple(dict.fromkeys(self._textures)),
+            missing=tuple(dict.fromkeys(self._missing)),
+            files=tuple(dict.fromkeys(self._files)),
+        )
 
 
 def place(name: str, folder: str) -> str:

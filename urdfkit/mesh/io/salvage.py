@@ -32,7 +32,7 @@ class SalvagedPart(Record):
 
     @property
     def share(self) -> float:
-        """The part that is left, from 0 to 1, as far as the file tells."""
+        """The part that is left, from 0 to 1, as far as the file says."""
         return min(1.0, self.found / self.declared) if self.declared else 1.0
 
     def __str__(self) -> str:

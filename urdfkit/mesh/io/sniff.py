@@ -62,9 +62,9 @@ _MAGIC = (
 _XML_FORMATS = {"COLLADA": facts.COLLADA, "X3D": "X3D", "amf": "AMF"}
 #: Files that are no meshes at all.
 _FOREIGN = (
-    (b"\x89PNG", "a PNG picture"),
-    (b"\xff\xd8\xff", "a JPEG picture"),
-    (b"GIF8", "a GIF picture"),
+    (b"\x89PNG", "a PNG image"),
+    (b"\xff\xd8\xff", "a JPEG image"),
+    (b"GIF8", "a GIF image"),
     (b"%PDF-", "a PDF document"),
     (b"\x1f\x8b", "a gzip archive"),
     (b"PK\x03\x04", "a zip archive"),
@@ -167,7 +167,7 @@ def _is_text(data: bytes) -> bool:
 
 
 def _suggested(data: bytes, suffix: str) -> str:
-    """The format that broken content was meant to have, if the suffix and the bytes agree."""
+    """The intended format of broken content, if the suffix and the bytes agree."""
     if suffix in (".stl", ".stlb") and not _is_text(data[:_HEAD]):
         # What is no STL at all has any number where STL has its count.
         header = data[:80].rstrip(b"\0")

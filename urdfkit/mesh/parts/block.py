@@ -1,4 +1,4 @@
-"""A plain block with bevelled edges, where nothing tells what it stands for."""
+"""A plain block with bevelled edges, where nothing says what it stands for."""
 
 from __future__ import annotations
 

@@ -25,14 +25,14 @@ from urdfkit.mesh.repair.union import unite
 from urdfkit.mesh.repair.winding import agree, face_outwards
 from urdfkit.mesh.welding import finite
 
-#: Points of open edges this near, as a part of the diagonal, are meant to be one.
+#: Points of open edges this near, as a part of the diagonal, become one.
 WELD = 2e-5
 
 
 #: Steps that are only done if asked for, and then count as a gain.
 _ASKED = ("dropped one side of sheets", "united bodies that overlap")
 
-#: What one round leaves behind, such as a fill that meets another one, the next may mend.
+#: What one round leaves behind, such as a fill that meets another one, the next may fix.
 _ROUNDS = 3
 
 
@@ -61,7 +61,7 @@ class Repair(Record):
         before, after: the state of the mesh.
         lost: how far the old surface lies from the new one at most, in the unit of the mesh.
         gained: how far the new surface lies from the old one at most.
-        refused: why the repair was given up; empty if it was not.
+        discarded: why the repair was discarded; empty if it was not.
     """
 
     mesh: Mesh
@@ -70,12 +70,12 @@ class Repair(Record):
     after: Health
     lost: float = 0.0
     gained: float = 0.0
-    refused: str = ""
+    discarded: str = ""
 
     @property
     def changed(self) -> bool:
         """True if the mesh is another one now."""
-        return bool(self.steps) and not self.refused
+        return bool(self.steps) and not self.discarded
 
 
 def repair(
@@ -95,7 +95,7 @@ def repair(
         holes: close holes, too.
         one_sided: drop one side of sheets that have two.
         union: make bodies that overlap one; texture coordinates and colours of vertices are lost.
-        progress: is told how many of how many rounds are done, the measuring being the last.
+        progress: called with the number of rounds done, and of all; the measuring is the last.
     """
     before = examine_mesh(mesh)
     if before.is_solid and not (union and before.overlap):
@@ -109,7 +109,7 @@ def repair(
     asked = examine(soup.points, soup.faces)
     soup = _rounds(soup, asked, steps, holes=holes, progress=progress)
     if union and (whole := _do(_ASKED[1], unite, soup, steps)) is not soup:
-        soup, mesh = whole, _without_looks(mesh)
+        soup, mesh = whole, _without_vertex_attributes(mesh)
     if not steps:
         return Repair(mesh, (), before, before)
     if progress:
@@ -127,21 +127,21 @@ def _rounds(
 ) -> TriangleSoup:
     """Everything once, and again while that helps; what is done is added to the steps."""
     for number in range(_ROUNDS):
-        if best.ailments == 0:
+        if best.defects == 0:
             break
         if progress:
             progress(number, _ROUNDS + 1)
         more: list[RepairStep] = []
         tried = _round(soup, more, holes=holes)
         state = examine(tried.points, tried.faces)
-        if not more or state.ailments >= best.ailments:
+        if not more or state.defects >= best.defects:
             break
         soup, best = tried, state
         steps += more
     return soup
 
 
-def _without_looks(mesh: Mesh) -> Mesh:
+def _without_vertex_attributes(mesh: Mesh) -> Mesh:
     """Without what belongs to single vertices, such as the places of a texture."""
     parts = [part._replace(uv=None, colors=None) for part in mesh.parts]
     return mesh._replace(parts=tuple(parts))
@@ -210,11 +210,11 @@ def _judged(
         asked: its state when what was asked for had been dropped, which may have opened it.
     """
     if not len(soup.faces):
-        return Repair(mesh, tuple(steps), before, before, refused="nothing would be left")
+        return Repair(mesh, tuple(steps), before, before, discarded="nothing would be left")
     after = examine_mesh(mesh_of(soup, mesh))
     was_asked = any(step.name in _ASKED for step in steps)
-    if after.ailments > asked.ailments or (after.ailments >= before.ailments and not was_asked):
-        return Repair(mesh, tuple(steps), before, before, refused="it would be no better")
+    if after.defects > asked.defects or (after.defects >= before.defects and not was_asked):
+        return Repair(mesh, tuple(steps), before, before, discarded="it would be no better")
     is_finite = finite(mesh.vertices)
     sound = mesh.faces[is_finite[mesh.faces].all(axis=1)]
     old = (np.where(is_finite[:, None], mesh.vertices, 0.0), sound)

@@ -79,7 +79,7 @@ def _sides(face: list[int]) -> tuple[tuple[int, int], ...]:
 
 
 def drop_fins(soup: TriangleSoup) -> TriangleSoup:
-    """Without triangles that stick out of a crowded edge into the open."""
+    """Without triangles that stick out of a non-manifold edge into the open."""
     for _ in range(_ROUNDS):
         if not len(soup.faces):
             break
@@ -93,11 +93,11 @@ def drop_fins(soup: TriangleSoup) -> TriangleSoup:
 
 
 def drop_walls(soup: TriangleSoup) -> TriangleSoup:
-    """Without sheets inside a body: pieces that hang on crowded edges all around."""
+    """Without sheets inside a body: pieces that end in non-manifold edges all around."""
     if not len(soup.faces):
         return soup
     edges = Edges(soup.faces)
-    if not edges.is_crowded.any():
+    if not edges.is_non_manifold.any():
         return soup
     sheets = _sheets(edges)
     keep = np.ones(len(soup.faces), dtype=bool)
@@ -113,7 +113,7 @@ def drop_walls(soup: TriangleSoup) -> TriangleSoup:
 
 
 def _sheets(edges: Edges) -> Integers:
-    """(m,), pieces that are connected without crossing a crowded edge."""
+    """(m,), pieces that are connected without crossing a non-manifold edge."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 

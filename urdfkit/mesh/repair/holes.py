@@ -33,8 +33,8 @@ def fill(soup: TriangleSoup) -> TriangleSoup:
     return soup.with_faces(np.concatenate(faces), np.array(parts, dtype=np.int64))
 
 
-#: By point, the points that a rim goes on to, each with the part of the face beside it.
-_Ways = dict[int, list[tuple[int, int]]]
+#: By point, the points that a rim goes on to, each with the part of the face next to it.
+_Rims = dict[int, list[tuple[int, int]]]
 
 
 def _loops(soup: TriangleSoup) -> list[tuple[Integers, int]]:
@@ -44,18 +44,18 @@ def _loops(soup: TriangleSoup) -> list[tuple[Integers, int]]:
     """
     edges = Edges(soup.faces)
     rows, sides = np.nonzero(edges.is_open[edges.of_face])
-    ways: _Ways = {}
+    ways: _Rims = {}
     for face, side in zip(rows.tolist(), sides.tolist(), strict=True):
         start, end = int(soup.faces[face, side]), int(soup.faces[face, (side + 1) % 3])
         ways.setdefault(end, []).append((start, int(soup.parts[face])))
-    left: _Ways = {}
+    left: _Rims = {}
     loops = _walks(ways, left, both=False)
     for start, end, part in [(start, *way) for start, found in left.items() for way in found]:
         left.setdefault(end, []).append((start, part))
     return loops + _walks(left, {}, both=True)
 
 
-def _walks(ways: _Ways, left: _Ways, *, both: bool) -> list[tuple[Integers, int]]:
+def _walks(ways: _Rims, left: _Rims, *, both: bool) -> list[tuple[Integers, int]]:
     """Take rims out of the ways until none is left; what leads nowhere is put aside."""
     loops = []
     while ways:
@@ -65,7 +65,7 @@ def _walks(ways: _Ways, left: _Ways, *, both: bool) -> list[tuple[Integers, int]
     return loops
 
 
-def _walk(ways: _Ways, left: _Ways, *, both: bool) -> tuple[list[int], int]:
+def _walk(ways: _Rims, left: _Rims, *, both: bool) -> tuple[list[int], int]:
     """Take one rim out; empty if it leads nowhere.
 
     Where rims touch in a point, the walk comes back to it and cuts off what it has gone around.
@@ -92,7 +92,7 @@ def _walk(ways: _Ways, left: _Ways, *, both: bool) -> tuple[list[int], int]:
     return [], 0
 
 
-def _take(ways: _Ways, start: int, end: int | None = None) -> tuple[int, int]:
+def _take(ways: _Rims, start: int, end: int | None = None) -> tuple[int, int]:
     """Take one way out: the last one from a point, or that to a certain one."""
     choices = ways[start]
     if end is None:

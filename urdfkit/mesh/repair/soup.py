@@ -45,7 +45,7 @@ class TriangleSoup(Record):
         return self._replace(faces=target[self.faces])
 
     def with_faces(self, faces: Integers, parts: Integers) -> TriangleSoup:
-        """More faces of known points; their corners look like others at the same points."""
+        """More faces of known points; their corners take the attributes of others there."""
         known = np.zeros(len(self.points), dtype=np.int64)
         known[self.faces.reshape(-1)] = self.corners.reshape(-1)
         return TriangleSoup(
@@ -75,7 +75,7 @@ def soup_of(mesh: Mesh) -> TriangleSoup:
 
 
 def mesh_of(soup: TriangleSoup, mesh: Mesh) -> Mesh:
-    """The repaired triangles with the looks of the mesh they come from; normals are left out."""
+    """The repaired triangles with the materials of their mesh; normals are left out."""
     starts = np.cumsum([0, *(len(part.vertices) for part in mesh.parts)])
     parts = []
     for number, part in enumerate(mesh.parts):

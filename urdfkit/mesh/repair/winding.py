@@ -17,10 +17,10 @@ def agree(soup: TriangleSoup) -> TriangleSoup:
     if not len(soup.faces):
         return soup
     edges = Edges(soup.faces)
-    if not edges.is_twisted.any():
+    if not edges.is_inconsistent.any():
         return soup
     pairs = edges.pairs
-    pieces, is_turned = _senses(len(soup.faces), pairs, edges.is_twisted[edges.count == 2])
+    pieces, is_turned = _senses(len(soup.faces), pairs, edges.is_inconsistent[edges.count == 2])
     area = areas(soup.points, soup.faces)
     turned, whole = np.bincount(pieces, area * is_turned), np.bincount(pieces, area)
     return soup.turned(is_turned ^ (turned > whole / 2)[pieces])
@@ -44,10 +44,10 @@ def _senses(number: int, pairs: Integers, twisted: Flags) -> tuple[Integers, Fla
     order, before = breadth_first_order(
         _graph(np.concatenate([pairs, starts]), number + 1), number, directed=False
     )
-    is_twisted = dict(zip(map(tuple, pairs.tolist()), twisted.tolist(), strict=True))
+    is_inconsistent = dict(zip(map(tuple, pairs.tolist()), twisted.tolist(), strict=True))
     is_turned = [False] * (number + 1)
     for face, origin in zip(order[1:].tolist(), before[order[1:]].tolist(), strict=True):
-        bad = is_twisted.get((origin, face)) or is_twisted.get((face, origin), False)
+        bad = is_inconsistent.get((origin, face)) or is_inconsistent.get((face, origin), False)
         is_turned[face] = is_turned[origin] != bad
     return pieces, np.array(is_turned[:number])
 

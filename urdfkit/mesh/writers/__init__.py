@@ -27,7 +27,7 @@ class UnwritableMesh(UrdfkitError):
 
 
 def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
-    """The bytes of a mesh file, and of the files beside it that it needs.
+    """The bytes of a mesh file, and of the files next to it that it needs.
 
     Lengths are metres in every format: a unit that the mesh has is applied, as RViz and Gazebo
     would. Its axes stay as they are, for neither of them turns a mesh by its up axis.
@@ -86,21 +86,21 @@ def losses(mesh: Mesh, name: str) -> list[str]:
     return lost
 
 
-class GoodMesh(UrdfkitError):
-    """A file is a good mesh, which is not replaced unless that is asked for."""
+class SoundMesh(UrdfkitError):
+    """A file is a sound mesh, which is replaced on request only."""
 
 
-def refuse_sound(path: str | os.PathLike[str]) -> None:
-    """Do nothing where a mesh may be written without a loss.
+def require_replaceable(path: str | os.PathLike[str]) -> None:
+    """See that no sound mesh is replaced.
 
     Raises:
-        GoodMesh: the file is a good mesh.
+        SoundMesh: the file is one.
     """
     from urdfkit.mesh.io.sniff import sniff_file
 
     name = os.fspath(path)
     if os.path.exists(name) and sniff_file(name).defect is None:
-        raise GoodMesh(f"{name} is a good mesh already; --force replaces it")
+        raise SoundMesh(f"{name} is a good mesh already; --force replaces it")
 
 
 def write(mesh: Mesh, path: str | os.PathLike[str]) -> list[str]:

@@ -1,4 +1,4 @@
-"""Writing COLLADA 1.4.1 that every reader of URDF takes in the same way.
+"""Writing COLLADA 1.4.1 that every URDF parser takes in the same way.
 
 Metres and z upwards, with the vertices in place and no node transform: the only form on which
 RViz, Gazebo, MoveIt, Pinocchio and Bullet agree. The schema wants dates; they are those of the
@@ -25,42 +25,44 @@ _INDENT = "  "
 
 
 def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
-    """The bytes of a COLLADA file, and of the textures beside it."""
+    """The bytes of a COLLADA file, and of the textures next to it."""
     texture_names, textures = texture_files(mesh, name)
     parts = [(number, shaded(part)) for number, part in enumerate(mesh.parts) if len(part.faces)]
     root = etree.Element("COLLADA", xmlns=_NAMESPACE, version="1.4.1")
     _asset(root)
-    looks = _looks(parts, texture_names)
-    _images(root, looks)
-    _effects(root, looks)
-    _materials(root, looks)
+    materials = _file_materials(parts, texture_names)
+    _images(root, materials)
+    _effects(root, materials)
+    _materials(root, materials)
     geometries = etree.SubElement(root, "library_geometries")
     for number, part in parts:
         _geometry(geometries, f"part_{number + 1}", part)
-    _scene(root, parts, looks)
+    _scene(root, parts, materials)
     etree.indent(root, _INDENT)
     text = etree.tostring(root, encoding="utf-8", xml_declaration=True, pretty_print=True)
     return {name: text} | textures
 
 
-class _Look(NamedTuple):
-    """A material of the file: parts that look alike share it."""
+class _Material(NamedTuple):
+    """A material of the file; parts of one appearance share it."""
 
     id: str
     material: MeshMaterial
     texture: str
 
 
-def _looks(parts: list[tuple[int, MeshPart]], textures: dict[int, str]) -> dict[int, _Look]:
-    """The look of each part, by its number."""
-    looks: dict[int, _Look] = {}
-    known: dict[tuple[MeshMaterial, str], _Look] = {}
+def _file_materials(
+    parts: list[tuple[int, MeshPart]], textures: dict[int, str]
+) -> dict[int, _Material]:
+    """The material of each part, by its number."""
+    materials: dict[int, _Material] = {}
+    known: dict[tuple[MeshMaterial, str], _Material] = {}
     for number, part in parts:
         material, texture = part.material or _PLAIN, textures.get(number, "")
         key = (material._replace(texture=None), texture)
-        known.setdefault(key, _Look(f"material_{len(known) + 1}", material, texture))
-        looks[number] = known[key]
-    return looks
+        known.setdefault(key, _Material(f"material_{len(known) + 1}", material, texture))
+        materials[number] = known[key]
+    return materials
 
 
 def _asset(root: etree._Element) -> None:
@@ -72,30 +74,30 @@ def _asset(root: etree._Element) -> None:
     _text(asset, "up_axis", "Z_UP")
 
 
-def _images(root: etree._Element, looks: dict[int, _Look]) -> None:
-    names = {look.texture: look for look in looks.values() if look.texture}
+def _images(root: etree._Element, materials: dict[int, _Material]) -> None:
+    names = {one.texture: one for one in materials.values() if one.texture}
     if not names:
         return
     library = etree.SubElement(root, "library_images")
-    for name, look in names.items():
-        image = etree.SubElement(library, "image", id=f"{look.id}_image")
+    for name, one in names.items():
+        image = etree.SubElement(library, "image", id=f"{one.id}_image")
         _text(image, "init_from", name)
 
 
-def _effects(root: etree._Element, looks: dict[int, _Look]) -> None:
-    images = {look.texture: f"{look.id}_image" for look in looks.values() if look.texture}
+def _effects(root: etree._Element, materials: dict[int, _Material]) -> None:
+    images = {one.texture: f"{one.id}_image" for one in materials.values() if one.texture}
     library = etree.SubElement(root, "library_effects")
-    for look in dict.fromkeys(looks.values()):
-        effect = etree.SubElement(library, "effect", id=f"{look.id}_effect")
+    for one in dict.fromkeys(materials.values()):
+        effect = etree.SubElement(library, "effect", id=f"{one.id}_effect")
         profile = etree.SubElement(effect, "profile_COMMON")
-        if look.texture:
-            _sampler(profile, look.id, images[look.texture])
+        if one.texture:
+            _sampler(profile, one.id, images[one.texture])
         technique = etree.SubElement(profile, "technique", sid="common")
         shader = etree.SubElement(technique, "lambert")
         diffuse = etree.SubElement(shader, "diffuse")
-        *rgb, alpha = look.material.rgba
-        if look.texture:
-            etree.SubElement(diffuse, "texture", texture=f"{look.id}_sampler", texcoord="UV")
+        *rgb, alpha = one.material.rgba
+        if one.texture:
+            etree.SubElement(diffuse, "texture", texture=f"{one.id}_sampler", texcoord="UV")
         else:
             _text(diffuse, "color", numbers([*rgb, alpha]), sid="diffuse")
         if alpha < 1:
@@ -104,23 +106,23 @@ def _effects(root: etree._Element, looks: dict[int, _Look]) -> None:
             _text(etree.SubElement(shader, "transparency"), "float", "1")
 
 
-def _sampler(profile: etree._Element, look: str, image: str) -> None:
+def _sampler(profile: etree._Element, name: str, image: str) -> None:
     surface = etree.SubElement(
-        etree.SubElement(profile, "newparam", sid=f"{look}_surface"), "surface", type="2D"
+        etree.SubElement(profile, "newparam", sid=f"{name}_surface"), "surface", type="2D"
     )
     _text(surface, "init_from", image)
     sampler = etree.SubElement(
-        etree.SubElement(profile, "newparam", sid=f"{look}_sampler"), "sampler2D"
+        etree.SubElement(profile, "newparam", sid=f"{name}_sampler"), "sampler2D"
     )
-    _text(sampler, "source", f"{look}_surface")
+    _text(sampler, "source", f"{name}_surface")
 
 
-def _materials(root: etree._Element, looks: dict[int, _Look]) -> None:
+def _materials(root: etree._Element, materials: dict[int, _Material]) -> None:
     library = etree.SubElement(root, "library_materials")
-    for look in dict.fromkeys(looks.values()):
-        name = look.material.name or look.id
-        material = etree.SubElement(library, "material", id=look.id, name=_as_name(name))
-        etree.SubElement(material, "instance_effect", url=f"#{look.id}_effect")
+    for one in dict.fromkeys(materials.values()):
+        name = one.material.name or one.id
+        material = etree.SubElement(library, "material", id=one.id, name=_as_name(name))
+        etree.SubElement(material, "instance_effect", url=f"#{one.id}_effect")
 
 
 def _geometry(library: etree._Element, name: str, part: MeshPart) -> None:
@@ -141,7 +143,7 @@ def _geometry(library: etree._Element, name: str, part: MeshPart) -> None:
         _source(mesh, f"{name}_{suffix}", unique, axes)
     vertices = etree.SubElement(mesh, "vertices", id=f"{name}_vertices")
     etree.SubElement(vertices, "input", semantic="POSITION", source=f"#{name}_positions")
-    triangles = etree.SubElement(mesh, "triangles", material="look", count=str(len(part.faces)))
+    triangles = etree.SubElement(mesh, "triangles", material="surface", count=str(len(part.faces)))
     for offset, (semantic, suffix, _, _) in enumerate(layers):
         source = f"#{name}_{'vertices' if semantic == 'VERTEX' else suffix}"
         reference = etree.SubElement(
@@ -168,7 +170,7 @@ def _source(mesh: etree._Element, name: str, rows: Floats, axes: str) -> None:
 
 
 def _scene(
-    root: etree._Element, parts: list[tuple[int, MeshPart]], looks: dict[int, _Look]
+    root: etree._Element, parts: list[tuple[int, MeshPart]], materials: dict[int, _Material]
 ) -> None:
     scenes = etree.SubElement(root, "library_visual_scenes")
     visual_scene = etree.SubElement(scenes, "visual_scene", id="scene")
@@ -178,7 +180,7 @@ def _scene(
         instance = etree.SubElement(node, "instance_geometry", url=f"#{name}")
         binding = etree.SubElement(etree.SubElement(instance, "bind_material"), "technique_common")
         material = etree.SubElement(
-            binding, "instance_material", symbol="look", target=f"#{looks[number].id}"
+            binding, "instance_material", symbol="surface", target=f"#{materials[number].id}"
         )
         if part.uv is not None:
             etree.SubElement(

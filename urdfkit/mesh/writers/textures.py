@@ -1,4 +1,4 @@
-"""Textures on their way into another file: bytes, or a file beside the mesh."""
+"""Textures on their way into another file: bytes, or a file next to the mesh."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def texture_bytes(material: MeshMaterial | None) -> bytes | None:
 
 
 def texture_files(mesh: Mesh, name: str) -> tuple[dict[int, str], dict[str, bytes]]:
-    """Names for the textures of a mesh, beside a file.
+    """Names for the textures of a mesh, next to its file.
 
     Args:
         mesh: with materials.

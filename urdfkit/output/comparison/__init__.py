@@ -15,7 +15,7 @@ from urdfkit.output.comparison.frames import MovedLink, moved_frames
 from urdfkit.output.comparison.renames import renames
 from urdfkit.output.comparison.states import RobotState, read
 from urdfkit.output.comparison.surfaces import changed_surfaces
-from urdfkit.robot.composite_body import CompositeBody, whole
+from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.kinematics import frames
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
@@ -166,8 +166,8 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
         (*found, *changed),
         names,
         moved_frames(old.tree, new.tree, allowed, names),
-        whole(old.tree, frames(old.tree, {})),
-        whole(new.tree, frames(new.tree, {})),
+        composite_body(old.tree, frames(old.tree, {})),
+        composite_body(new.tree, frames(new.tree, {})),
         came,
         went,
         tuple(notes),

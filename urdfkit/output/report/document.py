@@ -26,7 +26,7 @@ from urdfkit.output.formats import json as as_json
 from urdfkit.output.report import physics, tables
 from urdfkit.output.report.findings import findings
 from urdfkit.robot.element_lookup import ElementLookup
-from urdfkit.ros.gazebo.rejection import rejecting
+from urdfkit.ros.gazebo.rejection import rejections
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, shown, without_folder
@@ -152,8 +152,8 @@ def _document(subject: Subject, report: Report) -> Document:
     parts, missing = _computed(subject, _PARTS)
     if parts["gazebo"]:
         parts["gazebo"]["rejected"] = [
-            {"by": reader, "code": one.code, "message": one.message}
-            for reader, one in rejecting(report.diagnostics)
+            {"by": one.reader, "code": one.code, "message": one.message}
+            for one in rejections(report.diagnostics, subject.gazebo)
         ]
     is_read = subject.reading.document is not None
     places = ElementLookup(subject.model if is_read else None)

@@ -130,14 +130,6 @@ class Chain:
         random = np.random.default_rng([seed, block]).random((count, len(self.axes)))
         return np.asarray(lower + (upper - lower) * random)
 
-    def extremes(self) -> Floats:
-        """(1 + 2 dof, dof): the default, then each joint alone at its lower and upper limit."""
-        poses = np.tile(self.default, (1 + 2 * len(self.axes), 1))
-        for column, axis in enumerate(self.axes):
-            poses[1 + 2 * column, column] = axis.lower
-            poses[2 + 2 * column, column] = axis.upper
-        return poses
-
     def row(self, given: Mapping[str, float]) -> Floats:
         """(dof,), the default with some positions by joint in place of its own."""
         return np.array([given.get(axis.joint, axis.default) for axis in self.axes])

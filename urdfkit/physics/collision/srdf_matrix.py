@@ -14,8 +14,9 @@ from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.editing.edits import insert_after, insert_last, remove_elements, replace_value
+from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_xacro, read_xml
+from urdfkit.text.xml_reader import read_xml
 
 #: The reasons that the Setup Assistant computes; others were written by hand.
 COMPUTED = frozenset(v.reason.lower() for v in PairVerdict if v.reason)

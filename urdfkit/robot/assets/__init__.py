@@ -1,1 +1,1 @@
-"""The mesh files and colours that a model names: where, what they hold, what stands in."""
+"""The mesh files and colours that a model names: their places, defects and placeholders."""

@@ -16,7 +16,6 @@ from urdfkit.robot.model import Body, Link
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import rewriting
-from urdfkit.text.editing.apply import apply_edits, encoded
 from urdfkit.text.editing.edits import from_macro, insert_after, remove_elements
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 
@@ -24,7 +23,6 @@ if TYPE_CHECKING:
     from urdfkit.mesh.fitting import Fits
     from urdfkit.mesh.geometry import Mesh
     from urdfkit.robot import Robot
-    from urdfkit.text.source import Source
 
 #: How far a shape may stick out, as a part of the diagonal of the mesh.
 RELATIVE = 0.05
@@ -89,10 +87,10 @@ def propose(
         error: how far a shape may stick out, in m; a twentieth of each mesh if not given.
         links: these links instead, whatever their collision is.
         most: convex pieces at most, of a visual.
-        progress: is told how many of how many links are done.
+        progress: called with the number of links done, and of all.
 
     Raises:
-        UnknownLink: one of the links is not in the robot.
+        NoSuchLink: one of the links is not in the robot.
     """
     known = robot.model.links_by_name
     for name in links:
@@ -117,7 +115,7 @@ def _has_mesh(link: Link) -> bool:
 
 
 def _lacks_shape(link: Link) -> bool:
-    """True without a collision, and where it is the very mesh that is seen."""
+    """True without a collision, and where it is the visual mesh."""
     seen = {_filename(body) for body in link.visuals} - {""}
     return all(_filename(body) in seen for body in link.collisions)
 
@@ -135,8 +133,8 @@ def _proposal(
     fitted: dict[tuple[object, ...], Fits],
 ) -> CollisionProposal:
     """The collision of a link; ``fitted`` holds what was found for other links with its meshes."""
+    from urdfkit.mesh.convex_hull import NoHull
     from urdfkit.mesh.fitting import fit, rolling
-    from urdfkit.mesh.hull import NoHull
     from urdfkit.mesh.repair.soup import soup_of
 
     fits, bounds = [], []
@@ -172,7 +170,7 @@ def _axle(robot: Robot, link: Link, body: Body) -> tuple[Vector, Vector] | None:
 
 def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
     """The robot's files and the mesh files that the proposals need; nothing is written."""
-    changes: dict[Source, list[Edit]] = {}
+    changes: list[Edit] = []
     meshes: dict[str, Mesh] = {}
     left: dict[str, str] = {}
     for proposal in proposals:
@@ -189,15 +187,9 @@ def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
             continue
         meshes |= needed
         elements = [body.at for body in proposal.link.collisions]
-        edits = (*insert_after(proposal.bodies[-1].at, lines), *remove_elements(elements))
-        for edit in edits:
-            changes.setdefault(edit.span.source, []).append(edit)
-    files = []
-    for source, found in changes.items():
-        before = on_disk(source.path) or b""
-        after = encoded(apply_edits(source.data, found), source.encoding, before)
-        files.append(Rewrite(os.path.normpath(source.path), before, after))
-    return Edited(tuple(files), meshes, left)
+        changes += insert_after(proposal.bodies[-1].at, lines)
+        changes += remove_elements(elements)
+    return Edited(rewriting.rewrites(changes), meshes, left)
 
 
 def _is_other(path: str, mesh: Mesh) -> bool:
@@ -216,12 +208,12 @@ def _why_not(robot: Robot, proposal: CollisionProposal) -> str:
     if from_macro(proposal.link.at):
         return "a macro wrote it; put the collision into the macro"
     for body, fits in zip(proposal.bodies, proposal.fits, strict=True):
-        if fits.best.kind in ("hull", "pieces") and _beside(robot, body) is None:
-            return "its shape needs a mesh file, and there is no mesh to put it beside"
+        if fits.best.kind in ("hull", "pieces") and _next_to(robot, body) is None:
+            return "its shape needs a mesh file, and there is no visual mesh to put it next to"
     return ""
 
 
-def _beside(robot: Robot, body: Body) -> tuple[str, str] | None:
+def _next_to(robot: Robot, body: Body) -> tuple[str, str] | None:
     """The reference of the visual mesh, as XML has it, and its path, both without the suffix."""
     path = robot.files.path(body.shape) if body.shape else None
     if path is None or body.shape is None or body.shape.filename is None:
@@ -241,9 +233,9 @@ def _collision(robot: Robot, body: Body, fits: Fits, meshes: dict[str, Mesh]) ->
     best = fits.best
     if best.kind not in ("hull", "pieces"):
         return _element(body.origin @ best.frame, _primitive(best.kind, best.size))
-    beside = _beside(robot, body)
-    assert beside is not None
-    reference, path = beside
+    place = _next_to(robot, body)
+    assert place is not None
+    reference, path = place
     lines: list[str] = []
     # Scaled already, so the new element has no scale, and other scales need other files.
     x, y, z = body.shape.scale if body.shape else (1.0, 1.0, 1.0)

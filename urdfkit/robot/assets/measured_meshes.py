@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from urdfkit.mesh.measure_cache import Store
     from urdfkit.robot.assets.mesh_defects import MeshDefect
-    from urdfkit.robot.assets.mesh_files import Files
+    from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.model import RobotModel
     from urdfkit.robot.shapes import MeshSolid
 
@@ -33,7 +33,7 @@ class MeasuredMeshes:
     def __init__(
         self,
         model: RobotModel,
-        files: Files,
+        files: MeshFiles,
         store: Store,
         progress: Callable[[int, int], None] | None = None,
     ) -> None:
@@ -75,7 +75,7 @@ class MeasuredMeshes:
 
     @cached_property
     def unmeasured(self) -> list[UnmeasuredMesh]:
-        """The others whose files look whole."""
+        """The others whose files have no defect."""
         return [use for use in self._every_use if isinstance(use, UnmeasuredMesh)]
 
     @cached_property

@@ -62,7 +62,7 @@ class Suggestion(Record):
     sure: bool
 
 
-class Files:
+class MeshFiles:
     """The files of one model; every file is found and read once.
 
     Args:

@@ -94,7 +94,7 @@ class MeshUse(Record):
 
 
 class UnmeasuredMesh(Record):
-    """A mesh file that looks whole and gives no triangles.
+    """A mesh file without a defect that gives no triangles.
 
     Attributes:
         at: the file name as it is after expansion.

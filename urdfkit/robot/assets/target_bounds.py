@@ -1,4 +1,4 @@
-"""The room that a mesh has to fill: what the rest of its link tells of its place and size."""
+"""The bounds that a placeholder mesh has to fill, by the other shapes of its link."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class TargetBounds(Record):
     Attributes:
         size: its edges in m, along the columns of ``frame.rotation``.
         frame: its middle and its axes.
-        source: what tells it, such as ``the collision``.
+        source: what it was taken from, such as ``the collision``.
         measured: False if it is only guessed from mass and inertia.
     """
 
@@ -40,13 +40,13 @@ class TargetBounds(Record):
 def target_bounds(
     robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY
 ) -> TargetBounds | None:
-    """The room of a shape of a link, from its other shapes, else from its inertia.
+    """The bounds of a shape of a link, from its other shapes, else from its inertia.
 
     Args:
         robot: the robot.
         link: of it.
-        body: the visual or collision whose room is wanted.
-        axes: of the room, as columns, in the frame of that body.
+        body: the visual or collision whose bounds are wanted.
+        axes: of the bounds, as columns, in the frame of that body.
     """
     others, source = counterparts(link, body)
     frame = Transform(axes).inverse @ body.origin.inverse

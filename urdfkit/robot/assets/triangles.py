@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.mesh.geometry import Floats, Mesh
-    from urdfkit.robot.assets.mesh_files import Files
+    from urdfkit.robot.assets.mesh_files import MeshFiles
 
 
 class Meshes:
@@ -21,7 +21,9 @@ class Meshes:
         progress: called with the number of files loaded, and of all.
     """
 
-    def __init__(self, files: Files, progress: Callable[[int, int], None] | None = None) -> None:
+    def __init__(
+        self, files: MeshFiles, progress: Callable[[int, int], None] | None = None
+    ) -> None:
         self._files = files
         self._progress = progress
         self._loaded: dict[str, Mesh | str] = {}

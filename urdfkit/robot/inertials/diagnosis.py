@@ -89,7 +89,7 @@ def of_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
 
 
 def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
-    """True if nobody measured a tensor, so that even the rough shape of the link tells more.
+    """True if a tensor was made up, so that even the rough shape of the link says more.
 
     Three equal moments of a shape that has none, or of one digit, are a guess; moments in the very
     proportions of the shape were computed from it; and no rough shape is wrong by a factor of 100.

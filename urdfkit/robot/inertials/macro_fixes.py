@@ -46,7 +46,7 @@ _PARAMETER = r"\$\{\s*(\w+)\s*\}"
 _PART = r"(?:\$\{[^}]*\}|\$\([^)]*\)|[^\s$])+"
 
 
-class _Call(Record):
+class _MacroCall(Record):
     """A macro call that can be written anew.
 
     Attributes:
@@ -68,8 +68,8 @@ def computing(description: Description, links: list[Link], tensor: Tag) -> Fix |
         links: those that the macro gives the tensor.
         tensor: the ``<inertia>`` in the macro.
     """
-    calls: dict[Tag, _Call] = {}
-    refused: set[Tag] = set()
+    calls: dict[Tag, _MacroCall] = {}
+    rejected: set[Tag] = set()
     definition = None
     for link in links:
         frame = _frame(link)
@@ -78,17 +78,17 @@ def computing(description: Description, links: list[Link], tensor: Tag) -> Fix |
         definition = frame.definition
         call = _call(link, frame)
         if call is None or calls.setdefault(call.at, call) != call:
-            refused.add(frame.call)
-    good = [call for call in calls.values() if call.at not in refused]
+            rejected.add(frame.call)
+    good = [call for call in calls.values() if call.at not in rejected]
     if not good or definition is None:
         return None
     names = _names(description, {call.kind for call in good})
     if names is None:
         return None
     lines = [line for kind, name in names.items() for line in ("", *_macro(kind, name))]
-    is_complete = not refused and _is_only_use(description, tensor, links)
+    is_complete = not rejected and _is_only_use(description, tensor, links)
     edits = (*_defined(definition, lines, instead=is_complete), *(_edit(c, names) for c in good))
-    # Nobody but its author can tell what in a comment holds for the new macros, so it stays.
+    # Only its author knows what in a comment holds for the new macros, so it stays.
     stale = is_complete and _has_comment_above(definition)
     again = "; the comment above was about the old one" if stale else ""
     return Fix(f"compute the tensors from the shapes, by new macros{again}", edits)
@@ -127,7 +127,7 @@ def _numbers(origin: Element) -> list[str]:
     return [text for value in values for text in value.split() if text.strip("+-0.")]
 
 
-def _call(link: Link, frame: CallFrame) -> _Call | None:
+def _call(link: Link, frame: CallFrame) -> _MacroCall | None:
     """The new call in the place of one; None if the shape or the mass cannot be passed on."""
     mass = _mass(link, frame)
     bodies = link.collisions or link.visuals
@@ -141,7 +141,7 @@ def _call(link: Link, frame: CallFrame) -> _Call | None:
     pose = _pose(body, frame)
     if sizes is None or pose is None:
         return None
-    return _Call(frame.call, shape.kind, (("mass", mass), *sizes, *pose))
+    return _MacroCall(frame.call, shape.kind, (("mass", mass), *sizes, *pose))
 
 
 def _mass(link: Link, frame: CallFrame) -> str | None:
@@ -199,7 +199,7 @@ def _names(description: Description, kinds: set[str]) -> dict[str, str] | None:
 
 
 def _is_only_use(description: Description, tensor: Tag, links: list[Link]) -> bool:
-    """True if nothing but these links uses a macro, which nobody else can know."""
+    """True if nothing but these links uses a macro that other files cannot include."""
     is_private = tensor.source is description.source and description.xacro.is_complete
     return (
         description.uses[tensor] == len(links)
@@ -234,7 +234,7 @@ def _defined(definition: Tag, lines: list[str], *, instead: bool) -> tuple[Edit,
     return replace(whole, lines)
 
 
-def _edit(call: _Call, names: dict[str, str]) -> Edit:
+def _edit(call: _MacroCall, names: dict[str, str]) -> Edit:
     """The new call."""
     whole: Span = call.at.whole_span
     arguments = "".join(f' {name}="{text}"' for name, text in call.arguments)

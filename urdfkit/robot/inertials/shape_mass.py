@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     Measure = Callable[[Shape], Measures | str]
 
-#: What the matter of a link can be taken from.
+#: What the volume of a link can be taken from.
 SOURCES = ("auto", "collision", "visual", "hull")
 
 
@@ -94,12 +94,12 @@ def _enclosed(
     if overlaps > OVERLAP:
         notes.append(f"pieces of a mesh overlap; up to {100 * overlaps:.0f} % is counted too much")
     if len(parts) > 1:
-        notes.append(f"{len(parts)} shapes; where they overlap, matter counts twice")
+        notes.append(f"{len(parts)} shapes; where they overlap, the volume counts twice")
     return ShapeMass(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
 
 
 class _Enclosed(Record):
-    """The matter of a mesh.
+    """What a mesh encloses.
 
     Attributes:
         properties: in the frame of the link.
@@ -134,7 +134,7 @@ def _of_mesh(body: Body, measures: Measure, *, hull: bool) -> _Enclosed | str:
 def stretched(uniform: Uniform, shape: Shape, unit: float) -> MassProperties | None:
     """A solid after the scale of its shape, which may differ along x, y and z.
 
-    The moments of the matter are ``C = tr(I) / 2 - I``; stretched by ``D = diag(x, y, z)`` they
+    The second moments are ``C = tr(I) / 2 - I``; stretched by ``D = diag(x, y, z)`` they
     become ``|det D| D C D``, and the tensor is again ``tr(C) - C``.
     """
     x, y, z = (factor * unit for factor in shape.scale)

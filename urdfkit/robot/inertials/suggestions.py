@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Collection, Iterable
 from math import dist
 from typing import TYPE_CHECKING
@@ -17,7 +16,7 @@ from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
 from urdfkit.robot.model import Inertial, Link, Tensor, numbers
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.text.diagnostic import Edit
-from urdfkit.text.editing.apply import apply_edits, encoded
+from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.edits import (
     all_or_none,
     from_macro,
@@ -25,12 +24,11 @@ from urdfkit.text.editing.edits import (
     insert_last,
     replace_value,
 )
-from urdfkit.text.editing.rewriting import Rewrite, on_disk
+from urdfkit.text.editing.rewriting import Rewrite
 
 if TYPE_CHECKING:
     from urdfkit.robot import Robot
     from urdfkit.text.document import Element
-    from urdfkit.text.source import Source
 
 #: Moments that differ by no more than this factor were computed from the same shape.
 SAME = 1.03
@@ -141,7 +139,7 @@ def propose(
         lump: take links that fixed joints hold together as one body.
 
     Raises:
-        UnknownLink: one of the links is not in the robot.
+        NoSuchLink: one of the links is not in the robot.
     """
     known = robot.model.links_by_name
     for name in links:
@@ -185,7 +183,7 @@ def _declared(inertial: Inertial | None) -> MassProperties | None:
 
 
 def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProposal:
-    """Links as one body in the frame of the first; a link that weighs nothing adds nothing."""
+    """Links as one body in the frame of the first; a link without mass adds nothing."""
     first = each[0]
     if len(each) == 1:
         return first
@@ -221,21 +219,15 @@ def rewrites(proposals: Iterable[InertiaProposal]) -> tuple[tuple[Rewrite, ...],
     Returns:
         The new files, and by name of a link the reason why it stays as it is.
     """
-    changes: dict[Source, list[Edit]] = {}
+    changes: list[Edit] = []
     left: dict[str, str] = {}
     for proposal in proposals:
         edits = _edits(proposal)
         if isinstance(edits, str):
             left[proposal.link.name] = edits
-            continue
-        for edit in edits:
-            changes.setdefault(edit.span.source, []).append(edit)
-    files = []
-    for source, changed in changes.items():
-        before = on_disk(source.path) or b""
-        after = encoded(apply_edits(source.data, changed), source.encoding, before)
-        files.append(Rewrite(os.path.normpath(source.path), before, after))
-    return tuple(files), left
+        else:
+            changes += edits
+    return rewriting.rewrites(changes), left
 
 
 def _edits(proposal: InertiaProposal) -> tuple[Edit, ...] | str:

@@ -13,7 +13,7 @@ from typing import Any
 
 @cache
 def data(name: str) -> dict[str, Any]:
-    """The content of ``<name>.json`` in this folder."""
+    """The content of ``<name>.json`` in this directory."""
     from json import load  # 3 ms, and most models need no facts
 
     with open(os.path.join(os.path.dirname(__file__), f"{name}.json"), encoding="utf-8") as file:

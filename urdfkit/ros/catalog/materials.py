@@ -14,7 +14,7 @@ class GazeboMaterial(Record):
     Attributes:
         name: as a model must write it.
         rgba: a colour for it, each from 0 to 1; None where it has none.
-        textured: True if it is a picture, which gz-sim does not draw.
+        textured: True if it is an image, which gz-sim does not draw.
         internal: True if it is for the renderer itself.
         gz_rgb: the colour that gz-sim 7 and later draw instead; None if it is the same.
     """

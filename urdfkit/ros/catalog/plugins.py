@@ -140,7 +140,7 @@ def files() -> tuple[str, ...]:
 
 @cache
 def misspelt(filename: str) -> str:
-    """The file name that an unknown one was meant to be; empty if it may be a vendor's own.
+    """The file name suggested for an unknown one; empty if it may be a vendor's own.
 
     They differ in one letter, in two that changed places, or in ``lib`` and ``.so``.
     """

@@ -31,7 +31,7 @@ JOINT_TYPES = {
     "prismatic": "prismatic",
     "fixed": "fixed",
 }
-#: The link that stands for the ground; Gazebo never makes it.
+#: The link of the ground; Gazebo never creates it.
 WORLD = "world"
 
 
@@ -165,7 +165,7 @@ class Conversion:
         return {name: into for name, into in self.survivor.items() if name != into}
 
     def _survives(self, body: RigidBody) -> bool:
-        """True if Gazebo makes a link of a body; parents are asked before their children."""
+        """True if Gazebo creates a link for a body; parents come before their children."""
         if body.top.name == WORLD:
             return False
         reason = self._lost_with_parent(body)
@@ -183,7 +183,7 @@ class Conversion:
         return abs(mass) <= least if least else mass <= 0
 
     def _lost_with_parent(self, body: RigidBody) -> str | None:
-        """Why a body is lost with its parent, or None."""
+        """Why a body is dropped with its parent, or None."""
         if body.joint is None or body.joint.parent is None:
             return None
         parent = body.joint.parent.value
@@ -228,7 +228,7 @@ class Conversion:
 
 
 def _preserved(model: RobotModel) -> Iterator[str]:
-    """Names of the fixed joints that the model asks Gazebo to keep."""
+    """Names of the fixed joints that the model preserves in Gazebo."""
     for gazebo in model.gazebo:
         reference = gazebo.get("reference")
         if reference and any(
@@ -238,7 +238,7 @@ def _preserved(model: RobotModel) -> Iterator[str]:
 
 
 def _added(model: RobotModel, kind: str) -> Iterator[Element]:
-    """What is written as SDF in ``<gazebo>`` tags without a reference is copied as it stands."""
+    """What is written as SDF in ``<gazebo>`` tags without a reference is copied unchanged."""
     for gazebo in model.gazebo:
         if not gazebo.get("reference"):
             yield from (child for child in gazebo.all(kind) if child.get("name"))

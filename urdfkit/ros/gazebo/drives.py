@@ -89,8 +89,8 @@ class DrivenWheel(Record):
     Attributes:
         joint: that turns it.
         axis: of the joint, of length 1.
-        hub: the centre of its tyre if the shape tells, else None.
-        radius: in m, if the shape tells.
+        hub: the centre of its tyre if the shape is known, else None.
+        radius: in m, if the shape is known.
         origin: of the joint.
     """
 
@@ -102,7 +102,7 @@ class DrivenWheel(Record):
 
     @property
     def center(self) -> Vector:
-        """Of the tyre, as far as the shape tells."""
+        """Of the tyre if its shape is known, else of the joint."""
         return self.hub or self.origin
 
     def is_parallel(self, other: DrivenWheel) -> bool:

@@ -1,7 +1,7 @@
-"""What a workspace tells Gazebo about where its meshes lie.
+"""Where a workspace sets the resource path on which Gazebo finds its meshes.
 
 Gazebo takes ``package://arm/...`` for ``model://arm/...`` and searches its resource path, which
-knows nothing of ROS packages. Somebody must tell it: a package.xml that exports
+knows nothing of ROS packages. The path must be set: by a package.xml that exports
 ``gazebo_model_path``, a launch file or an environment hook that sets the variable, or the shell.
 Source: sdformat's parser_urdf.cc, gazebo_ros_paths.py of gazebo_ros and of ros_gz_sim.
 """
@@ -27,7 +27,7 @@ _TELLERS = (
     b"IGN_GAZEBO_RESOURCE_PATH",
     b"SDF_PATH",
 )
-#: How the names of files end that can tell it: shells and build files, hooks, instructions.
+#: Ends of the names of files that can set it: shell and build files, hooks, instructions.
 _TEXTS = (
     ".launch", ".py", ".xml", ".yaml", ".yml", ".sh", ".bash", ".zsh", ".dsv", ".in", ".env",
     ".md", ".rst", ".txt", "Dockerfile", "Makefile",
@@ -50,8 +50,8 @@ def survey(root: str, folders: Folders) -> ResourcePaths:
     """Look through the text files of a workspace, within bounds.
 
     Args:
-        root: the folder.
-        folders: the listings to use.
+        root: the directory.
+        folders: cached listings of directories.
     """
     files = [path for path in folders.files_below(root, MAX_FOLDERS) if path.endswith(_TEXTS)]
     starter = None

@@ -172,7 +172,7 @@ def uses(model: RobotModel, targets: Targets) -> tuple[PluginUse, ...]:
 
 
 def _is_for_gazebo(plugin: Element) -> bool:
-    """False for the hardware of a ``<ros2_control>`` that has strayed into a ``<gazebo>``."""
+    """False for the hardware plugin of a ``<ros2_control>`` that is in a ``<gazebo>``."""
     return plugin.parent is not None and plugin.parent.tag not in ("hardware", "transmission")
 
 

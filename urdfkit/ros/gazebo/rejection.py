@@ -6,12 +6,20 @@ joint rejects the robot, one in a link loses but that part of the link.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
+from urdfkit.core.record import Record
+from urdfkit.robot.inertia import principal_moments
+from urdfkit.ros.gazebo.conversion import Conversion
 from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.source import Span
 
 #: In the messages of rules that have milder findings, too.
 REJECTED, REJECTED_BY_GZ = "Gazebo rejects the model", "gz-sim rejects the model"
+
+CONVERTER_FAILS = "converter ends with an exception"
+#: Of moments of inertia; what numbers written as text leave of an equality.
+_SLACK = 1e-6
 
 #: Rules whose findings reject the robot.
 ALWAYS = frozenset("JNT001 JNT002 NAM001 REF001 TRE001 TRE002 TRE003 URD015".split())
@@ -29,22 +37,119 @@ BY_GZ = frozenset(("JNT006",))
 CODES = ALWAYS | SOMETIMES | IN_JOINTS | OF_ROOT | BY_GZ
 
 
-def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]:
-    """The findings for which a robot is rejected, each with who rejects it."""
-    found = []
+class Rejection(Record):
+    """Why there will be no robot.
+
+    Attributes:
+        reader: that rejects it: ``libsdformat``, which converts it for every Gazebo, or ``gz``.
+        code: of the rule that reports it; empty if none does.
+        message: what is wrong.
+        span: where it stands.
+    """
+
+    reader: str
+    code: str
+    message: str
+    span: Span
+
+
+def rejections(diagnostics: Iterable[Diagnostic], conversion: Conversion) -> list[Rejection]:
+    """Why a robot is rejected; empty if it is not.
+
+    Args:
+        diagnostics: of the rules in `CODES`, at least.
+        conversion: of the robot.
+    """
+    found = list(_reported(diagnostics))
+    if not found and not (conversion.links or conversion.added_links):
+        message = "no link has a mass, so that the model has no link"
+        found.append(Rejection("libsdformat", "INE004", message, conversion.model.root.span))
+    found += _of_names(conversion)
+    found += _of_joints(conversion)
+    found += _of_inertia(conversion)
+    return found
+
+
+def _reported(diagnostics: Iterable[Diagnostic]) -> Iterator[Rejection]:
     for one in diagnostics:
         if one.code in _ONLY_ERRORS and one.severity is not Severity.ERROR:
             continue
         says = one.message if one.code in SOMETIMES else ""
         in_joint = any(call.element.startswith("joint/") for call in one.calls)
         of_root = one.severity is Severity.ERROR and any("/" not in c.element for c in one.calls)
+        is_of_mimic = any("/mimic" in call.element for call in one.calls)
         if (
-            one.code in ALWAYS
+            (one.code in ALWAYS and not is_of_mimic)
             or (one.code in IN_JOINTS and in_joint)
             or (one.code in OF_ROOT and of_root)
             or REJECTED in says
+            or CONVERTER_FAILS in says
         ):
-            found.append(("libsdformat", one))
+            yield Rejection("libsdformat", one.code, one.message, one.span)
         elif one.code in BY_GZ or REJECTED_BY_GZ in says:
-            found.append(("gz", one))
-    return found
+            yield Rejection("gz", one.code, one.message, one.span)
+
+
+def _of_names(conversion: Conversion) -> Iterator[Rejection]:
+    """Names that are reserved, or that two links or joints have after the conversion."""
+    model = conversion.model
+    places = [
+        *((link.name, "link", link.body.top.at) for link in conversion.links),
+        *((one.get("name") or "", "link", one) for one in conversion.added_links),
+        *((joint.joint.name, "joint", joint.joint.at) for joint in conversion.joints),
+        *((one.get("name") or "", "joint", one) for one in conversion.added_joints),
+    ]
+    places += [
+        ("world", "link", joint.at)
+        for joint in model.joints
+        if joint.child and joint.child.value == "world"
+    ]
+    taken: dict[str, str] = {}
+    for name, kind, at in [*places, (model.name, "robot", model.root)]:
+        is_reserved = name == "world" and kind != "robot"
+        if is_reserved or (name.startswith("__") and name.endswith("__")):
+            message = f"{kind} '{name}': the name is reserved in SDF"
+            yield Rejection("gz", "NAM004", message, at.span)
+        if name in taken and kind != "robot":
+            message = f"{kind} '{name}' has the name of a {taken[name]} after the conversion"
+            yield Rejection("gz", "NAM003" if taken[name] != kind else "", message, at.span)
+        elif kind != "robot":
+            taken[name] = kind
+
+
+def _of_joints(conversion: Conversion) -> Iterator[Rejection]:
+    """Joints of SDF between links that are not there, and floating joints, which leave no frame."""
+    model = conversion.model
+    frames = {"world", *(joint.joint.name for joint in conversion.joints)}
+    frames |= {link.name for link in conversion.links} | conversion.added
+    frames |= {one.get("name") or "" for block in model.gazebo for one in block.all("frame")}
+    for joint in conversion.added_joints:
+        for tag in ("parent", "child"):
+            end = joint.child(tag)
+            name = end.text.strip() if end else ""
+            if end and name and "::" not in name and name not in frames:
+                into = conversion.merged.get(name)
+                what = f"is merged into '{into}'" if into else "is not in the converted model"
+                message = f"<joint> '{joint.get('name')}' in <gazebo>: {tag} '{name}' {what}"
+                yield Rejection("gz", "", message, end.span)
+    for link in conversion.links:
+        above = link.body.joint
+        if above is not None and above.kind == "floating":
+            message = f"floating joint '{above.name}' is not converted: '{link.name}' has no frame"
+            yield Rejection("gz", "JNT022", message, above.at.span)
+
+
+def _of_inertia(conversion: Conversion) -> Iterator[Rejection]:
+    """Masses and inertias that no body has, of links with all that is merged into them."""
+    for part in conversion.model.links:
+        if part.mass < 0:
+            message = f"link '{part.name}' has a mass of {part.mass:g} kg"
+            yield Rejection("gz", "INE001", message, (part.inertial or part).at.span)
+    for link in conversion.links:
+        low, middle, high = sorted(principal_moments(link.properties.tensor))
+        slack = _SLACK * max(abs(low), abs(high))
+        if low < -slack or low + middle < high - slack:
+            moments = f"{low:.3g}, {middle:.3g} and {high:.3g} kg m^2"
+            message = f"link '{link.name}' cannot have principal moments {moments}"
+            place = link.body.top.inertial or link.body.top
+            yield Rejection("gz", "INE003", message, place.at.span)

@@ -62,7 +62,7 @@ class SettingElement(Record):
         at: the element.
         parent: the tag around it.
         path: that leads to it from the block.
-        known: what may stand in the block, by path.
+        known: the settings that the block may have, by path.
     """
 
     at: Element
@@ -77,14 +77,14 @@ class SettingElement(Record):
 
     @property
     def siblings(self) -> tuple[str, ...]:
-        """The tags that may stand in its place."""
+        """The tags that are known in its place."""
         above = self.path.rpartition("/")[0]
         rests = (name.removeprefix(f"{above}/") for name in self.known if name.startswith(above))
         return tuple(rest for rest in rests if rest and "/" not in rest and "@" not in rest)
 
     @property
     def holds_type_as_attribute(self) -> bool:
-        """True for the noise of a single quantity; that of pictures and scans has a ``<type>``."""
+        """True for the noise of a single quantity; that of images and scans has a ``<type>``."""
         return self.at.tag == "noise" and "/" in self.path
 
     def attributes(self) -> Iterator[tuple[Attribute, Setting]]:
@@ -98,7 +98,7 @@ class SettingElement(Record):
 
 
 def written(sensor: Sensor) -> Iterator[SettingElement]:
-    """The elements below the blocks of a sensor; what is in an unknown one is passed over."""
+    """The elements below the blocks of a sensor; what is in an unknown one is left out."""
     for block in sensor.at.children:
         known = settings(block.tag)
         if not known:

@@ -10,16 +10,16 @@ from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import Signature
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem, is_launch
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: The end of the name of a launch file that begins with an expression, in XML or in Python.
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
-#: Files that are looked into for one that includes another, and folders of them.
+#: Files that are searched for one that includes another, and directories of them.
 MAX_FILES, MAX_FOLDERS = 500, 2000
 
 
@@ -62,7 +62,7 @@ def unknown_to_included(
         is_mistyped = is_typo(name, taken.names)
         if not is_used and (ros == 1 or taken.is_whole or is_mistyped):
             file = os.path.basename(source.path)
-            message = f"'{file}' has no argument '{name}'{did_you_mean(name, taken.names)}"
+            message = f"'{file}': unknown argument '{name}'{did_you_mean(name, taken.names)}"
             severity = Severity.INFO if ros == 2 and not is_mistyped else None
             yield Problem("LAU005", span, message, frame=frame, severity=severity)
 
@@ -73,7 +73,8 @@ def missing_in_include(
     """The arguments without a default that are not passed to an included file."""
     for name in sorted(taken.required.difference(known)):
         message = f"'{os.path.basename(source.path)}' requires argument '{name}'"
-        yield Problem("LAU008", span, message, f"pass '{name}', or give it a default", frame)
+        help = f"pass '{name}', or give it a default"
+        yield Problem("LAU005", span, message, help, frame, severity=Severity.ERROR)
 
 
 def declares_others(path: str) -> bool:

@@ -18,12 +18,12 @@ from urdfkit.ros.launch.contents import (
     PackageUse,
     StartedProgram,
 )
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.resolve import Resolver
 
-#: Stands for the folder of a package that was not found; files in it are not judged.
+#: The directory of a package that was not found; files in it are not checked.
 UNKNOWN = "/package-not-found"
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ class Collector:
         self.included = included
 
     def package(self, name: str, source: Source, span: Span) -> str | None:
-        """The folder of a package; notes that it is needed."""
+        """The directory of a package; records that it is needed."""
         try:
             folder: str | None = self.resolver.package(name, source.path)
             searched = None
@@ -72,9 +72,9 @@ class Collector:
         return folder
 
     def file(self, path: str, span: Span, purpose: str) -> bool:
-        """Note that a file is needed; True if it is there."""
+        """Record that a file is needed; True if it exists."""
         if path.startswith(f"{UNKNOWN}/"):
-            return False  # its package is told already
+            return False  # its package is reported already
         exists = os.path.exists(path) or self.resolver.installed(path) is not None
         self.files.append(FileUse(span.text, path, exists, span, purpose))
         return exists
@@ -112,12 +112,12 @@ class Collector:
     ) -> None:
         """Take over the robots and the parameters of an included launch file.
 
-        What else is in it is told when it is read by itself.
+        The rest of it is reported when it is read by itself.
 
         Args:
             path: of the included file.
             source: the file that includes it.
-            arguments: that it is given; None for those that only running it would tell.
+            arguments: that it is given; None for those that are known at run time only.
             frame: the place of the include.
         """
         outer = (*self.outer, source.path)

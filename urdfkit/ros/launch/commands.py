@@ -6,9 +6,8 @@ import ast
 import re
 
 from urdfkit.ros.launch.values import Values
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import Problem
 
 _ENDS_IN_XACRO = re.compile(r"(?:^|[\s/])xacro(?:\.py)?$")
 _BEGINS_WITH_ARGUMENT = re.compile(r"[A-Za-z_]\w*:=")

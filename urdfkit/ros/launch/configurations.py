@@ -16,8 +16,8 @@ from urdfkit.ros.launch.argument_checks import (
 )
 from urdfkit.ros.launch.signature import Signature, declares, signature
 from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import Problem
 
 
 class Configurations:

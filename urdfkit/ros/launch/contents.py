@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import Problem
 
 #: What a file of parameters is called in messages.
 PARAMETERS = "parameter file"
@@ -23,7 +23,7 @@ class LaunchedDescription(Record):
         path: of the URDF or xacro.
         arguments: for xacro.
         frame: the launch file's place, for the chain of calls.
-        is_whole: False if it is given arguments that only running the launch file would tell.
+        is_whole: False if it is given arguments that are known at run time only.
     """
 
     path: str
@@ -51,7 +51,7 @@ class FileUse(Record):
 
 
 class PackageUse(Record):
-    """A package that a launch file names, and the folders searched if it was not found."""
+    """A package that a launch file names, and the directories searched if it was not found."""
 
     name: str
     span: Span
@@ -59,7 +59,7 @@ class PackageUse(Record):
 
 
 class Word(Record):
-    """A word of a command line; its text is None where only running the launch file would tell."""
+    """A word of a command line; its text is None where it is known at run time only."""
 
     text: str | None
     span: Span
@@ -94,7 +94,7 @@ class Launch(Record):
         problems: what is wrong with its text, under the codes of the rules that explain it.
         started: the programs that it starts.
         is_whole: False if it includes what was not read.
-        names_parameters: True if it gives parameters names that no file tells, by a namespace for
+        names_parameters: True if it gives parameters names that are in no file, by a namespace for
             what is in a file, or in its own text.
     """
 

@@ -21,7 +21,7 @@ MAX_DEPTH, MAX_LENGTH = 30, 4096
 
 
 class Unknown(Exception):
-    """Only roslaunch would tell."""
+    """The value is known to roslaunch only."""
 
 
 def evaluate(

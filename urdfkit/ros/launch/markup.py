@@ -7,13 +7,14 @@ Source: ``launch_yaml/entity.py`` of ros2/launch.
 
 from __future__ import annotations
 
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element, Tag
 from urdfkit.text.located_yaml import Key, Node, Value, load, mistake
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem, read_xml
+from urdfkit.text.xml_reader import read_xml
 
 YAML = (".yaml", ".yml")
-#: What holds the actions of a group beside its attributes.
+#: The key of the actions of a group, next to its attributes.
 _CHILDREN = "children"
 
 
@@ -51,7 +52,7 @@ def parsed(source: Source) -> tuple[Document | None, list[Problem]]:
         return read_xml(source)
     if found := mistake(source):
         span, reason = found
-        return None, [Problem("XML001", span, f"it is no YAML: {reason}")]
+        return None, [Problem("XML001", span, f"not YAML: {reason}")]
     top = load(source)
     key = next((key for key in top if key == "launch"), None) if isinstance(top, dict) else None
     if not isinstance(top, dict) or not isinstance(key, Key):
@@ -76,7 +77,7 @@ def _fill(element: Element, node: Node) -> None:
 
 
 def _add(parent: Element, key: Key, node: Node) -> None:
-    """Add an action, or each of several that stand under one key."""
+    """Add an action, or each of several under one key."""
     is_several = isinstance(node, list) and key in _SEVERAL
     for item in node if isinstance(node, list) and is_several else (node,):
         child = _Action(key, key.span, parent)

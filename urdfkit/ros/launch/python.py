@@ -14,9 +14,9 @@ from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text import python_source
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem
 
 _PARAMETER_FILES = (".yaml", ".yml")
 _ROBOT_FILES = (".urdf", ".xacro")

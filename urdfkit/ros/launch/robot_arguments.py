@@ -17,11 +17,11 @@ from urdfkit.ros.launch.signature import arguments_in
 from urdfkit.ros.launch.values import argument, called
 from urdfkit.text import python_source
 from urdfkit.text.document import CallFrame, Element
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
 
-#: Launch files of a package that are read, and folders in which they are looked for.
+#: Launch files of a package that are read, and directories that are searched for them.
 MAX_FILES, MAX_FOLDERS = 200, 2000
 
 
@@ -44,7 +44,7 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
 
     That is what the launch files of its package start it with, else those of other packages of
     the workspace. If none of them does, it is those of the needed arguments that they give to the
-    other robots of the package: a launch file may be told which one to start.
+    other robots of the package: an argument of a launch file may choose which one it starts.
 
     Args:
         robot: path of the URDF or xacro.
@@ -86,7 +86,7 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
 
 
 def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
-    """Folders in which launch files may start a robot, with the package that they then mention."""
+    """Directories whose launch files may start a robot, and the package that they then mention."""
     if package := resolver.packages.enclosing(robot):
         yield package[1], ""
         workspace = resolver.packages.workspace(robot)
@@ -94,11 +94,11 @@ def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
             yield workspace, package[0]
 
 
-@lru_cache(maxsize=2)  # the robots of a package are asked for one after the other
+@lru_cache(maxsize=2)  # the robots of a package are queried one after the other
 def _descriptions(
     folder: str, mentioned: str, resolver: Resolver
 ) -> tuple[tuple[str, LaunchedDescription], ...]:
-    """The robots that launch files of a folder start, with the path of the launch file."""
+    """The robots that launch files of a directory start, with the path of the launch file."""
     return tuple(
         (source.path, description)
         for source in _launch_files(folder, mentioned, resolver)
@@ -118,7 +118,7 @@ def _declarations(
 
 
 def _launch_files(folder: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
-    """The launch files of a folder in whose text a package is mentioned."""
+    """The launch files of a directory whose text mentions a package."""
     files = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
     for path in islice(files, MAX_FILES):
         try:
@@ -146,9 +146,9 @@ class _Argument(Record):
     """An argument that a launch file declares.
 
     Attributes:
-        name: empty if only running the launch file would tell.
-        choices: each is empty if only running it would tell.
-        default: None if there is none, or only running it would tell.
+        name: empty if it is known at run time only.
+        choices: each is empty if it is known at run time only.
+        default: None if there is none, or if it is known at run time only.
         is_open: True if there is none.
     """
 
@@ -179,7 +179,7 @@ def _of_python(source: Source) -> Iterator[_Argument]:
     try:
         tree = python_source.parse(source.data)
     except SyntaxError:
-        return  # which its own check tells
+        return  # which its own check reports
     for call in ast.walk(tree):
         if isinstance(call, ast.Call) and called(call) == "DeclareLaunchArgument":
             choices, default = argument(call, None, "choices"), argument(call, 1, "default_value")

@@ -1,4 +1,4 @@
-"""Which expression a name in a Python program stands for, where only one can be meant."""
+"""The expression that a name in a Python program refers to, where it is unique."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
 
 class _Scope(Record):
-    """The values that names get in one function or module; None is what only running tells."""
+    """The values that names get in one function or module; None is known at run time only."""
 
     values: dict[str, list[ast.expr | None]]
     outer: _Scope | None
@@ -20,10 +20,10 @@ class _Scope(Record):
 
 
 class Scopes:
-    """The names of a program, each in the function that it stands in.
+    """The names of a program, each in its function.
 
     A name that is given two different values has none here: which of them holds at a place, only
-    running the program would tell.
+    the running program knows.
     """
 
     def __init__(self, tree: ast.Module) -> None:
@@ -37,7 +37,7 @@ class Scopes:
             stack += [(child, inner) for child in ast.iter_child_nodes(node)]
 
     def value(self, name: ast.Name) -> ast.expr | None:
-        """What a name stands for where it is used; None if that is not certain."""
+        """The value of a name where it is used; None if that is not certain."""
         scope = self._scope_of.get(id(name))
         while scope is not None and name.id not in scope.values:
             scope = scope.outer

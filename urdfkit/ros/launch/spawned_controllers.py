@@ -39,7 +39,7 @@ def controllers(started: StartedProgram) -> Iterator[Word]:
 
 
 def _arguments(started: StartedProgram) -> tuple[Word, ...]:
-    """What stands behind the command; nothing if it loads no controllers."""
+    """The words after the command; none if it loads no controllers."""
     words = started.words
     if started.package == "controller_manager":
         if started.executable in _SPAWNERS:

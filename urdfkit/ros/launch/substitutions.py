@@ -25,7 +25,7 @@ class Substitutions:
     """What texts of one launch file become.
 
     Args:
-        collector: is told of the packages that are met.
+        collector: collects the packages that are named.
         source: the file.
         values: of its arguments, as far as they are known; they grow while it is read.
     """
@@ -48,7 +48,7 @@ class Substitutions:
         return "".join(parts)
 
     def command(self, content: str, span: Span, level: int = 0) -> str | None:
-        """What stands for the content of ``$(...)``; None where that is not known."""
+        """The value of the content of ``$(...)``; None where it is not known."""
         if content.startswith("eval "):  # the quotes in it are those of the expression
             functions = {"find": lambda name: self._found(name, span)}
             return evaluate(content[len("eval ") :], self._values, functions)
@@ -69,7 +69,7 @@ class Substitutions:
         return None  # anon, exec-in-pkg, command
 
     def _found(self, package: str, span: Span) -> str:
-        """The folder of a package.
+        """The directory of a package.
 
         Only the file in it matters; that xacro itself is installed does not.
         """
@@ -97,7 +97,7 @@ def pieces(text: str) -> Iterator[tuple[bool, str]]:
 
 
 def unmade(path: str, ros: int, resolver: Resolver) -> str | None:
-    """The first substitution that stands in a YAML file; None if there is none."""
+    """The first substitution in a YAML file; None if there is none."""
     try:
         text = resolver.read(path).data.decode("utf-8", "replace")
     except UnreadableFile:

@@ -10,9 +10,8 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import TYPO, is_typo, nearest
-from urdfkit.text.diagnostic import Severity
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Element
-from urdfkit.text.xml_reader import Problem
 
 _CONDITIONS = frozenset(("if", "unless"))
 
@@ -98,7 +97,7 @@ _MARKS = {
 
 
 def dialect(root: Element) -> int | None:
-    """1 or 2, as most of a launch file is written; None if nothing tells."""
+    """1 or 2, as most of a launch file is written; None if it is undecided."""
     votes = {1: 0, 2: 0}
     for element in root.walk():
         for ros, other in ((1, 2), (2, 1)):
@@ -134,7 +133,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             help = f'write {name}="..."'
             yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
     if element.tag == "launch":
-        return  # nobody looks at its attributes
+        return  # its attributes are not read
     known = _names(row)
     for attribute in element.attributes.values():
         name = attribute.name
@@ -146,7 +145,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             continue
         suggested = _TRANSLATED[ros].get((element.tag, name)) or nearest(name, known)
         help = f"did you mean {suggested}?" if suggested else "it has: " + ", ".join(sorted(known))
-        message = f"<{element.tag}> has no attribute '{name}' in ROS {ros}"
+        message = f"unknown attribute '{name}' of <{element.tag}> in ROS {ros}"
         yield Problem("LAU010", attribute.span, message, help, frame)
 
 

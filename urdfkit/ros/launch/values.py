@@ -27,7 +27,7 @@ class Values:
     """Follows constants through one launch file.
 
     Args:
-        collector: is told of the packages that are met.
+        collector: collects the packages that are named.
         source: the file.
         tree: its program.
         arguments: of the launch file; texts, or expressions of their defaults; None for those
@@ -47,7 +47,7 @@ class Values:
         self._scopes = Scopes(tree)
 
     def text(self, node: ast.expr | None, depth: int = 0) -> str | None:
-        """The text that an expression gives; None where only running it would tell."""
+        """The text that an expression gives; None where it is known at run time only."""
         if node is None or depth > MAX_DEPTH:
             return None
         if isinstance(node, ast.Constant):
@@ -66,7 +66,7 @@ class Values:
         return self._of_call(node, depth) if isinstance(node, ast.Call) else None
 
     def suggested(self, node: ast.expr | None) -> ast.expr | None:
-        """An expression, or what a name stands for; None where that is not certain."""
+        """An expression, or the value of a name; None where that is not certain."""
         for _ in range(MAX_DEPTH):
             if not isinstance(node, ast.Name):
                 return node
@@ -74,7 +74,7 @@ class Values:
         return None
 
     def items(self, node: ast.expr | None, depth: int = 0) -> list[ast.expr | None]:
-        """The items of a list; None stands for any number of unknown ones."""
+        """The items of a list; None for any number of unknown ones."""
         node = self.suggested(node)
         if isinstance(node, (ast.List, ast.Tuple)):
             return [None if isinstance(item, ast.Starred) else item for item in node.elts]
@@ -94,7 +94,7 @@ class Values:
         )
 
     def path(self, text: str) -> str:
-        """A path as launch finds it: absolute, or beside the launch file."""
+        """A path as launch finds it: absolute, or relative to the launch file."""
         folder = os.path.dirname(os.path.abspath(self.source.path))
         return os.path.normpath(os.path.join(folder, text))
 

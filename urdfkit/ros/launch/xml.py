@@ -22,19 +22,19 @@ from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
 from urdfkit.ros.launch.substitutions import Substitutions, pieces, unmade
 from urdfkit.ros.launch.tags import dialect, mistakes
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Source, Span
-from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.manifest import manifest_of
 
 _RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
 #: Groups inside one another that are followed.
 MAX_LEVELS = 50
-#: More slips of one launch file help nobody.
+#: The most problems that are reported of one launch file.
 MAX_PROBLEMS = 1000
-#: What launch refuses to read.
+#: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
-#: Stands in a word for what only running the launch file would tell.
+#: In a word, for a part that is known at run time only.
 _UNKNOWN_WORD = "\0"
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
@@ -226,7 +226,7 @@ class _File:
         return self._ros == 2 or element.get("pass_all_args") in ("true", "True", "1")
 
     def _compare(self, element: Element, taken: Signature, source: Source) -> None:
-        """Tell how the arguments of an include differ from those of the file."""
+        """Report how the arguments of an include differ from those of the file."""
         passed = [
             (name.value, name.span)
             for child in element.children
@@ -243,7 +243,7 @@ class _File:
             problems += missing_in_include(known, taken, source, element.span, self.frame)
 
     def _passed(self, element: Element) -> dict[str, str | None]:
-        """The arguments of an include; None for those that only running it would tell."""
+        """The arguments of an include; None for those that are known at run time only."""
         passed: dict[str, str | None] = {**self.values} if self._lends(element) else {}
         for child in element.children:
             attribute = child.attributes.get("value")
@@ -316,7 +316,7 @@ class _File:
         written: list[str] = []
         for is_command, part in pieces(attribute.value):
             value = self.substitutions.command(part, attribute.span) if is_command else part
-            # An argument that is empty unless somebody gives it stands for a word, too.
+            # An argument that is empty unless it is given is a word, too.
             written.append(value or _UNKNOWN_WORD)
         text = "".join(written)
         try:
@@ -358,7 +358,7 @@ class _File:
         if switched not in (None, "false", "False", "0") or self._ros is None:
             return
         if found := unmade(path, self._ros, self.collector.resolver):
-            message = f"'{os.path.basename(path)}' holds {found}, which stays as it is written"
+            message = f"'{os.path.basename(path)}' holds {found}, which is not resolved"
             help = f'write {switch}="true"'
             problem = Problem("LAU019", attribute.span, message, help, self.frame)
             self.collector.problems.append(problem)

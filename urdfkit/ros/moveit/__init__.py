@@ -1,1 +1,1 @@
-"""MoveIt's files beside a robot: SRDF, joint limits, solvers and planners."""
+"""MoveIt's files for a robot: SRDF, joint limits, solvers and planners."""

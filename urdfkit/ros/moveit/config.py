@@ -1,4 +1,4 @@
-"""The YAML files of MoveIt beside an SRDF: solvers, planners and controllers of its groups.
+"""The YAML files of MoveIt next to an SRDF: solvers, planners and controllers of its groups.
 
 Source: ``moveit_configs_utils`` and ``moveit_simple_controller_manager`` of moveit2, the launch
 files of the setup assistant of MoveIt 1.
@@ -104,7 +104,7 @@ def _mappings(node: Node) -> Iterator[tuple[Key, dict[str, Node]]]:
 
 
 def _load(srdf: Srdf, name: str, resolver: Resolver) -> Node:
-    """A file beside the SRDF, or in the configuration that it is part of."""
+    """A file next to the SRDF, or in the configuration that it is part of."""
     folder = os.path.dirname(os.path.abspath(srdf.path))
     above = os.path.dirname(folder)
     for place in (folder, above, os.path.join(above, "config")):

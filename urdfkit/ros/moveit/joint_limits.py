@@ -1,4 +1,4 @@
-"""MoveIt's joint_limits.yaml, which lies beside the SRDF and overrides limits of the robot.
+"""MoveIt's joint_limits.yaml, which is next to the SRDF and overrides limits of the robot.
 
 Source: ``robot_model`` and ``robot_model_loader`` of MoveIt 1 and 2.
 """
@@ -27,7 +27,7 @@ class PlannedLimit(Record):
 
     Attributes:
         joint: its name.
-        at: where its name stands.
+        at: the place of its name.
         values: by name, such as ``max_velocity``.
     """
 
@@ -68,7 +68,7 @@ def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
 
 
 def _find(description: RosDescription) -> str | None:
-    """Beside the SRDF, or in ``config`` of its package."""
+    """Next to the SRDF, or in ``config`` of its package."""
     if description.srdf is None:
         return None
     folder = os.path.dirname(os.path.abspath(description.srdf.path))

@@ -1,6 +1,6 @@
-"""SRDF: MoveIt's groups, states and allowed collisions, read beside the robot that they are of.
+"""SRDF: MoveIt's groups, states and allowed collisions, read together with the robot.
 
-Source of the grammar: srdfdom's parser, and MoveIt's RobotModel, which refuses what does not fit
+Source of the grammar: srdfdom's parser, and MoveIt's RobotModel, which rejects what does not fit
 the robot.
 """
 
@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element
-from urdfkit.text.xml_reader import Problem, is_xacro, read_xml
+from urdfkit.text.file_kinds import is_xacro
+from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 
 if TYPE_CHECKING:
@@ -110,7 +112,7 @@ class Srdf:
 
     @cached_property
     def fits_robot(self) -> bool:
-        """True if it is of this robot and this variant: slips apart, one name may be strange."""
+        """True if it is of this robot and this variant: except typos, one name may be unknown."""
         if self.root.get("name") != self.tree.model.name:
             return False
         strange = {
@@ -179,7 +181,7 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
 
 
 def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
-    """The SRDF of a robot, if exactly one lies beside it; one that cannot be read is none.
+    """The SRDF of a robot, if exactly one is next to it; an unreadable one does not count.
 
     One with another name is the robot's if it speaks of its links and joints; one of a package of
     MoveIt that may be for other robots, too, if it fits this one.

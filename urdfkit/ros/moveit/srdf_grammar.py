@@ -1,7 +1,7 @@
 """The grammar of SRDF as data, and what of a file deviates from it.
 
 Source: srdfdom's parser (``src/model.cpp``). Other programs keep tags of their own in the same
-file, so an unknown name is told only where it is a slip of a known one.
+file, so an unknown name is reported only where it is a typo of a known one.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class ElementGrammar(Record):
 
 
 class SrdfDeviation(Record):
-    """A tag or attribute that is no part of SRDF, and the one that was meant."""
+    """A tag or attribute that SRDF does not have, and the suggested one."""
 
     at: Element | Attribute
     parent: Element
@@ -93,7 +93,7 @@ def mistakes(root: Element) -> Iterator[SrdfDeviation]:
 def lacking(root: Element) -> Iterator[tuple[Element, str]]:
     """The elements without an attribute that they need, each with the attribute.
 
-    Slips are left out.
+    Typos are left out.
     """
     misspelt = {(id(mistake.parent), mistake.suggested) for mistake in mistakes(root)}
     for element, kind in _elements(root):

@@ -8,8 +8,8 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
-from urdfkit.text.xml_reader import is_xacro
 from urdfkit.workspace.file_head import read_head
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ _MAX_BYTES = 4 * 1024 * 1024
 def other_variant(description: RosDescription, srdf: Srdf) -> str:
     """What is wrong if the SRDF is for another variant of the robot; empty if it is not.
 
-    That takes more than names that nobody knows, which an outdated SRDF has, too: with a prefix
+    That takes more than unknown names, which an outdated SRDF has, too: with a prefix
     they are those of this robot, or another robot of the package has them.
     """
     unknown = srdf.unknown

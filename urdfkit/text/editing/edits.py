@@ -1,8 +1,8 @@
-"""Text edits that mend an element: comments, quotes, indentation and line ends stay as they are.
+"""Text edits of elements: comments, quotes, indentation and line ends stay as they are.
 
 Only what a file holds literally can be edited, so every function here may answer None: the name or
 the value came out of a xacro expression, and a person must decide where to change it. What a macro
-wrote may be edited: the judge keeps the edit only if all uses agree on it (``agreement``).
+wrote may be edited: the edit is kept only if all uses agree on it (`urdfkit.lint.fix`).
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from urdfkit.text.diagnostic import Edit
+from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Source, Span
 
@@ -106,6 +106,16 @@ def rewrite(at: Element | Attribute, text: str) -> tuple[Edit, ...] | None:
     return replace_value(at, text) if isinstance(at, Attribute) else replace_text(at, text)
 
 
+def fix_value(at: Element | Attribute, text: str | None) -> Fix | None:
+    """The fix that writes another value; None without one, or where it cannot be written."""
+    return Fix.of(f"write {text}", rewrite(at, text)) if text else None
+
+
+def fix_tag(element: Element, tag: str | None) -> Fix | None:
+    """The fix that writes another tag; None without one, or where it cannot be written."""
+    return Fix.of(f"rename it to <{tag}>", rename_element(element, tag)) if tag else None
+
+
 def scale_limits(limit: Element, factor: float) -> tuple[Edit, ...] | None:
     """Multiply the ends of a ``<limit>``, each of which is a number, by a factor; zeros stay."""
     ends = [limit.attributes[key] for key in ("lower", "upper") if key in limit.attributes]
@@ -147,7 +157,7 @@ def remove_spans(spans: Iterable[Span]) -> tuple[Edit, ...]:
 
 
 def _with_line(span: Span) -> Span:
-    """A piece of a file with its line; what is left around it looks as if it had not been there."""
+    """A piece of a file with its line; the lines around it close up."""
     source, start, end = span
     line_start, line_end = _line(source, start, end)
     before, after = source.data[line_start:start], source.data[end:line_end]

@@ -1,7 +1,7 @@
-"""The layout of URDF and xacro: one way to write a document that means the same.
+"""The format of URDF and xacro: one way to write a document, with the same meaning.
 
 Every element begins a line, indented by its depth; attributes have one order and one kind of
-quotes; numbers of a vector stand one space apart and are spelt as they were. Comments stay where
+quotes; numbers of a vector stand one space apart, as written. Comments stay where
 they stand, single blank lines as well. What holds text is left as it is, unless it is an element of
 URDF that may hold elements only: there a text is stray, and gets a line of its own.
 """
@@ -16,8 +16,9 @@ from urdfkit.errors import UnreadableRobot
 from urdfkit.text.editing.edits import STEP
 from urdfkit.text.editing.start_tags import MACRO, holders, parameters, start_tag, vectors
 from urdfkit.text.editing.tokens import Token, TokenKind, tokens
+from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import is_xacro, syntax_problems
+from urdfkit.text.xml_reader import syntax_problems
 
 #: Columns of a line; only what cannot be broken is longer.
 WIDTH = 100
@@ -31,7 +32,7 @@ _FOREIGN = frozenset(("gazebo", "transmission", "ros2_control"))
 
 
 def formatted(source: Source, width: int = WIDTH) -> bytes:
-    r"""The text of a source, laid out; in UTF-8, with the line ends that it has.
+    r"""The text of a source, formatted; in UTF-8, with the line ends that it has.
 
     >>> text = b"<robot  name='r' >\n<link name='a'></link><!-- one --></robot>"
     >>> print(formatted(Source("r.urdf", text)).decode(), end="")
@@ -58,7 +59,7 @@ def formatted(source: Source, width: int = WIDTH) -> bytes:
 
 
 def _require_robot(source: Source) -> None:
-    """See that a file can be laid out.
+    """See that a file can be formatted.
 
     Raises:
         UnreadableRobot: it is not well-formed, or no robot.
@@ -73,7 +74,7 @@ def _require_robot(source: Source) -> None:
         raise UnreadableRobot(reason, tuple(problems)) from None
     root = next(one for one in tokens(source.data.decode()) if one.kind is TokenKind.START)
     if root.name != "robot" and not is_xacro(source):
-        raise UnreadableRobot(f"{source.path}: no robot, its root is <{root.name}>")
+        raise UnreadableRobot(f"{source.path}: not a robot, its root is <{root.name}>")
 
 
 class _Outline(Record):
@@ -217,7 +218,7 @@ def _outline(found: list[Token], path: str) -> _Outline:
             if not token.is_empty:
                 stack.append(number)
                 if len(stack) > MAX_DEPTH:
-                    raise UnreadableRobot(f"{path}: elements are nested too deeply to be laid out")
+                    raise UnreadableRobot(f"{path}: elements are nested too deeply to be formatted")
         elif token.kind is TokenKind.END:
             start = stack.pop()
             ends[start] = number
@@ -250,7 +251,7 @@ def _holds_meaning(token: Token, path: list[str]) -> bool:
 
 
 def _is_stray_in(path: list[str]) -> bool:
-    """True if nobody reads a text in the last of some elements that hold one another."""
+    """True if no parser reads a text in the last of some nested elements."""
     return path[-1] in holders() and not _FOREIGN.intersection(path)
 
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import difflib
 import io
+import os
 from array import array
 from collections.abc import Iterable
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UnwritableFile
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.editing.apply import apply_edits, encoded
 from urdfkit.text.source import Source
 
 #: Deletions and insertions up to which the smallest diff is looked for.
@@ -31,6 +34,19 @@ class Rewrite(Record):
         """What changes, as a unified diff that ``patch -p0`` takes."""
         before, after = (Source(self.path, data).data for data in (self.before, self.after))
         return diff(self.path, before, after)
+
+
+def rewrites(edits: Iterable[Edit]) -> tuple[Rewrite, ...]:
+    """The files of some edits with these made; nothing is written."""
+    by_source: dict[Source, list[Edit]] = {}
+    for edit in edits:
+        by_source.setdefault(edit.span.source, []).append(edit)
+    found = []
+    for source, changes in by_source.items():
+        before = on_disk(source.path) or b""
+        after = encoded(apply_edits(source.data, changes), source.encoding, before)
+        found.append(Rewrite(os.path.normpath(source.path), before, after))
+    return tuple(found)
 
 
 def diff(path: str, before: bytes, after: bytes) -> str:

@@ -43,15 +43,15 @@ def start_tag(token: Token, close: str, indent: str, width: int, *, is_foreign: 
     if hang > width // 2:
         hang = len(indent) + 2 * len(STEP)
     first = f"{indent}<{token.name} "
-    target_bounds = width - len(close)
+    available = width - len(close)
     if token.name.startswith("xacro:") and token.name not in _XACRO_ORDER:
         rows = [[attribute] for attribute in attributes]  # of a macro: what each stands for
     elif tuple(name for name, _ in pairs) == _TENSOR:
         rows = [attributes[:3], attributes[3:5], attributes[5:]]
     else:
         if token.name == MACRO:
-            attributes = [_filled(name, value, hang, target_bounds) for name, value in pairs]
-        rows = _rows(attributes, len(first), hang, target_bounds)
+            attributes = [_filled(name, value, hang, available) for name, value in pairs]
+        rows = _rows(attributes, len(first), hang, available)
     lines = [" ".join(row) for row in rows]
     return (first + f"\n{' ' * hang}".join(lines)).lstrip() + close
 
@@ -117,7 +117,7 @@ _VECTOR = re.compile(r"\s*[-+.\deE]+(?:\s+[-+.\deE]+)*\s*")
 
 
 def _vector(value: str) -> str:
-    """Numbers one space apart, each spelt as it was; anything else as it is."""
+    """Numbers one space apart, each as written; anything else as it is."""
     return " ".join(value.split()) if _VECTOR.fullmatch(value) else value
 
 

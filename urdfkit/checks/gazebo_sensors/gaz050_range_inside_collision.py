@@ -15,24 +15,18 @@ from urdfkit.core.spatial import IDENTITY
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, rule
 from urdfkit.robot.model import Body
+from urdfkit.robot.samples import collision_xml, robot_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-  <collision>
-    <geometry><box size="0.2 0.2 0.1"/></geometry>
-  </collision>
-</link>
-<gazebo reference="base">
-  <sensor name="lidar" type="ray">
-    <ray><range><min>0.05</min><max>10</max></range></ray>
-  </sensor>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base", collision_xml('<box size="0.2 0.2 0.1"/>')),
+    gazebo_xml(
+        sensor_xml("lidar", "ray", "<ray><range><min>0.05</min><max>10</max></range></ray>"),
+        reference="base",
+    ),
+)
 GOOD = BAD.replace("<min>0.05</min>", "<min>0.2</min>")
 
 

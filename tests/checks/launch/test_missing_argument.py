@@ -1,4 +1,4 @@
-"""LAU008: see the rule."""
+"""LAU005: see the rule."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ PYTHON = 'IncludeLaunchDescription("b.launch.py"{})\n'
 
 def test_an_argument_without_a_default(tmp_path: Path) -> None:
     (found,) = reported(
-        tmp_path, "LAU008", "a.launch", XML.format("", ""), {"launch/b.launch": NEEDS}
+        tmp_path, "LAU005", "a.launch", XML.format("", ""), {"launch/b.launch": NEEDS}
     )
     assert found.message == "'b.launch' requires argument 'world'"
     assert found.span.line == 2
@@ -33,12 +33,12 @@ def test_given_or_not_needed_is_calm(
     tmp_path: Path, attribute: str, content: str, needs: str
 ) -> None:
     text = XML.format(attribute, content)
-    assert reported(tmp_path, "LAU008", "a.launch", text, {"launch/b.launch": needs}) == []
+    assert reported(tmp_path, "LAU005", "a.launch", text, {"launch/b.launch": needs}) == []
 
 
 def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
-    (found,) = reported(tmp_path, "LAU008", "a.launch.py", PYTHON.format(""), files)
+    (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format(""), files)
     assert found.message == "'b.launch.py' requires argument 'world'"
 
 
@@ -53,4 +53,4 @@ def test_in_python(tmp_path: Path) -> None:
 )
 def test_given_in_python_is_calm(tmp_path: Path, text: str) -> None:
     files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
-    assert reported(tmp_path, "LAU008", "a.launch.py", text, files) == []
+    assert reported(tmp_path, "LAU005", "a.launch.py", text, files) == []

@@ -35,7 +35,7 @@ def xacro_reported(folder: Path, name: str, launch: str) -> list[Diagnostic]:
 @pytest.mark.parametrize(("name", "text", "line"), [("a.launch", XML, 2)])
 def test_an_argument_that_the_xacro_lacks(tmp_path: Path, name: str, text: str, line: int) -> None:
     (found,) = xacro_reported(tmp_path, name, text.format("camra"))
-    assert found.message.endswith("has no argument 'camra'; did you mean 'camera'?")
+    assert found.message.endswith("unknown argument 'camra'; did you mean 'camera'?")
     assert found.help == "pass one of: arm, camera"
     assert found.span.line == line
 
@@ -60,7 +60,7 @@ TAKES_PYTHON = 'DeclareLaunchArgument("world", default_value="empty")\n'
 def test_an_argument_that_the_file_lacks(tmp_path: Path, text: str) -> None:
     files = {"launch/b.launch": TAKES}
     (found,) = reported(tmp_path, "LAU005", "a.launch", text.format("wrld"), files)
-    assert found.message == "'b.launch' has no argument 'wrld'; did you mean 'world'?"
+    assert found.message == "'b.launch': unknown argument 'wrld'; did you mean 'world'?"
     assert (found.span.line, found.span.text) == (3, "wrld")
     assert reported(tmp_path, "LAU005", "a.launch", text.format("world"), files) == []
 
@@ -68,7 +68,7 @@ def test_an_argument_that_the_file_lacks(tmp_path: Path, text: str) -> None:
 def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": TAKES_PYTHON}
     (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files)
-    assert (found.message, found.span.line) == ("'b.launch.py' has no argument 'gui'", 3)
+    assert (found.message, found.span.line) == ("'b.launch.py': unknown argument 'gui'", 3)
     assert found.severity is Severity.INFO  # ROS 2 passes it and nothing reads it
     (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("wrld"), files)
     assert found.severity is Severity.WARNING

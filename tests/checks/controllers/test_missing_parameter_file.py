@@ -15,16 +15,16 @@ def robot(path: str) -> str:
 
 
 def test_a_path_that_leads_nowhere() -> None:
-    assert messages("RCT012", robot("/no/such/folder/c.yaml")) == [
+    assert messages("RCT026", robot("/no/such/folder/c.yaml")) == [
         "parameter file not found on this machine: /no/such/folder/c.yaml"
     ]
-    assert places("RCT012", robot("/no/such/folder/c.yaml")) == [(NEXT, "<parameters>")]
+    assert places("RCT026", robot("/no/such/folder/c.yaml")) == [(NEXT, "<parameters>")]
 
 
 @pytest.mark.parametrize("folder", ["/tmp", "/home/me/arm/config/temp", "/home/me/arm/generated"])
 def test_a_file_that_is_made_when_it_is_needed_is_calm(folder: str) -> None:
-    assert reported("RCT012", robot(f"{folder}/controllers.yaml")) == []
-    assert len(reported("RCT012", robot(f"{folder}/config/controllers.yaml"))) == 1
+    assert reported("RCT026", robot(f"{folder}/controllers.yaml")) == []
+    assert len(reported("RCT026", robot(f"{folder}/config/controllers.yaml"))) == 1
 
 
 def test_a_path_of_another_machine_may_be_right_there(tmp_path: Path) -> None:
@@ -33,22 +33,22 @@ def test_a_path_of_another_machine_may_be_right_there(tmp_path: Path) -> None:
         ("/workspace/install/arm/share/arm/config/c.yaml", Severity.WARNING),
         (f"{tmp_path}/config/c.yaml", Severity.ERROR),
     ):
-        (found,) = reported("RCT012", robot(path), str(tmp_path / "robot.urdf"))
+        (found,) = reported("RCT026", robot(path), str(tmp_path / "robot.urdf"))
         assert found.severity is severity
 
 
 def test_the_file_beside_it_is_offered(tmp_path: Path) -> None:
     (tmp_path / "controllers.yaml").write_text("")
-    (message,) = messages("RCT012", robot(f"{tmp_path}/controler.yaml"))
+    (message,) = messages("RCT026", robot(f"{tmp_path}/controler.yaml"))
     assert message.endswith("/controler.yaml; did you mean 'controllers.yaml'?")
-    assert reported("RCT012", robot(f"{tmp_path}/controllers.yaml")) == []
+    assert reported("RCT026", robot(f"{tmp_path}/controllers.yaml")) == []
 
 
 def test_paths_that_say_nothing_here() -> None:
     for path in ("c.yaml", "$(find p)/c.yaml", "", "package://p/c.yaml"):
-        assert reported("RCT012", robot(path)) == []
+        assert reported("RCT026", robot(path)) == []
     other = plugin("libgazebo_ros_camera.so", "<parameters>/no/such.yaml</parameters>")
-    assert reported("RCT012", ROBOT + other) == []
+    assert reported("RCT026", ROBOT + other) == []
 
 
 def test_a_path_of_a_package(tmp_path: Path) -> None:
@@ -58,7 +58,7 @@ def test_a_path_of_a_package(tmp_path: Path) -> None:
     file = tmp_path / "r.xacro"
     text = robot("$(find p)/config/c.yaml")
     file.write_text(f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{text}</robot>')
-    assert check(file, select=["RCT012"]).diagnostics == ()
+    assert check(file, select=["RCT026"]).diagnostics == ()
     (tmp_path / "config" / "c.yaml").unlink()
-    (found,) = check(file, select=["RCT012"]).diagnostics
+    (found,) = check(file, select=["RCT026"]).diagnostics
     assert found.message == f"parameter file not found: {tmp_path}/config/c.yaml"

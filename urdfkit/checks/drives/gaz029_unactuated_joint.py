@@ -1,6 +1,6 @@
 """No plugin, transmission or ros2_control drives a joint of a robot that has Gazebo plugins.
 
-In Gazebo a joint that nothing drives swings or rolls freely. That may be meant, as with a plugin
+In Gazebo a joint that nothing drives swings or rolls freely. That may be intended, as with a plugin
 that slides the whole robot over the ground; the wheels then turn only as friction turns them.
 
 Sources:
@@ -12,32 +12,19 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.gazebo.drives import driven
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.diagnostic import Related, Severity
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <inertial>
-    <mass value="0.2"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="wheel_joint" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-  <axis xyz="0 1 0"/>
-</joint>
-<gazebo>
-  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
-    <robotBaseFrame>base</robotBaseFrame>
-  </plugin>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("base"),
+    solid_xml("wheel", mass="0.2", moments="0.001 0.001 0.001"),
+    joint_xml("continuous", '<axis xyz="0 1 0"/>', name="wheel_joint", child="wheel"),
+    gazebo_xml(
+        plugin_xml("drive", "libgazebo_ros_planar_move.so", "<robotBaseFrame>base</robotBaseFrame>")
+    ),
+)
 GOOD = BAD.replace(
     "<gazebo>",
     """\
@@ -58,7 +45,7 @@ _MOST = 4
 @rule(
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
-    help="add a drive plugin or ros2_control, unless they are meant to turn freely",
+    help="add a drive plugin or ros2_control, unless they are intended to turn freely",
 )
 def check(subject: Subject) -> Findings:
     model = subject.model

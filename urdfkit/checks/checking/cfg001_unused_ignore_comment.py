@@ -1,6 +1,6 @@
 """An ignore comment suppresses nothing.
 
-The defect is fixed, or the comment stands before another element. An unused comment would hide the
+The defect is fixed, or the comment is above another element. An unused comment would hide the
 next defect there: delete it.
 """
 
@@ -32,12 +32,11 @@ def check(subject: Subject) -> Findings:
         codes = [code for code, _ in ignore.codes]
         if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
             place = Location(ignore.span)
-            # Of a file that others include, somebody else may need it.
+            # Of a file that others include, another robot may need it.
             is_own = ignore.span.source is subject.source
             fix = Fix("delete the comment", remove_spans([ignore.span])) if is_own else None
-            yield Finding(
-                place, f"nothing here is found by {', '.join(codes) or 'no rule'}", fix=fix
-            )
+            named = ", ".join(codes) or "any rule"
+            yield Finding(place, f"unused ignore comment: no finding of {named} here", fix=fix)
 
 
 def _ran(words: list[str], chosen: frozenset[str]) -> bool:

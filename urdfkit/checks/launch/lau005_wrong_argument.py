@@ -1,12 +1,16 @@
-"""A launch file passes an argument that the xacro or the included launch file does not have.
+"""A launch file passes an argument that a file does not have, or leaves out a required one.
 
-xacro ignores the argument and uses its default: the robot has no camera, or the hardware of the
-simulator. `roslaunch` stops with "unused args"; in ROS 2 the included file goes on with its
-default. The name differs, or the argument was removed.
+- An argument that the xacro or the included launch file does not have (warning): xacro uses its
+  default, so the robot has no camera, or the hardware of the simulator. `roslaunch` stops with
+  "unused args"; in ROS 2 the included file goes on with its default. The name differs, or the
+  argument was removed.
+- An included launch file has an argument without a default, and none is passed. `roslaunch` stops
+  with "requires the 'x' arg to be set", `ros2 launch` with "missing required argument".
 
 Sources:
     xacro: https://wiki.ros.org/xacro
     roslaunch, loader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/loader.py
+    roslaunch, xmlloader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/xmlloader.py
     launch, include_launch_description.py: https://github.com/ros2/launch/blob/rolling/launch/launch/actions/include_launch_description.py
 """
 
@@ -43,7 +47,7 @@ FILES = {
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="pass an argument that the file has")
 def check(subject: Subject) -> Findings:
     for finding in reported(subject, "LAU005"):
-        _, _, argument = finding.message.partition(" has no ")
+        _, _, argument = finding.message.partition("': ")
         yield finding._replace(alike=argument)
     for description in subject.launch.descriptions:
         if not description.arguments:
@@ -56,6 +60,6 @@ def check(subject: Subject) -> Findings:
             if name not in known:
                 yield Finding(
                     Location(description.frame.call.span, description.frame.outer),
-                    f"'{description.path}' has no argument '{name}'{did_you_mean(name, known)}",
+                    f"'{description.path}': unknown argument '{name}'{did_you_mean(name, known)}",
                     "pass one of: " + ", ".join(sorted(known)) if known else "pass none",
                 )

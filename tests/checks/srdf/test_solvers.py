@@ -1,4 +1,4 @@
-"""SRD023: see the rule."""
+from __future__ import annotations
 
 from pathlib import Path
 
@@ -19,9 +19,9 @@ GROUP = '<group name="arm"><link name="arm"/></group>'
         ("my_solvers/Mine", ""),
     ],
 )
-def test_slips_of_solvers(tmp_path: Path, solver: str, suggested: str | None) -> None:
+def test_misspelt_solvers(tmp_path: Path, solver: str, suggested: str | None) -> None:
     (tmp_path / "kinematics.yaml").write_text(f"arm:\n  kinematics_solver: {solver}\n")
-    found = findings(tmp_path, GROUP, "SRD023")
+    found = findings(tmp_path, GROUP, "SRD001")
     assert len(found) == (suggested != "")
     for one in found:
         assert one.span.text == solver

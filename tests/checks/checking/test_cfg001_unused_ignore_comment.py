@@ -17,11 +17,13 @@ def findings(codes: str, select: tuple[str, ...] = ()) -> list[tuple[str, str]]:
 
 
 def test_the_codes_that_hit_nothing_are_named():
-    assert findings("TRE003, JNT") == [("CFG001", "nothing here is found by TRE003, JNT")]
+    assert findings("TRE003, JNT") == [
+        ("CFG001", "unused ignore comment: no finding of TRE003, JNT here")
+    ]
 
 
 def test_an_empty_list_hits_nothing():
-    assert findings("") == [("CFG001", "nothing here is found by no rule")]
+    assert findings("") == [("CFG001", "unused ignore comment: no finding of any rule here")]
 
 
 def test_rules_that_were_not_run_are_not_missed():

@@ -13,9 +13,10 @@ import numpy as np
 import trimesh
 
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
+from urdfkit.mesh.convex_decomposition import ENGINES, NoEngine, decompose
+from urdfkit.mesh.convex_hull import NoHull, hull, with_few_corners
 from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.health import examine
-from urdfkit.mesh.hull import ENGINES, NoEngine, NoHull, decompose, hull, with_few_corners
 
 RING = trimesh.creation.annulus(0.5, 1.0, 0.5)
 

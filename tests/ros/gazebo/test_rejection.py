@@ -1,0 +1,82 @@
+"""Robots that Gazebo rejects, as libsdformat 12.3 says where it is installed."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tests.gazebos import BASE, BODY, block, child
+from urdfkit.lint.context import Subject
+from urdfkit.lint.runner import judge
+from urdfkit.ros.gazebo.rejection import CODES, rejections
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+ARM = child("arm", "revolute")
+WITHOUT_MASS = '<link name="base"/>'
+
+
+def inertia(ixx: float, rest: float) -> str:
+    return (
+        f'<inertial><mass value="1"/><inertia ixx="{ixx}" iyy="{rest}" izz="{rest}" '
+        'ixy="0" ixz="0" iyz="0"/></inertial>'
+    )
+
+
+def sdf_joint(parent: str, called: str = "x") -> str:
+    ends = f"<parent>{parent}</parent><child>hand</child>"
+    return f'<gazebo><joint name="{called}" type="fixed">{ends}</joint></gazebo>'
+
+
+FIXED = child("arm", "fixed") + child("hand", "revolute", parent="arm")
+
+#: Parts of a robot, and the codes for which it is rejected.
+ROBOTS = {
+    "sound": (BASE + ARM, []),
+    "no number": (BASE + ARM + block("<mu1>abc</mu1>"), ["GAZ004"]),
+    "reserved link": (BASE.replace("base", "__b__"), ["NAM004"]),
+    "reserved joint": (BASE + ARM.replace("arm_joint", "__j__"), ["NAM004"]),
+    "joint called world": (BASE + ARM.replace("arm_joint", "world"), ["NAM004"]),
+    "child called world": (BASE + child("world", "revolute"), ["NAM004"]),
+    "root called world": (BASE.replace("base", "world") + ARM.replace("base", "world"), []),
+    "one name": (BASE + ARM.replace("arm_joint", "arm"), ["NAM003"]),
+    "one name, merged": (BASE + child("arm", "fixed").replace("arm_joint", "arm"), []),
+    "flat beyond a disk": (BASE + child("arm", "revolute", inside=inertia(1, 0.1)), ["INE003"]),
+    "negative moment": (BASE + child("arm", "revolute", inside=inertia(-1, 1)), ["INE003"]),
+    "disk": (BASE + child("arm", "revolute", inside=inertia(0.2, 0.1)), []),
+    "merged": (BASE + child("arm", "fixed", inside=inertia(1, 0.1)), ["INE003"]),
+    "negative mass": (
+        BASE + child("arm", "revolute", inside=BODY.replace('value="1"', 'value="-1"')),
+        ["INE001"],
+    ),
+    "no mass": (WITHOUT_MASS, ["INE004"]),
+    "joint of a merged link": (BASE + FIXED + sdf_joint("arm"), [""]),
+    "joint of a link": (BASE + FIXED + sdf_joint("base"), []),
+    "joint twice": (BASE + FIXED + sdf_joint("base", "hand_joint"), [""]),
+    "floating": (BASE + child("arm", "floating"), ["JNT022"]),
+    "unknown leader": (BASE + ARM.replace("<limit", '<mimic joint="none"/><limit'), []),
+}
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_it_is_known_why(name: str) -> None:
+    parts, codes = ROBOTS[name]
+    source = Source("r.urdf", f'<robot name="r">{parts}</robot>'.encode())
+    subject = Subject(source, Resolver())
+    diagnostics = judge(subject, sorted(CODES)).diagnostics
+    assert sorted({one.code for one in rejections(diagnostics, subject.gazebo)}) == codes
+
+
+@pytest.mark.skipif(shutil.which("ign") is None, reason="ign (libsdformat 12) is not installed")
+@pytest.mark.parametrize("name", ROBOTS)
+def test_libsdformat_agrees(name: str, tmp_path: Path) -> None:
+    parts, codes = ROBOTS[name]
+    file = tmp_path / "r.urdf"
+    file.write_text(f'<robot name="r">{parts}</robot>')
+    done = subprocess.run(
+        ["ign", "sdf", "-k", str(file)], capture_output=True, text=True, check=False
+    )
+    assert ("Valid." in done.stdout) is not bool(codes)

@@ -1,0 +1,65 @@
+"""A parameter file of controllers does not exist, or a part of it is not read.
+
+- The file that the Gazebo control plugin names does not exist. The controller manager stops at it;
+  no controller can be loaded, and Gazebo may stop as well. The file has another name or directory,
+  or is not installed. An absolute path outside of the repository or workspace is a warning: it may
+  exist on another machine, such as `/workspace/install/...` in a container.
+- The file is not YAML, `ros__parameters` is misspelt (two underscores), or parameters are below a
+  name that no controller has. The controller then starts without its joints, and stops: "parameter
+  'joints' was not set".
+
+Sources:
+    gz_ros2_control_plugin.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_ros2_control_plugin.cpp
+    gazebo_ros2_control_plugin.cpp: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_ros2_control_plugin.cpp
+    diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
+"""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.core.suggest import nearest_file
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.ros.controllers import parameter_files, syntax_errors, unread_keys
+from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
+from urdfkit.text.diagnostic import Severity
+
+BAD = ARM + CONTROL
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+_YAML = controller_yaml("position_controllers/JointGroupPositionController", "joints: [shoulder]")
+FILES = {
+    "config/bad.yaml": _YAML.replace(b"arm:\n  ros__parameters", b"arm:\n  ros_parameters"),
+    "config/good.yaml": _YAML,
+}
+
+
+#: Directories of generated files.
+_GENERATED = ("generated", "temp", "tmp")
+
+
+@rule(Severity.ERROR, help="fix the parameter file")
+def check(subject: Subject) -> Findings:
+    yield from _missing(subject)
+    for file, span, reason in syntax_errors(subject):
+        yield Finding(Location(span), f"invalid YAML: {reason}", related=(file.note,))
+    for file, found in unread_keys(subject):
+        for span, message, help in found:
+            yield Finding(Location(span), message, help, related=(file.note,))
+
+
+def _missing(subject: Subject) -> Findings:
+    for file in parameter_files(subject):
+        if file.found is None and file.element:  # LAU003 reports those of launch files
+            if os.path.basename(os.path.dirname(file.path)) in _GENERATED:
+                continue  # the launch file writes it first
+            is_here = subject.resolver.packages.searches(file.path, subject.source.path)
+            suggested = nearest_file(file.path)
+            hint = f"; did you mean '{suggested}'?" if suggested else ""
+            where = "" if is_here else " on this machine"
+            yield Finding(
+                file.element,
+                f"parameter file not found{where}: {file.path}{hint}",
+                "correct the path; $(find PACKAGE)/config/FILE.yaml in the xacro works everywhere",
+                severity=None if is_here else Severity.WARNING,
+            )

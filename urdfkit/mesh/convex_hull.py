@@ -1,0 +1,128 @@
+"""Convex hulls: of meshes, of points, and with few corners."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshMaterial, MeshPart
+from urdfkit.mesh.welding import finite
+
+if TYPE_CHECKING:
+    from manifold3d import Manifold
+
+#: Corners of a hull or piece: what physics engines take.
+MOST_CORNERS = 64
+#: Degrees between the faces of a hull with few corners; the first that leaves few enough is taken.
+_APART = (3, 6, 9, 12, 15, 20, 25, 30, 40, 50)
+#: A volume that is so small against the cube of the longest edge is none.
+_ROUNDING = 1e-14
+
+
+class NoHull(UrdfkitError):
+    """All points lie in a plane."""
+
+
+def hull(mesh: Mesh) -> Mesh:
+    """The convex hull of all parts, with the material of the first.
+
+    Raises:
+        NoHull: all points lie in a plane.
+    """
+    from manifold3d import Manifold
+
+    points = mesh.vertices[np.unique(mesh.faces)]
+    points = points[finite(points)]
+    solid = Manifold.hull_points(points)
+    if solid.is_empty() or not solid.volume() > _ROUNDING * np.ptp(points, axis=0).max() ** 3:
+        raise NoHull("all points lie in a plane, which has no hull")
+    corners, faces = arrays_of(solid)
+    return mesh._replace(parts=(MeshPart(corners, faces, _material(mesh)),))
+
+
+def arrays_of(solid: Manifold) -> tuple[Floats, Integers]:
+    """The vertices (n, 3) and the triangles (m, 3) of a solid of manifold3d."""
+    mesh = solid.to_mesh64()
+    vertices = np.array(mesh.vert_properties[:, :3], dtype=np.float64)  # its own are read-only
+    return vertices, np.asarray(mesh.tri_verts, dtype=np.int64)
+
+
+def with_few_corners(shell: Mesh) -> Mesh:
+    """A convex solid of at most `MOST_CORNERS` corners around another one, close to it.
+
+    Of its faces the large ones stay, and of those that look nearly the same way one, moved outwards
+    until all lies behind it. Where that gives no fewer corners, the solid itself.
+
+    Args:
+        shell: a convex hull.
+    """
+    from scipy.spatial import HalfspaceIntersection, QhullError
+
+    points = shell.vertices
+    if len(points) <= MOST_CORNERS:
+        return shell
+    size, middle = float(np.ptp(points, axis=0).max()), points.mean(axis=0)
+    scaled = (points - middle) / size
+    every = _normals(scaled, shell.faces)
+    for degrees in _APART:
+        normals = _spread_out(every, degrees)
+        reach = (normals @ scaled.T).max(axis=1)
+        try:
+            corners = HalfspaceIntersection(
+                np.column_stack([normals, -reach]), np.zeros(3)
+            ).intersections
+        except QhullError:  # so flat that no inside is left
+            continue
+        around = hull(points_only(corners * size + middle))
+        if len(around.vertices) <= MOST_CORNERS:
+            return shell._replace(parts=(around.parts[0]._replace(material=_material(shell)),))
+    return shell
+
+
+def half_spaces(corners: Floats) -> Floats:
+    """(k, 4), outward unit normals and offsets of the convex hull of points (n, 3).
+
+    Raises:
+        scipy.spatial.QhullError: it has no inside.
+    """
+    from scipy.spatial import ConvexHull
+
+    return np.unique(ConvexHull(corners).equations, axis=0)
+
+
+def hull_corners(points: Floats) -> Floats:
+    """Those of some points that are corners of their convex hull."""
+    from scipy.spatial import ConvexHull
+
+    corners: Floats = points[ConvexHull(points).vertices]
+    return corners
+
+
+def _normals(points: Floats, faces: Integers) -> Floats:
+    """Of triangles, those of the largest first."""
+    a, b, c = (points[faces[:, corner]] for corner in range(3))
+    normals = np.cross(b - a, c - a)
+    lengths = np.linalg.norm(normals, axis=1)
+    order = np.argsort(-lengths[lengths > 0], kind="stable")
+    found: Floats = (normals[lengths > 0] / lengths[lengths > 0][:, None])[order]
+    return found
+
+
+def _spread_out(normals: Floats, degrees: float) -> Floats:
+    """The first of some normals, the next that is not near it, and so on."""
+    chosen: list[Floats] = []
+    while len(normals):
+        chosen.append(normals[0])
+        normals = normals[normals @ normals[0] < np.cos(np.radians(degrees))]
+    return np.array(chosen)
+
+
+def _material(mesh: Mesh) -> MeshMaterial | None:
+    return mesh.parts[0].material if mesh.parts else None
+
+
+def points_only(corners: Floats) -> Mesh:
+    """Points without a surface, to take the hull of."""
+    return Mesh((MeshPart(corners, np.arange(len(corners)).reshape(1, -1)),))

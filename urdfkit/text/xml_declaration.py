@@ -1,0 +1,113 @@
+"""The encoding of a file and its XML declaration, as URDF parsers take them."""
+
+from __future__ import annotations
+
+import re
+from xml.parsers import expat
+
+from urdfkit.text.comments import without_comments
+from urdfkit.text.diagnostic import Edit, Fix, Problem
+from urdfkit.text.source import Source, Span
+
+# Compiled when needed, which is seldom.
+_DECLARATION = rb"<\?xml[\s?][^>]*\?>|<\?xml\?>"
+_VERSION = rb"""\bversion\s*=\s*["']([^"']*)["']"""
+_UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
+
+
+def encoding_problems(source: Source, *, strict: bool) -> list[Problem]:
+    """An encoding that readers do not know, or a byte that is not text in it.
+
+    Args:
+        source: the file.
+        strict: True where only UTF-8 is read, as by xacro.
+    """
+    if source.undecodable is not None:
+        return [_undecodable(source, source.undecodable)]
+    encoding = source.encoding
+    if encoding in _UTF_8 or (source.data.isascii() and not encoding.startswith("utf-")):
+        return []
+    if not strict and _is_known_to_expat(encoding):
+        return []
+    reader = "xacro" if strict else "urdfdom"
+    message = f"the file is in {encoding}; {reader} reads UTF-8 only"
+    return [Problem("XML002", Span(source, 0, 0), message)]
+
+
+def _undecodable(source: Source, start: int) -> Problem:
+    at = Span(source, start, start + 1)
+    declared = re.search(rb"encoding\s*=\s*[\"']([^\"']*)", source.data[:200])
+    if declared is None:
+        message = f"this byte is not {source.encoding}, which XML takes where nothing is declared"
+        return Problem("XML002", at, message)
+    try:
+        "".encode(source.encoding)
+    except (LookupError, UnicodeError):  # the latter of the codec 'undefined'
+        at = Span(source, *declared.span(1))
+        return Problem("XML002", at, f"the declared encoding '{source.encoding}' does not exist")
+    return Problem("XML002", at, f"this byte is not {source.encoding}, which the file declares")
+
+
+def _is_known_to_expat(encoding: str) -> bool:
+    """True for encodings of one byte per character, in which urdfdom at least finds the tags."""
+    if encoding.startswith("utf-"):
+        return False
+    try:
+        expat.ParserCreate().Parse(
+            f'<?xml version="1.0" encoding="{encoding}"?><a/>'.encode(), True
+        )
+    except (expat.ExpatError, LookupError, ValueError):
+        return False
+    return True
+
+
+def forgiven(source: Source, problems: list[Problem]) -> bytes:
+    """The bytes to parse: what urdfdom forgives in and before the XML declaration is blanked."""
+    data = source.data
+    declaration = re.search(_DECLARATION, data[:20_000])
+    if declaration is None:
+        return data
+    start, end = declaration.span()
+    if start:
+        if without_comments(data[:start]).strip():
+            return data
+        problems.append(_before_declaration(Span(source, 0, start), end))
+    if not _is_sound(declaration.group()):
+        at = Span(source, start, end)
+        fix = Fix("write the XML declaration anew", (Edit(at, '<?xml version="1.0"?>'),), safe=True)
+        message = "the XML declaration is not that of XML 1.0"
+        problems.append(Problem("XML007", at, message, fix=fix))
+    # The encoding is settled by Source; the declaration has nothing more to say.
+    return b" " * end + data[end:]
+
+
+def _is_sound(declaration: bytes) -> bool:
+    """True for an XML declaration that strict readers accept."""
+    version = re.search(_VERSION, declaration)
+    if version is None or version.group(1) not in (b"1.0", b"1.1"):
+        return False
+    try:
+        expat.ParserCreate("utf-8").Parse(declaration + b"<a/>", True)
+    except expat.ExpatError:
+        return False
+    return True
+
+
+def _before_declaration(before: Span, end: int) -> Problem:
+    """What stands before the XML declaration, which ends at ``end``."""
+    text = before.text.strip()
+    edits: tuple[Edit, ...] = (Edit(before, ""),)
+    if not text:
+        message = "white space before the XML declaration"
+        fix = Fix("delete the white space", edits, safe=True)
+        return Problem(
+            "XML007", before, message, "let <?xml ...?> be the first of the file", fix=fix
+        )
+    edits += (Edit(Span(before.source, end, end), f"\n{text}"),)
+    return Problem(
+        "XML007",
+        before,
+        "a comment before the XML declaration, which urdfdom 4 (ROS 2 Jazzy) rejects",
+        "move the comment below <?xml ...?>",
+        fix=Fix("move the comment below the XML declaration", edits, safe=True),
+    )
