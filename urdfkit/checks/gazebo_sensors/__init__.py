@@ -6,22 +6,13 @@ from urdfkit.lint.context import Subject
 
 #: Codes and names of rules that others have absorbed.
 REDIRECTS = {
-    "sensor-sees-itself": "GAZ050",
-    "GAZ054": "",
-    "heavy-sensor": "",
-    "angle-in-degrees": "GAZ047",
-    "GAZ041": "GAZ040",
-    "sensor-not-in-target": "GAZ040",
-    "unknown-sensor-type": "GAZ040",
-    "GAZ044": "",
-    "conflicting-rates": "",
-    "GAZ056": "GAZ047",
-    "field-of-view-in-degrees": "GAZ047",
-    "GAZ062": "GAZ040",
-    "sensor-on-wrong-kind": "GAZ040",
-    "GAZ065": "GAZ040",
+    "GAZ041": "GAZ040", "sensor-not-in-target": "GAZ040", "unknown-sensor-type": "GAZ040",
+    "GAZ062": "GAZ040", "sensor-on-wrong-kind": "GAZ040", "GAZ065": "GAZ040",
     "noise-without-type": "GAZ040",
-}
+    "angle-in-degrees": "GAZ047", "GAZ056": "GAZ047", "field-of-view-in-degrees": "GAZ047",
+    "sensor-sees-itself": "GAZ050",
+    "GAZ054": "", "heavy-sensor": "", "GAZ044": "", "conflicting-rates": "",
+}  # fmt: skip
 
 
 def applies(subject: Subject) -> bool:

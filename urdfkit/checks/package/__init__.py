@@ -8,16 +8,12 @@ from urdfkit.workspace.package_references import are_in
 
 #: Former codes and names of rules.
 REDIRECTS = {
-    "LAU002": "XAC011",
-    "MSH005": "XAC011",
-    "LAU014": "PKG002",
     "LAU017": "PKG001",
-    "PKG003": "PKG005",
-    "PKG006": "PKG005",
-    "manifest-refused": "PKG005",
-    "name-differs": "PKG005",
+    "LAU014": "PKG002",
+    "PKG003": "PKG005", "PKG006": "PKG005", "manifest-refused": "PKG005", "name-differs": "PKG005",
     "not-registered": "PKG005",
-}
+    "LAU002": "XAC011", "MSH005": "XAC011",
+}  # fmt: skip
 
 
 def applies(subject: Subject) -> bool:
