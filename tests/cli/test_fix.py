@@ -39,14 +39,15 @@ def test_the_summary_says_what_was_fixed_what_is_left_and_why(
         "  info     INE008  inertia-differs-from-geometry (unsafe fix: needs\n"
         "      --unsafe-fixes): lines 214, 243, 269\n"
         "  info     JNT002  missing-limit: lines 158, 174, 181\n"
+        "  info     JNT030  wrong-optical-frame: line 368\n"
         "  info     XAC007  own-pi (unsafe fix: needs --unsafe-fixes): line 9\n"
         "\n"
-        "3 fixed in 1 file, 9 left, 5 of them with an unsafe fix\n"
+        "3 fixed in 1 file, 10 left, 5 of them with an unsafe fix\n"
     )
     assert main([*words, "--check"]) == 0
     capsys.readouterr()
     assert main(["fix", str(robot), "--select", "JNT", "--fail-on", "info"]) == 1
-    assert "0 fixed in 0 files, 3 left\n" in capsys.readouterr().out
+    assert "0 fixed in 0 files, 4 left\n" in capsys.readouterr().out
 
 
 def test_an_info_is_fixed_only_where_its_code_is_given(

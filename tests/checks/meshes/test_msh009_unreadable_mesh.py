@@ -102,7 +102,7 @@ class TestPartlyBroken:
         bad = collada().replace(b"<p>0 1 2</p>", b"<p>0 1 7</p>")
         (found,) = reported(tmp_path, CODE, link(mesh("a.dae")), {"a.dae": bad})
         assert found.severity is Severity.WARNING
-        assert "'a.dae' shows no triangles" in found.message
+        assert "'a.dae' holds no triangles" in found.message
 
     @pytest.mark.parametrize(("role", "number"), [("visual", 1), ("collision", 0)])
     def test_the_appearance_of_a_collision(self, tmp_path: Path, role: str, number: int) -> None:
