@@ -103,13 +103,14 @@ def subjects(
 ) -> Iterator[Subject | None]:
     """The descriptions that a check with the same options looks at, in the same order.
 
-    None stands for a launch file. Nothing is read before it is asked for.
+    None stands for a launch file, and for a robot that another description is already, of which
+    only some rules are asked. Nothing is read before it is asked for.
     """
     options = options.with_config()
     resolver = Resolver(options.packages, texts=options.texts)
     for planned_job in planned(files, resolver, options).jobs:
         for job, subject in as_launched(planned_job, _reader(options, resolver)):
-            yield None if is_launch(job.source.path) else subject
+            yield None if is_launch(job.source.path) or job.codes else subject
 
 
 def _reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
