@@ -15,7 +15,7 @@ from zlib import crc32
 import pytest
 from hypothesis import settings
 
-from urdfkit.workspace import packages
+from urdfkit.workspace import search_root
 
 # Each run of the tests measures meshes itself, and leaves nothing behind.
 os.environ["URDFKIT_CACHE_DIR"] = ""
@@ -73,6 +73,9 @@ SLOW = (
     "tests/lint/test_engine.py",
     "tests/lint/test_fix.py",
     "tests/lint/test_formatting.py",
+    "tests/lint/test_rule_packages.py",
+    "tests/mesh/parts/",
+    "tests/mesh/test_",
     "tests/output/report/",
     "tests/physics/",
     "tests/pytest_plugin/",
@@ -91,6 +94,7 @@ SLOW = (
     "tests/test_planted.py",
     "tests/test_site.py",
     "tests/text/editing/test_formatter.py",
+    "tests/text/test_xml_errors.py",
     "tests/viewer/",
     "tests/xacro/test_bombs.py",
     "tests/xacro/test_budget.py",
@@ -106,17 +110,21 @@ SAMPLED = {
     "tests/integration/test_action.py::test_the_script_of_gitlab": 0,
     "tests/test_docs.py::test_the_road_in_readme": 0,
     "tests/test_fixing_corpus.py": 12,
-    "tests/test_planted.py::test_it_is_found": 6,
+    "tests/test_planted.py::test_it_is_found": 8,
     "tests/test_bad_input.py::test_huge": 4,
-    "tests/test_corpus.py": 3,
+    "tests/test_corpus.py": 6,
     "tests/cli/test_pages.py": 3,
-    "tests/xacro/test_bombs.py": 3,
+    "tests/mesh/test_containment.py": 3,
+    "tests/mesh/test_odd_meshes.py": 3,
+    "tests/mesh/test_simplify.py": 3,
+    "tests/xacro/test_bombs.py": 4,
+    "tests/xacro/test_budget.py": 4,
     "tests/xacro/test_identity.py": 6,
     "tests/xacro/test_places.py::test_every_element": 0,
     "tests/physics/collision/test_sampling.py::test_three_seeds": 3,
 }
 #: The same of tests with a parameter for each robot of the corpus.
-SAMPLED_ROBOTS = 6
+SAMPLED_ROBOTS = 10
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -191,8 +199,8 @@ def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iter
     """
     base = tmp_path_factory.getbasetemp()
     with pytest.MonkeyPatch.context() as patch:
-        shared = packages._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
-        patch.setattr(packages, "_SHARED_BY_ALL", shared)
+        shared = search_root._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
+        patch.setattr(search_root, "_SHARED_BY_ALL", shared)
         patch.setenv("TMPDIR", str(base))  # the same for processes
         if sys.dont_write_bytecode:  # each process would compile all of urdfkit
             patch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)

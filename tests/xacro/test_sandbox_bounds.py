@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from urdfkit.text.xml_reader import DocumentTooLarge
+from urdfkit.xacro import sandbox as module
 from urdfkit.xacro.budget import Budget
 from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression, _within_bounds, extent
 
@@ -66,6 +67,18 @@ def test_padding_is_refused_before_it_is_made(method: str) -> None:
     assert _within_bounds("a", method, (1_000_000,)) == (1_000_000,)
     with pytest.raises(TooLarge):
         _within_bounds("a", method, (1_000_001,))
+
+
+def test_a_method_of_a_class_has_the_bounds_of_its_object(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[tuple[Any, ...]] = []
+
+    def within_bounds(*call: Any) -> Any:
+        asked.append(call)
+        return call[2]
+
+    monkeypatch.setattr(module, "_within_bounds", within_bounds)
+    assert sandbox().call(str.ljust, "a", 3) == "a  "
+    assert asked == [("a", "ljust", (3,))]
 
 
 def test_fields_of_three_digits() -> None:
