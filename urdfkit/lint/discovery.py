@@ -49,6 +49,7 @@ _LINK = re.compile(rb"<link[\s>]")
 _LINK_NAME = re.compile(rb"""<link\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
 _PARENT = re.compile(rb"""<parent\b[^<>]*?\blink\s*=\s*["']([^"']+)["']""")
 _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
+_NAMELESS = re.compile(rb"""<robot\b(?![^<>]*\sname\s*=\s*["'][^"'])""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _MARK = b"\xef\xbb\xbf"
@@ -305,8 +306,11 @@ class IncludeGraph:
         ]
         roots += self._in_rings(roots)
         libraries = tuple(filter(self.is_library, roots))
-        parts = self._parts(roots)
-        outer = [path for path in roots if path not in libraries and path not in parts]
+        whole = [path for path in roots if path not in libraries]
+        parts = self._parts(whole)
+        outer = [path for path in whole if path not in parts]
+        if not outer:  # what nothing is a part of
+            parts, outer = [], whole
         unusual = [
             name
             for path, name in self._names.items()
@@ -326,19 +330,29 @@ class IncludeGraph:
             path
             for path in roots
             if path.lower().endswith(".xacro")
-            and (os.path.realpath(path) in disabled or not self._is_named(path))
+            and (os.path.realpath(path) in disabled or self._is_nameless(path))
             and self._lacks_parent(path)
         ]
 
-    def _is_named(self, path: str) -> bool:
-        return bool(_NAMED.search(without_comments(self._sources[os.path.realpath(path)].data)))
+    def _is_nameless(self, path: str) -> bool:
+        return bool(_NAMELESS.search(without_comments(self._sources[os.path.realpath(path)].data)))
 
     def _lacks_parent(self, path: str) -> bool:
-        """True for a file with a joint whose parent link is in none of the files it includes."""
-        files = self.closure(os.path.realpath(path)) & self._sources.keys()
+        """True for a file with a joint whose parent link is certainly in no file it includes.
+
+        Not certain: a link whose name is an expression, and an include that is not found.
+        """
+        files = self.closure(os.path.realpath(path))
+        if not files <= self._sources.keys():
+            return False
         texts = [without_comments(self._sources[file].data) for file in files]
+        for file, text in zip(files, texts, strict=True):
+            if not all(self._named([name], file) for name in _INCLUDE.findall(text)):
+                return False
+        links = {name for text in texts for name in _LINK_NAME.findall(text)}
         parents = {name for text in texts for name in _PARENT.findall(text)}
-        return bool(parents.difference(*map(_LINK_NAME.findall, texts)))
+        missing = {name for name in parents - links if b"$" not in name}
+        return bool(missing) and not any(b"$" in name for name in links)
 
     def _is_robot(self, path: str) -> bool:
         """True for a file with the root ``<robot>`` that has links outside of macros."""

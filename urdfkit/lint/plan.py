@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 MAX_LAUNCHED = 4
 #: Sets of values with which a robot is checked that lacks arguments; the UR arms have nine.
 MAX_GIVEN = 16
+#: The families with rules that compare a robot with the parameter files of its controllers.
+_READ_PARAMETERS = ("controllers", "drives", "ros2_control")
 
 
 class Job(Record):
@@ -170,6 +172,7 @@ class Plan:
             return
         # Of several robots nobody knows which one the controllers are for.
         parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()
+        codes = frozenset().union(*map(rule_index.of_family, _READ_PARAMETERS))
         for one in launch.descriptions:
             is_new = not found or self._is_other(one)
             if not is_new and not parameters:
@@ -177,9 +180,7 @@ class Plan:
             robot = self.resolver.read(_spelt(one.path, source.path))
             arguments = {**self.config.arguments, **one.arguments}
             job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
-            self.jobs.append(
-                job if is_new else job._replace(codes=rule_index.of_family("controllers"))
-            )
+            self.jobs.append(job if is_new else job._replace(codes=codes))
 
     def _is_other(self, description: LaunchedDescription) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""

@@ -52,18 +52,19 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it")
 def check(subject: Subject) -> Findings:
-    foreign: dict[PluginUse, list[UnreadParameter]] = {}
+    foreign: dict[tuple[PluginUse, bool], list[UnreadParameter]] = {}
     found_unread = [(use, one) for use in subject.plugins for one in unread(use)]
     for use, found in found_unread:
         if found.other is not None and use.plugin is not None:
-            foreign.setdefault(use, []).append(found)
+            is_renamed = bool(_new_name(use, use.plugin, found.item))
+            foreign.setdefault((use, is_renamed), []).append(found)
         elif found.suggested is not None:
             yield _misspelt(use, found.item, found.suggested)
         else:
             path = "> in <".join(reversed(found.item.path.split("/")))
             message = f"{use.title}: unknown element <{path}> (ignored)"
             yield Finding(found.item.at, message, alike=use.filename)
-    for use, some in foreign.items():
+    for (use, _), some in foreign.items():
         assert use.plugin is not None
         yield _of_other_generation(use, use.plugin, some)
 
@@ -88,7 +89,10 @@ def _is_default(use: PluginUse, name: str, text: str) -> bool:
 
 
 def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParameter]) -> Finding:
-    """One finding for the block of a plugin that was written for another generation."""
+    """One finding for the tags of a plugin that were written for another generation.
+
+    They all have another name here, which a fix writes; or none of them has.
+    """
     first, *others = some
     element, other = first.item.at, first.other
     assert isinstance(element, Element)
@@ -114,14 +118,20 @@ def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParame
 def _rename(
     use: PluginUse, plugin: Plugin, items: list[PluginParameter]
 ) -> tuple[str, tuple[Edit, ...]]:
-    """The edits that give tags the names that they have here, unless these are given, too."""
+    """The edits that give tags the names that they have here."""
     edits: dict[str, tuple[str, tuple[Edit, ...]]] = {}
     for item in items:
-        new = _renamed(item, plugin)
-        if new and new not in edits and not use.values(new) and isinstance(item.at, Element):
+        new = _new_name(use, plugin, item)
+        if new and new not in edits and isinstance(item.at, Element):
             edits[new] = (item.at.tag, rename_element(item.at, new) or ())
     titles = (f"<{old}> to <{new}>" for new, (old, _) in edits.items())
     return f"rename {', '.join(titles)}", tuple(e for _, some in edits.values() for e in some)
+
+
+def _new_name(use: PluginUse, plugin: Plugin, item: PluginParameter) -> str | None:
+    """The name that a tag has here, unless the plugin has a tag of that name already."""
+    new = _renamed(item, plugin)
+    return new if new and not use.values(new) and isinstance(item.at, Element) else None
 
 
 def _renamed(item: PluginParameter, plugin: Plugin) -> str | None:
