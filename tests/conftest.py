@@ -15,7 +15,7 @@ from zlib import crc32
 import pytest
 from hypothesis import settings
 
-from urdfkit.workspace import packages
+from urdfkit.workspace import search_root
 
 # Each run of the tests measures meshes itself, and leaves nothing behind.
 os.environ["URDFKIT_CACHE_DIR"] = ""
@@ -199,8 +199,8 @@ def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iter
     """
     base = tmp_path_factory.getbasetemp()
     with pytest.MonkeyPatch.context() as patch:
-        shared = packages._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
-        patch.setattr(packages, "_SHARED_BY_ALL", shared)
+        shared = search_root._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
+        patch.setattr(search_root, "_SHARED_BY_ALL", shared)
         patch.setenv("TMPDIR", str(base))  # the same for processes
         if sys.dont_write_bytecode:  # each process would compile all of urdfkit
             patch.delenv("PYTHONDONTWRITEBYTECODE", raising=False)

@@ -220,7 +220,7 @@ def test_no_rule_fails_on_an_example_that_lacks_something(family: str) -> None:
         texts = list(lacking(rule.example("BAD") or ""))
         for text in random.sample(texts, min(len(texts), 2)):
             with rule_examples.laid_out(rule, text) as source:
-                verdict = runner.judge(rule_examples.subject_of(rule, source), codes)
+                verdict = runner.run_rules(rule_examples.subject_of(rule, source), codes)
             assert verdict.crashed == (), text
 
 

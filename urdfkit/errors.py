@@ -32,7 +32,7 @@ class RuleError(UrdfkitError):
 
 
 class UnreadableRobot(UrdfkitError):
-    """A file is no XML, or a xacro that does not expand.
+    """A file is not XML, or a xacro that does not expand.
 
     Attributes:
         problems: every reason, each with its place (``urdfkit.text.diagnostic.Problem``).

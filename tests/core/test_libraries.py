@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import importlib.util
-import sys
 
 import pytest
 
@@ -12,11 +11,3 @@ from urdfkit.core import libraries
 def test_what_is_installed_is_what_importlib_finds(name: str) -> None:
     found = libraries.find(name)
     assert (found is None) is (importlib.util.find_spec(name) is None)
-
-
-def test_a_module_is_loaded_by_its_full_name() -> None:
-    assert (
-        libraries.load("urdfkit.output.formats.json") is sys.modules["urdfkit.output.formats.json"]
-    )
-    with pytest.raises(ModuleNotFoundError):
-        libraries.load("urdfkit.no_such_module")

@@ -344,5 +344,5 @@ def test_the_script_of_gitlab(runner: Runner) -> None:
         after, check=False, cwd=runner.workspace, env=environment, capture_output=True, text=True
     )
     assert done.returncode == 0, done.stderr
-    assert (runner.workspace / "robots").read_text().splitlines()[0] == "good/gripper.urdf"
+    assert (runner.workspace / "robots").read_text().splitlines()[0] == "\tgood/gripper.urdf"
     assert (runner.workspace / "urdfkit-reports" / "summary.md").read_text().startswith("### ")

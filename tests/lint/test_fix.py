@@ -317,6 +317,17 @@ def test_a_launch_file_leads_to_its_robot(tmp_path: Path) -> None:
     assert [os.path.realpath(file.path) for file in fixes.files] == [os.path.realpath(robot)]
 
 
+def test_a_robot_that_a_launch_file_gives_controllers_disputes_no_fix(tmp_path: Path) -> None:
+    """That robot is asked the rules about controllers only, and asks for no other edit."""
+    write(tmp_path, "r.urdf", FIXED_JOINT)
+    (tmp_path / "arm.yaml").write_text("arm_controller:\n  type: x\n")
+    (tmp_path / "arm.launch").write_text(
+        '<launch><param name="robot_description" textfile="$(dirname)/r.urdf"/>'
+        '<rosparam file="$(dirname)/arm.yaml"/></launch>'
+    )
+    assert len(fix(tmp_path).files) == len(fix(tmp_path / "r.urdf").files) == 1
+
+
 TYPED = """\
   <xacro:arg name="type" default="fixed"/>
   <link name="a"/>

@@ -101,7 +101,7 @@ def judged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., runner.FileResult]:
 
     def run(*made: Rule, one: Subject | None = None) -> runner.FileResult:
         run_only(monkeypatch, made)
-        return runner.judge(one or subject(), [])
+        return runner.run_rules(one or subject(), [])
 
     return run
 

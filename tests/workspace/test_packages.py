@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 
 from tests.workspaces import add_file, add_package, record_listings
-from urdfkit.workspace import packages as module
+from urdfkit.workspace import package_scan as module
 from urdfkit.workspace.folders import Folders
-from urdfkit.workspace.packages import Candidate, Packages, ScannedFolder
+from urdfkit.workspace.packages import Candidate, Packages
+from urdfkit.workspace.search_root import ScannedFolder
 
 
 @pytest.fixture

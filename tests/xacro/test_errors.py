@@ -240,7 +240,7 @@ def test_the_folders_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> 
     body = '<xacro:property name="arm" value="NONE"/><xacro:include filename="${arm}/arm.xacro"/>'
     (problem,) = run(tmp_path, body).problems
     assert problem.help == (
-        f"there is no folder 'NONE' in {tmp_path}; there are seven_axes, six_axes"
+        f"directory 'NONE' not found in {tmp_path}; there are seven_axes, six_axes"
     )
 
 

@@ -163,5 +163,5 @@ def test_a_yaml_file_that_is_none(tmp_path: Path) -> None:
     )
     (problem,) = xacro.problems
     assert brief(problem) == "robot.xacro:2:7 ${xacro.load_yaml('yaml.yaml')['a']}"
-    assert problem.message.startswith(f"{tmp_path}/yaml.yaml is no YAML: ")
+    assert problem.message.startswith(f"{tmp_path}/yaml.yaml is not valid YAML: ")
     assert [str(one.span) for one in problem.related] == [f"{tmp_path}/yaml.yaml:3:2"]

@@ -11,7 +11,7 @@ from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
-from urdfkit.lint.runner import judge
+from urdfkit.lint.runner import run_rules
 from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
 from urdfkit.ros.gazebo.rejection import CODES, Rejection, rejections
 from urdfkit.text.document import Element
@@ -41,7 +41,7 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
     """
     subject = robot(asked)
     conversion = Conversion(subject.tree, OLD if old else NEW)
-    rejected = rejections(judge(subject, sorted(CODES)).diagnostics, conversion)
+    rejected = rejections(run_rules(subject, sorted(CODES)).diagnostics, conversion)
     if form == "json":
         output.write(dumped(as_json(conversion, rejected)))
     else:

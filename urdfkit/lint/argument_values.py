@@ -1,6 +1,6 @@
 """Values for the xacro arguments that a description lacks, from the files around it.
 
-A robot's file may want arguments that a launch file gives. Where no launch file tells all of them,
+A robot's file may want arguments that a launch file gives. Where no launch file gives all of them,
 a value is likely that is declared for the same name, or that names a directory which a path with
 the argument leads to: ``config/$(arg ur_type)/limits.yaml``. Such values are tried, not believed.
 """
@@ -50,7 +50,7 @@ class Values(Record):
 
 
 def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -> Iterator[Problem]:
-    """What reading met; of arguments without a value it is told which ones are found.
+    """What reading met; with the values that are found for arguments without one.
 
     Args:
         problems: of a description.

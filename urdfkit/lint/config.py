@@ -58,7 +58,7 @@ class Config(Record):
         severities: other severities by code.
         file_ignores: rules left out for some files.
         robots: the entry points; found by the include graph if empty.
-        exclude: patterns of paths that a folder's check passes over.
+        exclude: patterns of paths that the check of a folder leaves out.
         foreign_rules: codes of the rules of other packages that run, too.
         preview: True if preview rules run.
         named: codes that ``select`` names by their whole code or name.
@@ -106,7 +106,7 @@ class Config(Record):
         Args:
             path: of the description.
             given: arguments for xacro.
-            variant: the name of the only one that is meant; all if empty.
+            variant: the name of the only one; all if empty.
 
         Raises:
             ConfigError: there is no variant of this name.

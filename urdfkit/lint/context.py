@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
@@ -63,7 +64,7 @@ def need_coal() -> None:
         Unavailable: it is not installed.
     """
     try:
-        libraries.load("coal")
+        import_module("coal")
     except ImportError as error:
         raise Unavailable(_WITHOUT_COAL) from error
 
@@ -145,7 +146,7 @@ class Subject(DescriptionFile):
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
-        """Where the document deviates from the grammar, by the code of the rule that tells it."""
+        """Where the document deviates from the grammar, by the code of the rule that reports it."""
         if self.is_srdf:
             return {}
         from urdfkit.text.grammar import deviations

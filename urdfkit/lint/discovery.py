@@ -118,8 +118,8 @@ def _lookalikes(folder: str, config: Config) -> Iterator[str]:
 def launch_files(folder: str, config: Config) -> Iterator[str]:
     """The launch files below a folder that can be read, sorted."""
     for path in islice(_below(folder), MAX_FILES):
-        is_meant = is_launch(path) and not matches(config.relative(path), config.exclude)
-        if is_meant and os.path.isfile(path) and os.access(path, os.R_OK):
+        is_chosen = is_launch(path) and not matches(config.relative(path), config.exclude)
+        if is_chosen and os.path.isfile(path) and os.access(path, os.R_OK):
             yield path
 
 
@@ -186,9 +186,9 @@ def descriptions(folder: str, config: Config) -> Iterator[str]:
     count = 0
     for path in _below(folder):
         is_part = path.lower().endswith(_INCLUDED)
-        is_meant = is_part and not matches(config.relative(path), config.exclude)
-        # A link to nothing is told; a pipe or a device may never end.
-        if is_meant and (os.path.isfile(path) or not os.path.exists(path)):
+        is_chosen = is_part and not matches(config.relative(path), config.exclude)
+        # A broken link is reported; a pipe or a device may never end.
+        if is_chosen and (os.path.isfile(path) or not os.path.exists(path)):
             count += 1
             if count > MAX_FILES:
                 raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
@@ -232,7 +232,7 @@ class IncludeGraph:
             except UnreadableFile:
                 self.closed += [path] if _is_description(path) else []
                 continue
-            # A .urdf is meant to be one whatever is in it: nothing, a pointer of Git LFS.
+            # A .urdf counts whatever is in it: nothing, a pointer of Git LFS.
             if _ROBOT.search(source.data) or path.lower().endswith(".urdf"):
                 real = os.path.realpath(path)
                 self._sources[real] = source
@@ -355,7 +355,7 @@ class IncludeGraph:
         ]
 
     def _in_rings(self, roots: Iterable[str]) -> Iterator[str]:
-        """One file of each ring of includes that no root leads to; its check tells of the ring."""
+        """One file of each ring of includes that no root leads to; its check reports the ring."""
         reached = {path for root in roots for path in self.closure(os.path.realpath(root))}
         for path, name in sorted(self._names.items()):
             if path not in reached and _is_description(name):

@@ -15,7 +15,7 @@ from urdfkit.lint.merging import Checked, merged_report
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
 from urdfkit.lint.report import Report, Skipped, crash
-from urdfkit.lint.runner import FileResult, diagnose, judge
+from urdfkit.lint.runner import FileResult, diagnose, run_rules
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -103,13 +103,14 @@ def subjects(
 ) -> Iterator[Subject | None]:
     """The descriptions that a check with the same options looks at, in the same order.
 
-    None stands for a launch file. Nothing is read before it is asked for.
+    None stands for a launch file, and for a robot that another description is already, of which
+    only some rules are asked. Nothing is read before it is asked for.
     """
     options = options.with_config()
     resolver = Resolver(options.packages, texts=options.texts)
     for planned_job in planned(files, resolver, options).jobs:
         for job, subject in as_launched(planned_job, _reader(options, resolver)):
-            yield None if is_launch(job.source.path) else subject
+            yield None if is_launch(job.source.path) or job.codes else subject
 
 
 def _reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
@@ -230,7 +231,7 @@ def _result(job: Job, subject: Subject, options: Options) -> FileResult:
     # That a robot of a folder cannot be expanded by itself is no defect of it.
     wants = job.found and missing_arguments(subject)
     codes = [code for code in chosen if code != "XAC010"] if wants else chosen
-    result = _skipped_as_one(judge(subject, codes, options), subject)
+    result = _skipped_as_one(run_rules(subject, codes, options), subject)
     return result._replace(unknown_arguments=unknown_arguments(subject, options.arguments))
 
 

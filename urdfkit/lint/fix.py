@@ -1,4 +1,4 @@
-"""fix(): what has a remedy is mended in the text, round by round, until nothing is left to mend.
+"""fix(): applies the fixes of findings to the text, round by round, until none is left.
 
 A round applies the fixes of a check to the texts in memory and checks again. Files are written
 at the end, or not at all.
@@ -18,8 +18,8 @@ from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import subjects
 from urdfkit.lint.fix_guard import (
+    Checker,
     Key,
-    Look,
     RegressionGuard,
     Robots,
     harm,
@@ -52,7 +52,7 @@ _OF_FILES = ("MSH001", "MSH009")
 
 
 class UnappliedFix(Record):
-    """A finding that fixes did not mend, and why.
+    """A finding that is not fixed, and why.
 
     Attributes:
         diagnostic: as the last check found it.
@@ -65,11 +65,11 @@ class UnappliedFix(Record):
 
 
 class Fixes(Record):
-    """What mending some descriptions came to; nothing is written before ``write``.
+    """The outcome of fixing some descriptions; nothing is written before ``write``.
 
     Attributes:
         files: that change, sorted by path.
-        applied: what was mended, as the check of its round found it.
+        applied: the findings that were fixed, as the check of their round found them.
         left: what the last check still found.
         report: of the last check.
         meshes: that were made for missing and broken files.
@@ -163,9 +163,9 @@ def _session(
 ) -> _Session:
     resolved = options.resolved()
     codes = {*resolved.select, *choose((), (), options.config, foreign_codes(options))}
-    look = Look(files, options._replace(preview=resolved.preview), codes)
+    checker = Checker(files, options._replace(preview=resolved.preview), codes)
     named = rule_index.named(options.select)
-    return _Session(look, resolved.select, named, unsafe=unsafe, force=force)
+    return _Session(checker, resolved.select, named, unsafe=unsafe, force=force)
 
 
 def _with_meshes(
@@ -198,8 +198,8 @@ def _with_meshes(
             refusal = NotGenerated(made.path, made.references, made.defect, OUTSIDE)
             found[os.path.realpath(made.path)] = refusal if foreign else made
     meshes = tuple(one for one in found.values() if isinstance(one, GeneratedMesh))
-    mended = {reference.at.span for one in meshes for reference in one.references}
-    places = {(real_path(span.source), *span[1:]) for span in mended}
+    replaced = {reference.at.span for one in meshes for reference in one.references}
+    places = {(real_path(span.source), *span[1:]) for span in replaced}
     left = tuple(
         one
         for one in fixes.left
@@ -244,22 +244,28 @@ class _Session:
     """The texts as they are after some rounds.
 
     Args:
-        look: checks the robots.
+        checker: checks the robots.
         asked: codes of the rules whose findings are to be fixed.
         named: those that somebody selected one by one.
         unsafe, force: as of ``fix``.
     """
 
     def __init__(
-        self, look: Look, asked: Iterable[str], named: Iterable[str], *, unsafe: bool, force: bool
+        self,
+        checker: Checker,
+        asked: Iterable[str],
+        named: Iterable[str],
+        *,
+        unsafe: bool,
+        force: bool,
     ) -> None:
-        self._look = look
-        self._watch = RegressionGuard(look)
+        self._checker = checker
+        self._guard = RegressionGuard(checker)
         self._asked = frozenset(asked)
         self._named = frozenset(named)
         self._unsafe = unsafe
         self._force = force
-        self._ownership = Ownership((), look.resolver)
+        self._ownership = Ownership((), checker.resolver)
         self._refusals: dict[Source, str] = {}
         self._originals: dict[str, Rewrite] = {}
         self._texts: dict[str, bytes] = {}
@@ -268,7 +274,7 @@ class _Session:
 
     def reasons(self, report: Report) -> tuple[UnappliedFix, ...]:
         """The findings of a report, and why their fixes are not applied."""
-        self._ownership = Ownership(report.files, self._look.resolver)
+        self._ownership = Ownership(report.files, self._checker.resolver)
         return tuple(UnappliedFix(one, self._reason(one)) for one in report.diagnostics)
 
     def run(self) -> Fixes:
@@ -278,10 +284,10 @@ class _Session:
         they are checked with every step, to find the fix that does it.
         """
         files = self._fix(is_careful=False)
-        if self._watch.harm({}, self._texts, files):
+        if self._guard.harm({}, self._texts, files):
             self._texts, self._dropped, self._applied = {}, {}, []
             self._fix(is_careful=True)
-        report = self._look.report(self._texts)
+        report = self._checker.report(self._texts)
         changed = [
             original._replace(after=self._texts[real])
             for real, original in self._originals.items()
@@ -292,8 +298,8 @@ class _Session:
 
     def _fix(self, *, is_careful: bool) -> tuple[str, ...]:
         """Round after round, as long as there is something to fix; the files of the robots."""
-        report = self._look.guard({})
-        self._ownership = Ownership(report.files, self._look.resolver)
+        report = self._checker.guard({})
+        self._ownership = Ownership(report.files, self._checker.resolver)
         for _ in range(MAX_ROUNDS):
             chosen = self._chosen(report)
             if not chosen:
@@ -302,7 +308,7 @@ class _Session:
         return report.files
 
     def _chosen(self, report: Report) -> list[Diagnostic]:
-        """The findings to mend in one round: of fixes that overlap, the first."""
+        """The findings to fix in one round: of fixes that overlap, the first."""
         ready = [
             one
             for one in report.diagnostics
@@ -342,7 +348,7 @@ class _Session:
     def _judge(self, source: Source) -> str:
         real = real_path(source)
         if real not in self._originals:
-            before = self._look.resolver.text(source.path)
+            before = self._checker.resolver.text(source.path)
             before = on_disk(source.path) if before is None else before
             if before is None:
                 return "file not found"
@@ -357,7 +363,7 @@ class _Session:
 
     def _round(self, report: Report, chosen: list[Diagnostic], *, is_careful: bool) -> Report:
         """Apply as many fixes as do no harm; the report on the texts after them."""
-        disputed = self._watch.disputes(chosen, self._texts, report)
+        disputed = self._guard.disputes(chosen, self._texts, report)
         self._dropped.update(dict.fromkeys(disputed, _DISPUTED))
         chosen = [one for one in chosen if key_of(one) not in disputed]
         kept: list[Diagnostic] = []
@@ -366,12 +372,12 @@ class _Session:
         while batches:
             batch = batches.pop()
             trial = {**self._texts, **self._edited([*kept, *batch])}
-            after = self._look.guard(trial)
+            after = self._checker.guard(trial)
             reason = harm(report, after, *map(self._robots, (self._texts, trial))) or useless(
                 report, after, [*kept, *batch]
             )
             if is_careful:
-                reason = reason or self._watch.harm(self._texts, trial, report.files)
+                reason = reason or self._guard.harm(self._texts, trial, report.files)
             if not reason:
                 kept += batch
                 texts, latest = trial, after
@@ -385,7 +391,7 @@ class _Session:
         return latest
 
     def _robots(self, texts: Mapping[str, bytes]) -> Robots:
-        return lambda: self._look.robots(texts)
+        return lambda: self._checker.robots(texts)
 
     def _edited(self, diagnostics: Iterable[Diagnostic]) -> dict[str, bytes]:
         """The bytes of the files that some fixes edit, after them."""

@@ -116,7 +116,7 @@ def useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
     return "skipped: it does not remove the finding" if stays else ""
 
 
-class Look:
+class Checker:
     """Checks robots with some texts in the place of those on disk.
 
     Args:
@@ -185,8 +185,8 @@ class Look:
 class RegressionGuard:
     """Looks at what fixes may break in other robots of the workspace that include a file."""
 
-    def __init__(self, look: Look) -> None:
-        self._look = look
+    def __init__(self, checker: Checker) -> None:
+        self._checker = checker
         self._found: dict[frozenset[str], list[str]] = {}
 
     def disputes(
@@ -205,11 +205,11 @@ class RegressionGuard:
         others = self._others(files, report.files)
         if not others and len(report.proposals) < 2:
             return set()
-        robots, proposals = self._look.robots(texts), report.proposals
+        robots, proposals = self._checker.robots(texts), report.proposals
         if others:
-            robots = chain(robots, self._look.robots(texts, others))
+            robots = chain(robots, self._checker.robots(texts, others))
             codes = {one.code for one in chosen}
-            proposals += self._look.proposals(texts, others, codes)
+            proposals += self._checker.proposals(texts, others, codes)
         found: set[Key] = set()
         for subject, proposed in zip(robots, proposals, strict=True):
             asked = set(map(place_of, proposed))
@@ -232,18 +232,18 @@ class RegressionGuard:
             after: likewise.
             known: the descriptions that were checked already.
         """
-        look = self._look
+        checker = self._checker
         others = self._others((p for p, text in after.items() if before.get(p) != text), known)
         if not others:
             return ""
-        now = look.guard_others(after, others)
+        now = checker.guard_others(after, others)
         if not (any(now.errors) or now.skipped or now.crashed):
             return ""
         return harm(
-            look.guard_others(before, others),
+            checker.guard_others(before, others),
             now,
-            lambda: look.robots(before, others),
-            lambda: look.robots(after, others),
+            lambda: checker.robots(before, others),
+            lambda: checker.robots(after, others),
         )
 
     def _others(self, changed: Iterable[str], known: Iterable[str]) -> list[str]:
@@ -251,7 +251,7 @@ class RegressionGuard:
         files = frozenset(changed)
         if files not in self._found:
             try:
-                found = affected(files, self._look.config, self._look.resolver).robots
+                found = affected(files, self._checker.config, self._checker.resolver).robots
             except UnreadableFile:  # a directory with too many files to look at
                 found = ()
             asked = set(map(os.path.realpath, known))
@@ -285,12 +285,12 @@ def _is_used(place: Place, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
 
 
 def key_of(diagnostic: Diagnostic) -> Key:
-    """What tells a finding from others in any round."""
+    """Identifies a finding in any round."""
     return (diagnostic.code, real_path(diagnostic.span.source), diagnostic.message)
 
 
 def place_of(edit: Edit) -> Place:
-    """What tells an edit from others, whatever its file is called."""
+    """Identifies an edit, whatever its file is called."""
     return (real_path(edit.span.source), *edit.span[1:], edit.text)
 
 

@@ -113,7 +113,7 @@ def _below(folder: str, config: Config) -> list[str]:
 
 
 def _is_robot(path: str) -> bool:
-    """True for a file of a folder that is a description, as far as its text tells."""
+    """True for a file of a folder that is a description, as far as its text shows."""
     return b"<robot" in (on_disk(path) or b"")
 
 

@@ -1,4 +1,4 @@
-"""Many findings that are alike, shown as one: who made a slip thirty times, made it once.
+"""Many findings of one cause, shown as one.
 
 People read them so, in a terminal, a pull request or a page. A program gets each by itself: an
 editor marks every place, and a baseline must know the thirty-first as new.
@@ -10,9 +10,9 @@ from collections.abc import Sequence
 
 from urdfkit.text.diagnostic import Diagnostic, Fix, Related
 
-#: Findings that are alike and still told one by one.
+#: Findings that are alike and still shown one by one.
 MAX_SINGLE = 2
-#: Of the others, those whose places are told.
+#: Of the others, those whose places are shown.
 MAX_NOTES = 20
 
 
@@ -40,7 +40,7 @@ def _as_one(group: list[Diagnostic]) -> Diagnostic:
 
 
 def _note(other: Diagnostic, first: Diagnostic) -> Related:
-    """What is told of another one: its help, too, if that is its own."""
+    """The note about another one: its help, too, if that is its own."""
     own = other.help if other.help != first.help else ""
     return Related(other.span, f"{other.message}: {own}" if own else other.message)
 

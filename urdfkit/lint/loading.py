@@ -38,13 +38,13 @@ def read(
         file: URDF or xacro; which of the two is decided by content.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
         packages: folders of ROS packages by name; they win over every search.
-        trust: let expressions of the model run unfenced and read any file.
+        trust: do not sandbox the expressions of the model, and let it read any file.
         cache: keep what is measured of mesh files for the next run.
         progress: called with the number of mesh files read and of all, when they are asked for.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
-        UnreadableRobot: it is no XML, or does not expand; with every reason.
+        UnreadableRobot: it is not XML, or does not expand; with every reason.
     """
     source, resolver = Source.of(file), Resolver(packages)
     subject = subject_of(source, resolver, arguments, trust=trust, cache=cache, progress=progress)
@@ -108,11 +108,11 @@ def load(
         file: URDF or xacro; which of the two is decided by content.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
         packages: folders of ROS packages by name; they win over every search.
-        trust: let expressions of the model run unfenced and read any file.
+        trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
-        UnreadableRobot: it is no XML, or does not expand; with every reason.
+        UnreadableRobot: it is not XML, or does not expand; with every reason.
     """
     return read(file, arguments=arguments, packages=packages, trust=trust).model
 
@@ -136,7 +136,7 @@ def expand(
         file: the xacro file.
         arguments: as ``name:=value`` gives them on the command line.
         packages: folders of ROS packages by name; they win over every search.
-        trust: let expressions of the model run unfenced and read any file.
+        trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.

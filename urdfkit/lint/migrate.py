@@ -26,7 +26,7 @@ class Migration(Record):
     Attributes:
         texts: the new bytes of every file that changes, by its Source.
         left: what has no pure rename, for a person.
-        renamed: what the new texts mend.
+        renamed: findings that the new texts fix.
         unread: descriptions that nothing is known of, each with the reason.
     """
 
@@ -54,7 +54,7 @@ def migrate(
         target: one of ``urdfkit.ros.targets.GAZEBO``.
         arguments: for xacro.
         packages: folders of ROS packages by name.
-        trust: let expressions of the model run unfenced and read any file.
+        trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:
         UnreadableFile: the file cannot be read.

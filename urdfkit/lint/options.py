@@ -141,7 +141,7 @@ def choose(
 
     Args:
         select: codes, beginnings of codes or names; all of urdfkit's and ``foreign`` if empty.
-        ignore: likewise.
+        ignore: codes, beginnings of codes or names.
         config: what the project selects and ignores.
         foreign: codes of the rules of other packages.
 

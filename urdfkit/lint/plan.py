@@ -166,7 +166,7 @@ class Plan:
             launch = read_launch(source, self.resolver, self.arguments)
         except UrdfkitError:
             raise
-        except Exception:  # a bug in urdfkit, which the check of the launch file meets and tells
+        except Exception:  # a bug in urdfkit, which the check of the launch file meets and reports
             return
         # Of several robots nobody knows which one the controllers are for.
         parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()
@@ -307,9 +307,9 @@ def missing_arguments(subject: Subject) -> tuple[str, ...]:
 
 
 def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:
-    """The given arguments that a description never mentions, each with the one that was meant.
+    """The given arguments that a description never mentions, each with the suggested one.
 
-    xacro takes any, so that a slip changes nothing and nobody says so. A launch file may pass them
+    xacro takes any, so that a typo has no effect and is not reported. A launch file may pass them
     on, and of what cannot be read not all is known: neither has any.
     """
     names = () if is_launch(subject.source.path) else tuple(given)

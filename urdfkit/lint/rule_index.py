@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from importlib import import_module
 from typing import TYPE_CHECKING
 
-from urdfkit.core.libraries import load
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
@@ -84,7 +84,7 @@ def of_family(family: str) -> frozenset[str]:
 
 def applies(family: str, subject: Subject) -> bool:
     """True if the rules of a family may have something to report of a description."""
-    return not family or bool(load(f"urdfkit.checks.{family}").applies(subject))
+    return not family or bool(import_module(f"urdfkit.checks.{family}").applies(subject))
 
 
 def register(modules: Mapping[str, str]) -> None:
@@ -122,14 +122,14 @@ def get(code: str) -> Rule:
     module = _modules[code]
     if code in _foreign:
         return _foreign_rule(code, module)
-    found = load(module).check
+    found = import_module(module).check
     assert isinstance(found, Rule)
     return found
 
 
 def _foreign_rule(code: str, module: str) -> Rule:
     try:
-        found = getattr(load(module), "check", None)
+        found = getattr(import_module(module), "check", None)
     except Exception as error:
         raise RuleError(f"{module}: {type(error).__name__}: {error}") from error
     if not isinstance(found, Rule) or found.module != module:
@@ -206,7 +206,7 @@ def redirects() -> dict[str, str]:
     """The codes that former codes and names stand for; empty for rules that were removed."""
     if not _redirects:
         for family in sorted({family_of(code) for code in codes()}):
-            _redirects.update(getattr(load(f"urdfkit.checks.{family}"), "REDIRECTS", {}))
+            _redirects.update(getattr(import_module(f"urdfkit.checks.{family}"), "REDIRECTS", {}))
     return _redirects
 
 

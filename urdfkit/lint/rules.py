@@ -59,8 +59,8 @@ class Finding(Record):
         related: other places that explain it.
         confidence: how sure it is.
         weight: the larger, the worse; orders the calls of one macro.
-        alike: the same for findings that many robots have in numbers, and that one slip made:
-            more than a few of them are told as one.
+        alike: the same for findings of one cause that robots have in numbers: more than a few of
+            them are shown as one.
         severity: where it is not that of the rule, whatever the targets.
         targets: those for which it has this severity; empty if it does not depend on them.
         data: where the numbers stand that expressions took out of data files; the judge finds it.
@@ -84,7 +84,7 @@ Findings = Iterator[Finding]
 
 
 def reported(subject: Subject, code: str) -> Findings:
-    """The findings of a rule that only tells what reading met."""
+    """The findings of a rule that only reports what reading met."""
     for problem in subject.problems(code):
         at = Location(problem.span, problem.frame)
         yield Finding(

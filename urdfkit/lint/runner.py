@@ -59,7 +59,7 @@ class FileResult(Record):
     consequences: tuple[Diagnostic, ...] = ()
 
 
-def judge(
+def run_rules(
     subject: Subject,
     chosen: Sequence[str],
     options: Options = Options(preview=True),
@@ -107,7 +107,7 @@ class _Run:
         self.ignores: tuple[Ignore, ...] = ()
 
     def guarded(self, look: Callable[[], T], otherwise: T) -> T:
-        """What a look at the robot tells, or what stands in for it if the look fails."""
+        """The value of a function, or another value if it fails."""
         try:
             return look()
         except Exception as error:  # a bug in urdfkit must not hide what the rules find

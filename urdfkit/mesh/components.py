@@ -92,7 +92,7 @@ def are_flat(places: Floats, faces: Integers, pieces: Pieces, thickness: float) 
 def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0.0) -> Flags:
     """(p,), whether a closed piece looks inwards and lies in no other closed one.
 
-    A piece in another one may be a hole in it, which is meant to look inwards. A surface that is
+    A piece in another one may be a hole in it, whose normals point inwards. A surface that is
     drawn from both sides, as SketchUp does, encloses nothing, and looks nowhere.
 
     Args:

@@ -14,7 +14,7 @@ from urdfkit.mesh.welding import weld
 
 #: Edges to which triangles are cut where pieces meet, as a part of the diagonal of the surface.
 _FINE = 0.01
-#: What a piece may grow more than the corners of a triangle need, so that it is not cut; likewise.
+#: What a piece may grow more than the corners of a triangle need, so that it is not cut; same unit.
 _LITTLE = 0.0005
 #: Triangles are cut in rounds, each edge in half; more than so many at once are not cut further.
 _MAX_TRIANGLES = 50_000

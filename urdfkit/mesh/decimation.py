@@ -35,7 +35,7 @@ def within_tolerances(mesh: Mesh, first: float, last: float) -> Iterator[Mesh]:
     Args:
         mesh: of some size.
         first: tolerance, in the unit of the mesh.
-        last: likewise.
+        last: end of the range.
     """
     soup = soup_of(mesh)
     parts = _by_part(soup)

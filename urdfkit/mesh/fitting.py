@@ -26,7 +26,7 @@ _SMALLEST = 1e-6
 _ALONG_AXES = 1.03
 #: A wheel: the cosine between the axes, their distance as a part of the radius, and the part of the
 #: circle around it that its outline fills.
-_ALONG, _BESIDE, _ROUND = 0.99, 0.1, 0.95
+_ALONG, _OFF_AXIS, _ROUND = 0.99, 0.1, 0.95
 #: Convex pieces that may do where more of them are within the bound.
 _FEW = (2, 4)
 #: Where nothing is within the bound, a simpler shape is taken if it is worse by no more than this.
@@ -87,9 +87,9 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
     radius = cylinder.size[0]
     rows = np.array(basis(axis))
     offset = np.subtract(cylinder.frame.position, through)
-    beside = float(np.linalg.norm((rows @ offset)[:2]))
+    offset_norm = float(np.linalg.norm((rows @ offset)[:2]))
     along = abs(float(np.dot(axis, [row[2] for row in cylinder.frame.rotation])))
-    if along < _ALONG or beside > _BESIDE * radius:
+    if along < _ALONG or offset_norm > _OFF_AXIS * radius:
         return fits
     seen = mesh.vertices @ rows.T
     if ConvexHull(seen[:, :2]).volume < _ROUND * np.pi * radius**2:

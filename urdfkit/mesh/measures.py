@@ -42,7 +42,7 @@ class Measures(Record):
         open_edges: edges with an odd number of triangles.
         flipped_edges: edges whose triangles do not look the same way.
         degenerate: triangles without area.
-        bodies: pieces that hang together.
+        bodies: connected components.
         overlap: of a closed surface, the volume that lies in several of them at once and is counted
             as often in ``solid``, as a part of the true volume.
         inverted_bodies: closed pieces that look inwards, lie in no other one, and are no trifle.

@@ -66,7 +66,7 @@ def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
 
     Args:
         pieces: each part a solid; they may overlap.
-        mesh: any; what of it is no solid is passed over.
+        mesh: any; components that are no solid are ignored.
     """
     from urdfkit.mesh.components import take_apart
     from urdfkit.mesh.edges import Edges, three_cornered
@@ -98,7 +98,7 @@ def _part(solid: Manifold, material: MeshMaterial | None = None) -> MeshPart:
 def _on_grid(solid: Manifold) -> Manifold:
     """A solid with its vertices on a grid.
 
-    Faces that are meant to lie in one plane then do, to the last bit, and a boolean joins them;
+    Faces of one plane are then exactly coplanar, and a boolean joins them;
     a nanometre between them would stay as a gap.
     """
     return solid.warp_batch(_rounded)

@@ -1,4 +1,4 @@
-"""The torques that gravity asks of joints, and the poses in which they are largest.
+"""The gravity torques of joints, and the poses in which they are largest.
 
 With ``u`` the direction upwards and ``s`` the first moment of all mass that a joint carries about
 its origin, both in the frame of its child, a joint that turns about ``a`` holds ``g u . (a x s)``,
@@ -50,14 +50,14 @@ _STILL = MimicLaw("", 0.0, 0.0)
 
 
 class Load(Record):
-    """What gravity asks of one joint.
+    """The gravity load of one joint.
 
     Attributes:
         joint: its name.
         effort: what it can exert, in N m or N; None where the model does not say.
         at_zero: what it holds with all joints at zero; the sign is that of its axis.
         at_pose: what it holds at the pose that was asked for; that at zero if none was.
-        worst: the largest that any pose asks of it, without sign: what effort would suffice.
+        worst: the largest of all poses, without sign: the effort that suffices.
         pose: in which it does, in rad or m; joints that hardly matter there are at rest, and
             those at 0, or on another branch of the tree, are left out.
     """
@@ -425,14 +425,14 @@ def gravity_loads(
     pose: Mapping[str, float],
     progress: Callable[[int, int], None] | None = None,
 ) -> list[Load]:
-    """What gravity asks of some joints, those first that use the largest part of their effort.
+    """The gravity loads of some joints, those first that use the largest part of their effort.
 
     Args:
         model: of the robot.
         joints: that are judged, by name; those that cannot be set by one number are left out.
         starts: poses; the first one is zero, and climbs begin in the worst ones.
         pose: in which the load is wanted, too.
-        progress: is told how many joints are done, and of how many.
+        progress: called with the number of joints done and of all.
     """
     torques = [model.torques(start) for start in starts]
     names = [name for name in model.moved if name in joints]

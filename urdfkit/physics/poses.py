@@ -1,7 +1,7 @@
 """Poses: the positions of joints, as people give them.
 
 A pose file is YAML or JSON with a position by the name of each joint, in rad or m; ``90deg`` is
-an angle in degrees. A state of a group in the SRDF beside the robot is a pose with a name.
+an angle in degrees. A group state in the SRDF of the robot's package is a named pose.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def pose(
     Args:
         description: the robot.
         joints: positions by joint, numbers or text such as ``90deg``; they win over ``name``.
-        name: a pose file; or a state of the SRDF beside the robot (``ready``, ``arm/ready``), or
+        name: a pose file; or a state of the SRDF of its package (``ready``, ``arm/ready``), or
             of another one (``arm.srdf:ready``).
 
     Raises:

@@ -20,7 +20,7 @@ class CompositeBody(Record):
     Attributes:
         mass: of all links, in kg.
         properties: mass, centre and tensor in the frame of ``root``; None where nothing says how
-            the links that weigh something stand to one another.
+            the links with mass stand to one another.
         root: the root link above them; empty without one.
         reason: why there are no properties; empty if there are.
     """

@@ -1,4 +1,4 @@
-"""What hangs on the joints: what gravity can ask of each at most, without computing a pose.
+"""What the joints carry: an upper bound of the gravity load of each, without computing a pose.
 
 The weight below a joint at the longest lever that its links can make: an upper bound that costs
 one walk over the tree. Where it is under the effort of a joint, no pose overloads that joint.
@@ -90,7 +90,7 @@ def _travel(joint: Joint) -> float:
 
 
 def light(tree: KinematicTree) -> list[Joint]:
-    """The joints whose own body weighs next to nothing beside what it carries by other joints.
+    """The joints whose own body has a negligible mass against what it carries by other joints.
 
     Args:
         tree: of the model; of one that is not sound there are none.
@@ -115,7 +115,7 @@ def light(tree: KinematicTree) -> list[Joint]:
 
 
 def idle(tree: KinematicTree) -> list[Joint]:
-    """The joints that move nothing: below them nothing weighs, is seen or can be touched.
+    """The joints that move nothing: below them there is no mass, no visual and no collision.
 
     Args:
         tree: of the model; of one that is not sound there are none.

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 #: The words of a name: ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
 _WORD = r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+"
 
-#: Words for the left, and for the right in their place. Beside the plain ones, the corners of a
+#: Words for the left, and for the right in their place. Besides the plain ones, the corners of a
 #: vehicle or a quadruped, the side first or last: front, rear, back, hind, middle.
 _RIGHT_OF = {"left": "right", "l": "r"} | {
     left: left.replace("l", "r") for end in "frbhm" for left in (end + "l", "l" + end)
@@ -105,7 +105,7 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
     """
     joints: dict[str, Joint] = {}
     parents: dict[str, str] = {}
-    beside: dict[str, dict[str, Vector]] = {}
+    siblings: dict[str, dict[str, Vector]] = {}
     for child, above in tree.parents.items():
         joint = above[0] if above else None
         if joint is None or joint.parent is None or joint.child is None:
@@ -113,10 +113,10 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
         parents[child] = joint.parent.value
         if joint.kind in MOVING and joint.name:
             joints[joint.name] = joint
-            beside.setdefault(joint.parent.value, {})[joint.name] = joint.origin.position
+            siblings.setdefault(joint.parent.value, {})[joint.name] = joint.origin.position
     found = pairs(joints)
     taken = {name for pair in found for name in pair}
-    for places in beside.values():
+    for places in siblings.values():
         free = {name: place for name, place in places.items() if name not in taken}
         found += numbered_pairs(free) if len(free) > 1 else []
     children = {joint.child.value: joint for joint in joints.values() if joint.child}

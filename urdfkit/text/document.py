@@ -128,7 +128,7 @@ class Tag(Record):
         return _attribute_spans(self)
 
 
-@lru_cache(maxsize=64)  # a tag may have 100 000 attributes, and each of them asks
+@lru_cache(maxsize=64)  # a tag may have 100 000 attributes, and each of them calls this
 def _attribute_spans(tag: Tag) -> Mapping[str, Span]:
     data = tag.source.data
     match = _compiled(_TAG_NAME).match(data, tag.start)
@@ -249,7 +249,7 @@ class Element:
     def path(self) -> str:
         """Its address below the root, such as ``link/arm/visual[2]/geometry/mesh``.
 
-        Elements with a name are told apart by it, others by their number from the second on.
+        Elements with a name are distinguished by it, others by their number from the second on.
         """
         parts: list[str] = []
         element = self

@@ -17,7 +17,7 @@ def is_xacro(source: Source) -> bool:
 
     17 of 676 public models are xacro in a ``.urdf``, and many a plain URDF still declares the
     namespace of the xacro it once came from, or holds a call that no macro answers any more:
-    readers of URDF pass over those. A file whose name says xacro is taken at its word.
+    URDF parsers ignore those. A file whose name says xacro is taken at its word.
     """
     if ".xacro" in os.path.basename(source.path).lower():
         return True

@@ -90,7 +90,7 @@ def owner(element: Element) -> str:
 
 
 def version_of(root: Element) -> str:
-    """The version of URDF that a robot asks for; 1.0 if it does not say."""
+    """The version of URDF that a robot declares; 1.0 if it does not say."""
     text = root.get("version")
     if text is None:
         return schema.VERSIONS[0]
@@ -289,7 +289,7 @@ class _Walk:
         else:
             suggested = nearest(tag, free, TYPO) or ""
             if not suggested and calling_macro(child):
-                # A macro tells its blocks apart by such names, and inserts them as they are called.
+                # A macro distinguishes its blocks by such names, and inserts them as named.
                 suggested = next((word for word in tag.split("_") if word in free), "")
             needed_one = suggested if suggested in needed else ""
             self._add("URD001", child, name=needed_one, suggested=suggested)

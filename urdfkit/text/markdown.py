@@ -14,7 +14,7 @@ from urdfkit.text.terminal import printable
 #: Characters that a comment on GitHub may have; GitLab and Gitea allow more.
 MAX_CHARACTERS = 65_536
 _MORE = "\n_Cut to {} characters; the JSON has everything._\n"
-#: Characters of a message, a path or a remedy.
+#: Characters of a message, a path or a help text.
 MAX_TEXT = 600
 
 #: What Markdown, HTML and formulas are made of, and the colon of an address.

@@ -206,7 +206,7 @@ ROBOT = Grammar(
 
 #: Tags that Gazebo reads in a ``<gazebo>`` block and nowhere else. Source: what sdformat's URDF
 #: converter handles by name, and the children that SDF's ``<link>``, ``<joint>`` and ``<model>``
-#: have beside those of URDF.
+#: have besides those of URDF.
 GAZEBO_TAGS = frozenset(
     "mu1 mu2 fdir1 kp kd maxVel minDepth maxContacts laserRetro selfCollide turnGravityOff "
     "dampingFactor canonicalBody static stopCfm stopErp cfmDamping fudgeFactor provideFeedback "

@@ -161,11 +161,11 @@ def why_unreadable(path: str, error: OSError) -> str:
         return error.strerror or str(error)
     folder, name = os.path.split(path)
     try:
-        beside = os.listdir(folder or ".")
+        siblings = os.listdir(folder or ".")
     except OSError:
         return f"no such directory '{folder}'"
     # By stems: what ends in '.urdf' is similar anyway.
-    alike = [other for other in beside if nearest(_stem(name), [_stem(other)])]
+    alike = [other for other in siblings if nearest(_stem(name), [_stem(other)])]
     suggested = nearest(name, alike, cutoff=0)
     return "file not found" + (f"; did you mean '{suggested}'?" if suggested else "")
 

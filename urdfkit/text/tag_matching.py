@@ -7,7 +7,7 @@ import re
 from urdfkit.core.record import Record
 
 MAX_ERRORS = 100
-#: Tags that are looked at to tell a missing end tag from one too many.
+#: Tags that are compared to distinguish a missing end tag from one too many.
 LOOK_AHEAD = 10_000
 
 
@@ -195,7 +195,7 @@ class TagMatching:
             self._add((0, 0), "there is no element in the file")
 
     def _shown(self, tag: TagToken) -> str:
-        """A start tag with its name attribute, so that it can be told from others."""
+        """A start tag with its name attribute, so that it can be distinguished from others."""
         text = self._data[tag.start : tag.end][:500]
         found = re.search(rb"""\bname\s*=\s*["']([^"'<>\n]{1,60})["']""", text)
         name = f' name="{found.group(1).decode("utf-8", "replace")}"' if found else ""

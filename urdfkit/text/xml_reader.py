@@ -38,7 +38,7 @@ def read_xml(
 
     Args:
         source: the file.
-        frame: the launch file that asks for it, if one does.
+        frame: the launch file that names it, if one does.
 
     Returns:
         The document, or None if it is not well formed, and what is wrong with it.

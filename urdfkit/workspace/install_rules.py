@@ -14,7 +14,7 @@ from functools import cached_property
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
 
-#: Commands that may install what is not told here: other files, and functions of the package.
+#: Commands that may install what is not known here: other files, and functions of the package.
 _UNCLEAR = (
     r"(?i)\badd_subdirectory\s*\(|\binclude\s*\([^)]*[/.]"
     r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\("

@@ -1,6 +1,6 @@
 """Packages that the text of a description mentions: ``$(find pkg)`` and ``package://pkg``.
 
-The text tells more than the expansion: what a macro that is not called here refers to is needed by
+The text names more than the expansion: what a macro that is not called here refers to is needed by
 those who call it.
 """
 

@@ -316,7 +316,7 @@ class Resolver:
         return self._rules[folder]
 
     def _one_level_down(self, folder: str, relative: str) -> Iterator[str]:
-        """The only file at this path in a subfolder, where no build file tells the layout.
+        """The only file at this path in a subfolder, where no build file gives the layout.
 
         ``description/urdf`` and ``bringup/launch`` are the usual folders that a build removes.
         """

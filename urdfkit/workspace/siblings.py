@@ -57,7 +57,7 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
 
 
 def _may_be_called(srdf: str, name: str) -> bool:
-    """True unless an SRDF is plainly of a robot of another name, which a look at its head tells."""
+    """True unless an SRDF is plainly of a robot of another name, as its head shows."""
     head = (
         read_head(srdf, 20_000).decode("utf-8", "replace").partition("<robot")[2].partition(">")[0]
     )

@@ -128,7 +128,7 @@ def expand(
         source: the file.
         resolver: finds packages, and knows which files may be read.
         arguments: values of ``xacro:arg`` by name.
-        trust: run expressions unfenced, read any file and variable.
+        trust: do not sandbox expressions, read any file and variable.
         root_dir: relative paths of the command line start there.
         traced: note where every value comes from, for ``Xacro.inputs``; slower.
         frame: the launch file that asks for it, if one does.

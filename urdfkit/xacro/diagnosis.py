@@ -17,7 +17,7 @@ from urdfkit.xacro.definitions import Definitions, annotations_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
 from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, locate
-from urdfkit.xacro.messages import bare_property, macro_of, words
+from urdfkit.xacro.messages import bare_property, explain, macro_of
 from urdfkit.xacro.sandbox import TooLarge, UnsafeExpression
 from urdfkit.xacro.substitution import EnvironmentRefused
 from urdfkit.xacro.yaml_files import YamlTooLarge
@@ -174,7 +174,7 @@ def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]
             f"argument '{cause}' has no value and no default",
             _how_to_pass(defined, cause),
         )
-    return "XAC001", *words(defined, error, cause)
+    return "XAC001", *explain(defined, error, cause)
 
 
 def _how_to_pass(defined: Definitions, missing: BaseException) -> str:
@@ -186,7 +186,7 @@ def _how_to_pass(defined: Definitions, missing: BaseException) -> str:
 
 
 def _pass(defined: Definitions, name: str) -> str:
-    """How to give an argument; with the slip in its place, if there is one."""
+    """How to give an argument; and the misspelt one, if there is one."""
     known = defined.argument_defaults()
     mistake = nearest(name, [given for given in defined.given if given not in known])
     return f"pass it: {name}:=VALUE" + (f", not {mistake}:=" if mistake else "")

@@ -128,7 +128,7 @@ class Node(_StockElement):  # type: ignore[misc]
         return {name: attribute.value for name, attribute in (self._attrs or {}).items()}
 
     def removeAttribute(self, name: str) -> None:  # noqa: N802
-        """Take an attribute out if it is there; stock raises an error that xacro passes over."""
+        """Take an attribute out if it is there; stock raises an error that xacro ignores."""
         if self._attrs and name in self._attrs:
             super().removeAttribute(name)
 
@@ -166,18 +166,18 @@ def _clone(node: Node, frame: CallFrame | None, *, keep: bool) -> Node:
             size += len(old.value or "")
     previous: Any = None
     for child in node.childNodes:
-        twin: Any
+        copied: Any
         if child.nodeType == ELEMENT:
-            twin = _clone(child, frame, keep=keep)
+            copied = _clone(child, frame, keep=keep)
         else:
-            twin = _clone_text(child) if type(child) is Text else child.cloneNode(True)
+            copied = _clone_text(child) if type(child) is Text else child.cloneNode(True)
             size += len(child.data)
-        twin.parentNode = copy
-        twin.previousSibling = previous
+        copied.parentNode = copy
+        copied.previousSibling = previous
         if previous is not None:
-            previous.nextSibling = twin
-        copy.childNodes.append(twin)
-        previous = twin
+            previous.nextSibling = copied
+        copy.childNodes.append(copied)
+        previous = copied
     node.budget.charge(size)
     return copy
 

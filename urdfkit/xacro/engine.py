@@ -2,7 +2,7 @@
 
 The engine stays xacro's own: what it does to the document is not touched, so its output is
 that of the ``xacro`` command byte for byte. Exchanged are the edges of it: parsing (nodes with
-places), the evaluation of texts (a fence, errors with places), ``$(...)`` without ROS, files, and
+places), the evaluation of texts (a sandbox, errors with places), ``$(...)`` without ROS, files, and
 messages. The copy is private because xacro keeps its state in module globals and patches
 ``minidom`` for the whole process; a program that uses xacro too must not notice us.
 """
@@ -219,7 +219,7 @@ class XacroEngine:
         xacro.YamlListWrapper.wrap = staticmethod(self._noting(xacro.YamlListWrapper.wrap))
 
     def _noting(self, wrap: Callable[[Any], Any]) -> Callable[[Any], Any]:
-        """xacro's access to YAML values, which also tells the tracer."""
+        """xacro's access to YAML values, which the tracer records, too."""
 
         def noting(item: Any) -> Any:
             if self._run.tracer is not None:

@@ -119,7 +119,7 @@ class Evaluation:
             raise self._xacro.XacroException(exc=error, suffix=suffix) from error
 
     def safe_eval(self, expression: str, symbols: Any, local: Any = None) -> Any:
-        """The value of an expression; fenced, unless the user trusts the model."""
+        """The value of an expression; sandboxed, unless the user trusts the model."""
         if self.run.trust:
             return self._stock_eval(expression, symbols, local)
         return evaluate(expression.strip(), symbols, self.run.sandbox)

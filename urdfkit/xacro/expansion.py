@@ -225,7 +225,7 @@ class Run:
     def _later_default(self, name: str, symbols: Any) -> str:
         """The default of an argument that is declared after its first use.
 
-        xacro gives up here, which is told; ``<robot name="$(arg name)">`` above the declaration
+        xacro fails here, which is reported; ``<robot name="$(arg name)">`` above the declaration
         is common, and the rest of the robot can be checked with the default.
         """
         for node in self.defined.argument_nodes:

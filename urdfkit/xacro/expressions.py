@@ -3,7 +3,7 @@
 xacro evaluates Python, and its own filter can be walked around (a nested lambda, string
 subscripts into ``vars(type)``, ``$(eval)``). Here an expression is parsed first, and only
 harmless kinds of nodes pass. What may lead out of the data, or grow without bound, is rewritten
-to a call of the Fence, which decides when the values are known.
+to a call of the Sandbox, which decides when the values are known.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ _ALLOWED = (
 
 #: Operators whose result may be larger than both operands together.
 _OPERATORS = {
-    ast.Add: "fence add",
-    ast.Mult: "fence times",
-    ast.Pow: "fence power",
-    ast.LShift: "fence shift",
-    ast.Mod: "fence modulo",
+    ast.Add: "sandbox add",
+    ast.Mult: "sandbox times",
+    ast.Pow: "sandbox power",
+    ast.LShift: "sandbox shift",
+    ast.Mod: "sandbox modulo",
 }
 
 #: A value of a table by its key.
@@ -78,7 +78,7 @@ def _is_plain(text: str) -> bool:
 
 
 def _sandboxed(tree: ast.Expression) -> ast.Expression:
-    """Check an expression and rewrite what the Fence has to see; without recursion."""
+    """Check an expression and rewrite what the Sandbox has to see; without recursion."""
     nodes = list(ast.walk(tree))
     for node in nodes:
         _refuse(node)
@@ -103,21 +103,21 @@ def _refuse(node: ast.AST) -> None:
 def _wrapped(node: Any, around: ast.AST) -> Any:
     """What stands for a node whose own parts have been rewritten."""
     if isinstance(node, ast.Attribute):
-        return _call("fence attribute", node.value, ast.Constant(node.attr, **_NOWHERE))
+        return _call("sandbox attribute", node.value, ast.Constant(node.attr, **_NOWHERE))
     if isinstance(node, ast.Call):
         if (text := _formatted(node.func)) is not None:
-            node.func = _call("fence format", text)
+            node.func = _call("sandbox format", text)
         node.args.insert(0, node.func)
-        node.func = _name("fence call")
+        node.func = _name("sandbox call")
     elif isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
         return _call(_OPERATORS[type(node.op)], node.left, node.right)
     elif isinstance(node, ast.comprehension):
-        node.iter = _call("fence steps", node.iter)
+        node.iter = _call("sandbox steps", node.iter)
     elif isinstance(node, ast.Starred):
-        guard = "fence hashed" if isinstance(around, ast.Set) else "fence keep"
+        guard = "sandbox hashed" if isinstance(around, ast.Set) else "sandbox keep"
         node.value = _call(guard, node.value)
     elif _makes_a_value(node, around):
-        return _call("fence keep", node)
+        return _call("sandbox keep", node)
     return node
 
 
@@ -126,7 +126,7 @@ def _formatted(node: Any) -> Any:
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         name = node.args[-1]
         is_format = isinstance(name, ast.Constant) and name.value == "format"
-        if is_format and node.func.id == "fence attribute":
+        if is_format and node.func.id == "sandbox attribute":
             return node.args[0]
     return None
 
@@ -152,7 +152,7 @@ def _call(function: str, *arguments: ast.expr) -> ast.Call:
 
 
 class Scope(dict[str, Any]):
-    """The names that an expression may use: the guards of a Fence before those of the model."""
+    """The names that an expression may use: the guards of a Sandbox before those of the model."""
 
     __slots__ = ("_guards", "_names")
 

@@ -1,4 +1,4 @@
-"""What xacro's errors mean and what to do, in words for people who did not write xacro."""
+"""What xacro's errors mean and what to do about them."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class MessageText(Record):
     help: str = ""
 
 
-def words(defined: Definitions, error: BaseException, cause: BaseException) -> MessageText:
+def explain(defined: Definitions, error: BaseException, cause: BaseException) -> MessageText:
     """An error of an expression, a call or a tag.
 
     Args:
@@ -62,7 +62,7 @@ def words(defined: Definitions, error: BaseException, cause: BaseException) -> M
         return MessageText(f"not an expression: {cause.msg}", "write it as Python would read it")
     if isinstance(cause, BrokenYaml):
         where = cause.span.source.path
-        return MessageText(f"{where} is no YAML: {cause.reason}", "correct the file")
+        return MessageText(f"{where} is not valid YAML: {cause.reason}", "correct the file")
     if isinstance(cause, KeyError):
         return MessageText(
             f"there is no key {cause}", "correct the key, or what the key comes from"
@@ -237,4 +237,4 @@ def _nearest_file(path: str) -> str:
     there = sorted(one for one in beside if os.path.isdir(os.path.join(folder, one)))
     if not hint and 0 < len(there) <= _FEW:  # often the values that an argument may have
         hint = f"there {'is' if len(there) == 1 else 'are'} {', '.join(there)}"
-    return f"there is no folder '{name}' in {shown(folder)}" + (f"; {hint}" if hint else "")
+    return f"directory '{name}' not found in {shown(folder)}" + (f"; {hint}" if hint else "")

@@ -113,17 +113,17 @@ class Sandbox:
     def __init__(self, budget: Budget) -> None:
         self._budget = budget
         self.guards: dict[str, Callable[..., Any]] = {
-            "fence attribute": self.attribute,
-            "fence format": self.format,
-            "fence call": self.call,
-            "fence keep": self.keep,
-            "fence hashed": lambda values: _hashed(values)[0],
-            "fence steps": self.steps,
-            "fence add": self.add,
-            "fence times": self.times,
-            "fence power": self.power,
-            "fence shift": self.shift,
-            "fence modulo": self.modulo,
+            "sandbox attribute": self.attribute,
+            "sandbox format": self.format,
+            "sandbox call": self.call,
+            "sandbox keep": self.keep,
+            "sandbox hashed": lambda values: _hashed(values)[0],
+            "sandbox steps": self.steps,
+            "sandbox add": self.add,
+            "sandbox times": self.times,
+            "sandbox power": self.power,
+            "sandbox shift": self.shift,
+            "sandbox modulo": self.modulo,
         }
         self._bounded: dict[Any, Callable[..., Any]] = {
             map: self._map,

@@ -1,4 +1,4 @@
-"""YAML files that ``xacro.load_yaml`` reads, fenced in and bounded."""
+"""YAML files that ``xacro.load_yaml`` reads, within bounds."""
 
 from __future__ import annotations
 

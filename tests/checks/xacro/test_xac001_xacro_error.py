@@ -185,7 +185,7 @@ class TestMissingFiles:
         write(tmp_path, robot="<link name=\"${xacro.load_yaml('config/ur5x/a.yaml')}\"/>")
         (found,) = told_of("XAC001", tmp_path / "robot.xacro")
         folder = tmp_path / "config"
-        assert found.help == f"there is no folder 'ur5x' in {folder}; did you mean 'ur5e'?"
+        assert found.help == f"directory 'ur5x' not found in {folder}; did you mean 'ur5e'?"
 
     def test_what_lacks_because_of_it_is_not_told(self) -> None:
         body = '<xacro:include filename="none.xacro"/><xacro:arm/><link name="${length}"/>'

@@ -91,13 +91,13 @@ def test_every_file_is_read_once(package: Path, monkeypatch: pytest.MonkeyPatch)
 def test_the_case_on_disk(package: Path) -> None:
     path = add_file(package / "meshes" / "Arm.STL")
     found = files(package, mesh_link("package://arm/Meshes/arm.stl", "../MESHES/arm.stl", "x.stl"))
-    assert [found.spelt_on_disk(mesh) for mesh in found.missing] == [
+    assert [found.spelling_on_disk(mesh) for mesh in found.missing] == [
         Suggestion("package://arm/meshes/Arm.STL", str(path), sure=True),
         Suggestion("../meshes/Arm.STL", str(path), sure=True),
         None,
     ]
     absolute = files(package, mesh_link(f"file://{package}/meshes/ARM.stl"))
-    assert absolute.spelt_on_disk(absolute.missing[0]) == Suggestion(
+    assert absolute.spelling_on_disk(absolute.missing[0]) == Suggestion(
         "package://arm/meshes/Arm.STL", str(path), sure=True
     )
 

@@ -10,7 +10,7 @@ import pytest
 
 from tests.gazebos import BASE, BODY, block, child
 from urdfkit.lint.context import Subject
-from urdfkit.lint.runner import judge
+from urdfkit.lint.runner import run_rules
 from urdfkit.ros.gazebo.rejection import CODES, rejections
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -66,7 +66,7 @@ def test_it_is_known_why(name: str) -> None:
     parts, codes = ROBOTS[name]
     source = Source("r.urdf", f'<robot name="r">{parts}</robot>'.encode())
     subject = Subject(source, Resolver())
-    diagnostics = judge(subject, sorted(CODES)).diagnostics
+    diagnostics = run_rules(subject, sorted(CODES)).diagnostics
     assert sorted({one.code for one in rejections(diagnostics, subject.gazebo)}) == codes
 
 

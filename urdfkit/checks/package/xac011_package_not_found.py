@@ -18,6 +18,7 @@ Sources:
 from __future__ import annotations
 
 import re
+from string import digits
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.context import Subject, Unavailable
@@ -53,7 +54,8 @@ def check(subject: Subject) -> Findings:
         (name,) = _NAME.findall(problem.message)
         severity = _severity(subject, name, problem.span)
         known = subject.resolver.packages.known(subject.source.path)
-        help = finding.help + ("" if severity else did_you_mean(name, known))
+        alike = [one for one in known if is_typo(name, one) or one.rstrip(digits) == name]
+        help = finding.help + ("" if severity else did_you_mean(name, alike))
         yield finding._replace(help=help, alike=help, severity=severity)  # it names the package
     if is_launch(subject.source.path):
         yield from _launched(subject)

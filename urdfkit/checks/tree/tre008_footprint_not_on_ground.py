@@ -72,10 +72,13 @@ def check(subject: Subject) -> Findings:
                 f"raise '{link}', or make it smaller, until the wheels touch the ground"
                 if lifted_wheels
                 else "",
-                fix=Fix.of(f"raise the robot by {-height:.6g} m", _higher(joints[0].at, -height))
-                if is_too_low
-                else None,
+                fix=_raised(joints[0].at, round(-height, 4)) if is_too_low else None,
             )
+
+
+def _raised(joint: Element, height: float) -> Fix | None:
+    """The joint below the footprint, higher by that much in m."""
+    return Fix.of(f"raise the robot by {height:g} m", _higher(joint, height))
 
 
 def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:

@@ -118,7 +118,7 @@ class _Content:
         self._source = ""
 
     def parse(self, data: bytes) -> expat.ExpatError | None:
-        # As Latin-1 every byte is a character: names of parts in other encodings do no harm.
+        # As Latin-1 every byte is a character: names of parts in other encodings are kept.
         encoding = None if data.startswith((b"\xff\xfe", b"\xfe\xff")) else "iso-8859-1"
         parser = expat.ParserCreate(encoding)
         parser.StartElementHandler = self._start

@@ -22,7 +22,7 @@ _DEFAULT = MeshMaterial()
 
 
 class ColladaMaterial(NamedTuple):
-    """A material, and the name under which its texture asks for coordinates."""
+    """A material, and the name of the coordinates that its texture uses."""
 
     material: MeshMaterial
     coordinates: str = ""

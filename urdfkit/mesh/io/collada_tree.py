@@ -57,7 +57,7 @@ def parse(data: bytes, *, recover: bool = False) -> Element:
         data = data.decode("utf-16", "replace").encode()
         encoding = "utf-8"
     else:
-        # Names of parts in other encodings do no harm; and no encoding can hide an entity.
+        # Names of parts may have other encodings, and no encoding can hide an entity.
         encoding = "utf-8" if _is_utf8(data) else "iso-8859-1"
     if b"<!ENTITY" in data:
         raise NoTriangles("declares XML entities, which are not read: they can be made to explode")

@@ -46,7 +46,7 @@ class Accessors:
         """(n, k), a list of vectors; normalised whole numbers lie between -1 or 0 and 1.
 
         Raises:
-            NoTriangles: it is not in the file; likewise below.
+            NoTriangles: it is not in the file; so do the functions below.
         """
         accessor = self._root.one_of("accessors", index)
         found = self._numbers(accessor)

@@ -20,7 +20,7 @@ _AS_THEY_ARE = np.eye(2, 3)
 
 
 class GltfMaterial(NamedTuple):
-    """A material, and what its texture asks of the coordinates.
+    """A material, and how its texture maps the coordinates.
 
     Attributes:
         material: the material.

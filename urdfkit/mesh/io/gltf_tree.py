@@ -18,7 +18,7 @@ class GltfObject:
         name: where it is, for messages: ``accessors[2]``.
 
     Raises:
-        NoTriangles: something else stands there; the methods raise it likewise.
+        NoTriangles: something else stands there; the methods raise it, too.
     """
 
     def __init__(self, values: object, name: str) -> None:

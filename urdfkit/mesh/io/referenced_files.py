@@ -13,7 +13,7 @@ def find_image(name: str, folder: str) -> str | None:
     """The file of an image that a mesh file in a folder names; None if it is not there.
 
     Names are paths or URIs. Those of other machines end in the file's own name, which often lies
-    beside the mesh; Gazebo and assimp search it there too.
+    next to the mesh; Gazebo and assimp search it there too.
     """
     from urllib.parse import unquote  # 4 ms, and few meshes name images
 

@@ -1,6 +1,6 @@
 """What a mesh file is, and whether it is whole, by its bytes and without a mesh library.
 
-Libraries load many a broken mesh as nothing at all, without an error. Suffixes do not tell
+Libraries load many a broken mesh as nothing at all, without an error. Suffixes do not say
 either: web pages are saved as meshes, and 118 of 121 STL files that begin with ``solid``, the
 mark of an ASCII STL, are binary.
 """
@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import os
 import re
+from importlib import import_module
 from stat import S_ISREG
 
-from urdfkit.core.libraries import load
 from urdfkit.mesh.io import binary_stl, facts
 from urdfkit.mesh.io.facts import MAX_BYTES, Defect, MeshFacts, empty, not_a_mesh, unreadable
 from urdfkit.text.source import why_unreadable
@@ -108,7 +108,7 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
         form = "" if defect else _suggested(data, suffix.lower())
     if form in _JUDGES:
         module, function = _JUDGES[form]
-        defect, not_finite = getattr(load(f"urdfkit.mesh.io.{module}"), function)(data)
+        defect, not_finite = getattr(import_module(f"urdfkit.mesh.io.{module}"), function)(data)
     elif not form and defect is None:
         defect = _unknown(data)
     unit, up_axis = 1.0, ""

@@ -71,7 +71,7 @@ class RealPart(NamedTuple):
 
         Args:
             size: outer edges in m, along its own axes; those of the real part if not given.
-            names: that tell on which corner of a robot a mecanum wheel is.
+            names: from which the corner of a mecanum wheel is inferred.
         """
         module = import_module(f"urdfkit.mesh.parts.{self.maker.partition('.')[0]}")
         mesh: Mesh = getattr(module, self.key)(size or self.size)

@@ -29,7 +29,7 @@ class _Lens(NamedTuple):
 def realsense_d415(size: Vector) -> Mesh:
     """A depth camera in the outline of the Intel RealSense D415.
 
-    99 x 20 x 23 mm, two imagers 55 mm apart and the colour camera beside the left one. Source:
+    99 x 20 x 23 mm, two imagers 55 mm apart and the colour camera next to the left one. Source:
     Intel's realsense2_description (urdf/_d415.urdf.xacro), which has the size and the places of the
     lenses, 20 mm, -35 mm and 35 mm left of the middle. Data sheet 337029 was not at hand; the place
     of the projector is estimated.

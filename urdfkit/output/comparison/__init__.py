@@ -9,6 +9,7 @@ from math import dist
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.lint.context import Subject
 from urdfkit.output.comparison.differences import KINDS as OF_MODELS
 from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances, differences
 from urdfkit.output.comparison.frames import MovedLink, moved_frames
@@ -18,6 +19,7 @@ from urdfkit.output.comparison.surfaces import changed_surfaces
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.kinematics import frames
 from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.source import without_folder
 
 if TYPE_CHECKING:
     from urdfkit.core.spatial import Vector
@@ -41,6 +43,7 @@ class Comparison(Record):
         notes: what could not be compared, a sentence each.
         tolerances: what was let pass.
         pictures: addresses of pictures of the states before and after; empty if not asked for.
+        folders: workspaces of the two states, whose paths a page shows from there on.
     """
 
     before: str
@@ -55,6 +58,7 @@ class Comparison(Record):
     notes: tuple[str, ...]
     tolerances: Tolerances
     pictures: tuple[str, ...] = ()
+    folders: tuple[str, ...] = ()
 
     @property
     def centers(self) -> tuple[Vector, Vector] | None:
@@ -172,7 +176,21 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
         went,
         tuple(notes),
         allowed,
+        folders=tuple(dict.fromkeys(folder for one in (old, new) for folder in _folders(one))),
     )
+
+
+def _folders(subject: Subject) -> tuple[str, str]:
+    """The workspace of a robot, and the directory of its file."""
+    file = os.path.realpath(subject.source.path)
+    return subject.resolver.packages.workspace(file), os.path.dirname(file)
+
+
+def portable(text: str, comparison: Comparison) -> str:
+    """A page without the directories of the machine that it was made on."""
+    for folder in comparison.folders:
+        text = without_folder(text, folder)
+    return without_folder(text, os.path.expanduser("~"), "~/")
 
 
 def _findings(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import degrees
 
-from urdfkit.output.comparison import KINDS, Comparison
+from urdfkit.output.comparison import KINDS, Comparison, portable
 from urdfkit.output.report.html import render_plain
 from urdfkit.output.report.translations import Translator
 
@@ -23,7 +23,7 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
     by_kind = {
         kind: [found for found in comparison.differences if found.kind == kind] for kind in KINDS
     }
-    return render_plain(
+    page = render_plain(
         "diff.html.j2",
         Translator(language),
         comparison=comparison,
@@ -42,3 +42,4 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
             if found
         ],
     )
+    return portable(page, comparison)

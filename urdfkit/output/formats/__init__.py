@@ -10,9 +10,8 @@ parts that formats share.
 from __future__ import annotations
 
 import os
+from importlib import import_module
 from typing import TYPE_CHECKING, Protocol
-
-from urdfkit.core.libraries import load
 
 if TYPE_CHECKING:
     from urdfkit.lint.report import Report
@@ -38,5 +37,5 @@ def get(name: str) -> Render:
     """
     if name not in names():
         raise KeyError(name)
-    render: Render = load(f"urdfkit.output.formats.{name}").render
+    render: Render = import_module(f"urdfkit.output.formats.{name}").render
     return render

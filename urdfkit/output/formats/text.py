@@ -57,10 +57,10 @@ def _fixable(report: Report) -> Iterator[str]:
         return
     safe, unsafe, infos, left = fixable
     if safe:
-        more = f" ({unsafe} more with --fix --unsafe-fixes)" if unsafe else ""
+        more = f" ({unsafe} more have an unsafe fix, see --unsafe-fixes)" if unsafe else ""
         yield f"{safe} fixable with --fix{more}"
     elif unsafe:
-        yield f"Up to {unsafe} fixable with --fix --unsafe-fixes"
+        yield f"{unsafe} with an unsafe fix: --fix --unsafe-fixes applies those that add no error"
     if infos:
         yield f"Fixes of infos need --select {','.join(infos)}"
     for reason, count in left:

@@ -63,7 +63,7 @@ class TreeStep(NamedTuple):
         turns: True for an angle, False for a distance.
         column: of the axis whose position it follows; -1 for a joint that stays where it is.
         factor: its position is ``factor * position of the axis + shift``.
-        shift: likewise.
+        shift: of the same transforms.
     """
 
     parent: int
@@ -99,7 +99,7 @@ class Chain:
         axes: the joints that move freely, one column of a configuration each.
         steps: parents before children.
         parts: for each link, the number of the topmost one that joints with limits bind it to. A
-            root, and what hangs on a planar or floating joint, begins a part; links in a closed
+            root, and the child of a planar or floating joint, begins a part; links in a closed
             loop that no root leads to are one each.
     """
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats
 
-#: Measured poses that are remembered of one pair: those that tell most.
+#: Measured poses that are kept of one pair: those with the tightest bounds.
 _KEPT = 192
 
 #: (12, 2): sums the squares of a difference of poses.
@@ -27,7 +27,7 @@ def apart(
         b: (3,), half the sides of the box around the second.
         reach: the radii of the spheres around the two together, in m.
         rotation: (n, 3, 3), of the second box in the frame of the first.
-        offset: (n, 3), from center to center, likewise, in m.
+        offset: (n, 3), from center to center, in the same frame, in m.
         limit: bounds from here on, in m, are good enough.
     """
     bound = _norm(offset) - reach

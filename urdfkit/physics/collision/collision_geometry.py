@@ -136,7 +136,7 @@ class DistanceQuery:
 
     Attributes:
         first, second: see there.
-        is_exact: both are convex, so that their hulls tell the distance.
+        is_exact: both are convex, so that the distance is that of their hulls.
     """
 
     def __init__(self, first: CollisionGeometry, second: CollisionGeometry) -> None:
@@ -160,7 +160,7 @@ class DistanceQuery:
 
         Args:
             rotation: (3, 3), of the second in the frame of the first.
-            translation: (3,), likewise.
+            translation: (3,), in the same frame.
             limit: of a distance from here on only a lower bound is needed.
         """
         apart = self.hulls(rotation, translation)
@@ -172,7 +172,7 @@ class DistanceQuery:
                 depth = self._depth(self._many)
             if depth > TOUCH:
                 return -depth
-            limit = max(limit, 0.0) + self._reach  # the hulls tell nothing here
+            limit = max(limit, 0.0) + self._reach  # the hulls give no bound here
         return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
 
     def hulls(self, rotation: Floats, translation: Floats) -> float:

@@ -1,9 +1,8 @@
-"""The collision geometry of a model as plain arrays, with what would harm coal left out.
+"""The collision geometry of a model as plain arrays, without what makes coal crash.
 
-coal crashes the process on a hull of points that lie in a plane, or within 1e-80 m, on NaN and
-infinity, and on faces that name vertices which are not there; it gives nonsense for bodies without
-thickness.
-Nothing of that passes here.
+coal crashes the process on the hull of coplanar points, or of points within 1e-80 m, on NaN and
+infinity, and on faces whose vertices do not exist; its results for bodies without thickness are
+wrong. All of these are left out here.
 """
 
 from __future__ import annotations

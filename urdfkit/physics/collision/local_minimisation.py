@@ -26,7 +26,7 @@ from urdfkit.physics.collision.pair_queries import Examiner, Pair, relative
 _STARTS = (24, 12, 8, 6, *[4] * 12)
 #: Steps at most; most descents end sooner, where the links cannot come nearer.
 _STEPS = 25
-#: How deep a step is meant to lead, in m.
+#: The penetration that a step aims at, in m.
 _GOAL = 1e-3
 #: Joints with a smaller range, in rad or m, are taken to have this one.
 _LEAST_RANGE = 1e-4
@@ -153,7 +153,7 @@ class _Bodies:
             ways: to the two bodies.
             frame: (n, 4, 4), of the first.
             points: (n, 3), in that frame.
-            directions: (n, 3), of these lines, likewise.
+            directions: (n, 3), of these lines, in the same frame.
         """
         directions = (frame[:, :3, :3] @ directions[:, :, None])[..., 0]
         points = (frame[:, :3, :3] @ points[:, :, None])[..., 0] + frame[:, :3, 3]

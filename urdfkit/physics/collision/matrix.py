@@ -90,7 +90,7 @@ class Matrix(NamedTuple):
         seed: of the samples.
         omitted: collision bodies that took no part, and why.
         parts: the topmost links of the parts of the robot, if it has several: roots, and what
-            hangs on a planar or floating joint. Links of different parts make no pair, since
+            is the child of a planar or floating joint. Links of different parts make no pair, since
             nothing bounds how they stand to one another.
         units: meshes whose file states another unit than the metre, by the number of metres.
         applies_units: True if that unit was applied.

@@ -1,7 +1,7 @@
 """Pairs of links in many configurations: who collides, who comes near.
 
-What can be told for all configurations at once, by boxes around the bodies and by distances
-measured nearby, is told so; coal measures the rest: first convex hulls, then triangles.
+Boxes around the bodies and distances measured nearby decide most configurations at once; coal
+measures the rest: first convex hulls, then triangles.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Pair = tuple[int, int]
 #: Configurations among which descents begin.
 _DRAWN = 1536
 
-#: The least distance that is told is at most so much larger than the true one.
+#: The least distance that is reported is at most so much larger than the true one.
 SLACK = 0.1
 
 
@@ -84,7 +84,7 @@ class Examiner:
         return self._forms[body]
 
     def look(self, pairs: Sequence[Pair], limits: Sequence[float] | None = None) -> PairQuery:
-        """Begin to look at pairs; what is farther apart than the limits, in m, is passed over."""
+        """Begin to measure pairs; those farther apart than the limits, in m, are left out."""
         return PairQuery(self, pairs, [inf] * len(pairs) if limits is None else limits)
 
     def gauges(self, pair: Pair) -> list[tuple[int, int, DistanceQuery]]:
@@ -174,7 +174,7 @@ class _Watch:
         *,
         count: bool,
     ) -> None:
-        """Measure two bodies where nothing else tells their distance, the nearest first."""
+        """Measure two bodies where no bound decides, the nearest first."""
         a, b = gauge.first, gauge.second
         offset = translation + rotation @ b.center - a.center
         bound = apart(a.half, b.half, a.radius + b.radius, rotation, offset, self._sure)

@@ -28,7 +28,7 @@ COUNTED = 1000
 ALWAYS = 0.95
 #: More samples are given up when the last half of so many showed nothing new.
 ENOUGH = 10_000
-#: More pairs, some 300 links with bodies, are refused.
+#: More pairs, some 300 links with bodies, are rejected.
 MAX_PAIRS = 50_000
 
 #: Frames of all links in a block of samples take about so many bytes.
@@ -136,7 +136,7 @@ class _Sampling:
         seed: int,
         progress: Progress | None,
     ) -> None:
-        self._crew = crew
+        self._pool = crew
         self._chain: Chain = chain(robot.tree)
         self._samples, self._seed, self._progress = samples, seed, progress
         self._adjacency = Adjacency(robot.tree)
@@ -229,12 +229,12 @@ class _Sampling:
         """Do tasks; each is some samples' worth."""
         steps = iter(range(1, len(tasks) + 1))
 
-        def tell() -> None:
+        def advance() -> None:
             if self._progress and share:
                 self._reported = max(self._reported, self.done + int(share * next(steps)))
                 self._progress(self._reported, self._samples)
 
-        for group, answer in zip(pairs, self._crew.run(tasks, tell), strict=True):
+        for group, answer in zip(pairs, self._pool.run(tasks, advance), strict=True):
             for pair, found in zip(group, answer, strict=True):
                 self._take(pair, found)
 
@@ -252,7 +252,7 @@ class _Sampling:
         return [pair for pair, state in self._states.items() if state.verdict is None]
 
     def _moves(self, pair: Pair) -> bool:
-        """True if samples can tell something new of a pair."""
+        """True if more samples can change the result of a pair."""
         verdict = self._states[pair].verdict
         rigid = self._adjacency.is_rigid(*self._names(pair))
         return not rigid and verdict in (None, PairVerdict.DEFAULT)

@@ -18,7 +18,7 @@ from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 
-#: The reasons that the Setup Assistant computes; others were written by hand.
+#: The reasons that the Setup Assistant computes; others were written by a person.
 COMPUTED = frozenset(v.reason.lower() for v in PairVerdict if v.reason)
 
 

@@ -183,7 +183,7 @@ class _Worker:
         try:
             self._send((chain, list(solids)))
         except _Died:
-            pass  # the answer tells
+            pass  # the result says so
 
     def wait(self) -> int | None:
         """Wait until it has made its bodies; the number of the one that was fatal, if one was."""

@@ -1,6 +1,6 @@
 """A robot in Pinocchio, built from our model, not from the text.
 
-The root hangs on a free-flyer, so that its mass counts: a Pinocchio model with a fixed base merges
+The root has a free-flyer joint, so that its mass counts: a Pinocchio model with a fixed base merges
 it into the world. Every joint that moves is a joint of its own there, those with ``<mimic>``
 included; what follows what is a constant matrix, so that leaders and followers may stand in any
 order and on any branch. Results are for the joints that can be set, the root fixed.
@@ -311,7 +311,7 @@ def _inertia(link: Link) -> pin.Inertia:
     tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     if not max(abs(mass), np.abs(center).max(), np.abs(tensor).max()) < LARGEST:
         raise Unsuitable(f"link '{link.name}' has a mass, place or inertia beyond all robots")
-    inertia = pin.Inertia.Zero()  # whose constructor refuses what Pinocchio's own reader takes
+    inertia = pin.Inertia.Zero()  # whose constructor rejects what Pinocchio's own parser accepts
     inertia.mass, inertia.lever, inertia.inertia = mass, np.array(center), tensor
     return inertia
 

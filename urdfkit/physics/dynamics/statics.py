@@ -1,4 +1,4 @@
-"""What gravity asks of the joints of a robot that stands still, against what they can exert.
+"""Gravity loads of the joints of a robot at rest, against their effort limits.
 
 The poses looked at: all joints at zero, and all at their limits; poses drawn with a fixed seed; and
 for every joint climbs from the worst of these. The root is held.
@@ -57,7 +57,7 @@ def statics(
         samples: how many poses are drawn between the limits.
         seed: of that drawing.
         joints: the names of those that are judged; all if None.
-        progress: is told how many joints are done, and of how many.
+        progress: called with the number of joints done and of all.
     """
     by_name = robot.tree.model.joints_by_name
     wanted = by_name if joints is None else {n: by_name[n] for n in joints if n in by_name}

@@ -174,13 +174,13 @@ class MeshFiles:
                 found.setdefault(mesh.located.package, []).append(mesh)
         return found
 
-    def spelt_on_disk(self, mesh: MeshReference) -> Suggestion | None:
+    def spelling_on_disk(self, mesh: MeshReference) -> Suggestion | None:
         """For a missing file, the reference with upper and lower case as on disk."""
         base, relative = self._expected(mesh.located)
-        spelt = self.resolver.folders.find_ignoring_case(base, relative)
-        if spelt is None:
+        spelling = self.resolver.folders.find_ignoring_case(base, relative)
+        if spelling is None:
             return None
-        path = os.path.normpath(os.path.join(base, spelt))
+        path = os.path.normpath(os.path.join(base, spelling))
         return Suggestion(self.reference_to(path, mesh.located), path, sure=True)
 
     def nearest(self, mesh: MeshReference) -> Suggestion | None:

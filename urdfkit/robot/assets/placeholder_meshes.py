@@ -1,6 +1,6 @@
 """Placeholder meshes for files that are missing or broken.
 
-What is left of a broken file is kept where it is most of it. Else the names of file and link tell
+What is left of a broken file is kept where it is most of it. Else the names of file and link say
 a real part (a lidar, a camera, a wheel), and the other shapes of the link its place and size; where
 no name does, those shapes themselves are taken. Nothing here guesses without saying so.
 """

@@ -1,0 +1,85 @@
+"""Scanning a folder for packages, breadth first and within bounds."""
+
+from __future__ import annotations
+
+import os
+import time
+
+from urdfkit.workspace.package_folders import PackageFolders, is_searched
+
+#: A scan stops here and says so. Real workspaces have some thousand folders.
+MAX_FOLDERS = 20_000
+MAX_SECONDS = 2.0
+
+
+class PackageScan:
+    """The packages below a folder, breadth first, no further than has been asked for.
+
+    Of two packages with one name, the nearest to the root counts, then the first by path.
+    """
+
+    def __init__(self, folders: PackageFolders, root: str, depth: int, *, nested: bool) -> None:
+        self.root = root
+        self._folders = folders
+        self._depth = depth
+        self._nested = nested
+        self._queue: list[tuple[str, int]] = [(root, 0)]
+        self._next = 0
+        self._seconds = 0.0
+        self._found: dict[str, str] = {}
+        self._linked: set[str] = set()
+
+    def find(self, name: str) -> str | None:
+        """The folder of a package; None if there is none."""
+        started = time.monotonic()
+        while name not in self._found and self._more(started):
+            self._visit(*self._queue[self._next])
+            self._next += 1
+        self._seconds += time.monotonic() - started
+        return self._found.get(name)
+
+    def all(self) -> dict[str, str]:
+        """Folders of all packages by name."""
+        self.find("")
+        return self._found
+
+    def words(self) -> str:
+        """What was scanned, and how far."""
+        self.find("")
+        count = len(self._found)
+        stopped = (
+            "" if self._next == len(self._queue) else f", stopped after {self._next} directories"
+        )
+        return f"{self.root} ({count} package{'' if count == 1 else 's'}{stopped})"
+
+    def _more(self, started: float) -> bool:
+        return (
+            self._next < min(len(self._queue), MAX_FOLDERS)
+            and self._seconds + time.monotonic() - started < MAX_SECONDS
+        )
+
+    def _visit(self, folder: str, depth: int) -> None:
+        entries = self._folders.names_in(folder)
+        if "package.xml" in entries or "manifest.xml" in entries:
+            name = self._folders.name_of(folder)
+            if name:
+                self._found.setdefault(name, folder)
+                if not self._nested and depth:
+                    return
+        if depth >= self._depth:
+            return
+        for entry in sorted(entries):
+            if entries[entry] and is_searched(entry):
+                path = os.path.join(folder, entry)
+                if not self._in_a_circle(path):
+                    self._queue.append((path, depth + 1))
+
+    def _in_a_circle(self, path: str) -> bool:
+        """True if a symbolic link leads to where another led, or to a folder around it."""
+        if not self._folders.listings.is_link(path):
+            return False
+        real = os.path.realpath(path)
+        if real in self._linked or (path + os.sep).startswith(real + os.sep):
+            return True
+        self._linked.add(real)
+        return False
