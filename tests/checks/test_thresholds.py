@@ -59,7 +59,12 @@ def test_what_is_beyond_is_reported(bound: str) -> None:
 
 #: The same of what messages add.
 NOTES: dict[str, tuple[Callable[[float], str], float, float, str]] = {
-    "TRE008 hang": (lambda x: on_wheels(-0.03 - x), 0.101, 0.099, "hang 0.099 m in the air"),
+    "TRE008 wheels": (
+        lambda x: on_wheels(-0.03 - x),
+        0.101,
+        0.099,
+        "the wheels left, right are 0.099 m higher",
+    ),
     "INE006 gyration": (
         lambda x: part("ball", 1, (x * x,) * 3, BALL),
         0.99,
