@@ -224,8 +224,8 @@ def test_what_changed_in_an_included_file_of_another_package_is_told(repository)
     repository.write("robot/config/sizes.yaml", "height: 0.75\n")
     assert failure(assert_unchanged_since, repository.robot(), "v1") == (
         "since v1:\n"
-        "link 'base': inertia ixx 0.1 -> 0.2 kg m^2\n"
-        "link 'arm': inertia ixx 0.1 -> 0.2 kg m^2\n"
+        "link 'base': inertia ixx 0.1 -> 0.2 kg·m²\n"
+        "link 'arm': inertia ixx 0.1 -> 0.2 kg·m²\n"
         "joint 'j': the origin of its frame moved by 0.25 m"
     )
     repository.commit("v2")

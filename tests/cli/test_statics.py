@@ -20,7 +20,7 @@ def test_the_weakest_joint_and_what_would_suffice(capsys: pytest.CaptureFixture[
     assert main(["statics", ARM, "--payload", "5kg@forearm"]) == 0
     page = capsys.readouterr().out
     assert "highest load: shoulder, at shoulder " in page
-    assert "shoulder exceeds its effort limit: needs >= 23.14 N m" in page
+    assert "shoulder exceeds its effort limit: needs >= 23.14 N·m" in page
     assert "margin 0.0597 m; tips over" in page.replace("0.05971", "0.0597")
 
 

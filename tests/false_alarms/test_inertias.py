@@ -17,7 +17,7 @@ def test_the_sign_of_a_product_and_not_the_moments_that_agree() -> None:
     assert messages("INE006", link("rod", ROD, inertial(1, TENSOR))) == []
     assert messages("INE006", link("rod", ROD, inertial(1, flipped))) == [
         (
-            "link 'rod' has ixy 0.0126 kg m^2, with the sign opposite to that of the solid box of "
+            "link 'rod' has ixy 0.0126 kg·m², with the sign opposite to that of the solid box of "
             "0.6 x 0.1 x 0.1 m, which has -0.0126"
         )
     ]

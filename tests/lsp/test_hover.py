@@ -27,8 +27,8 @@ def test_a_link_has_mass_and_inertia() -> None:
     assert text.splitlines() == [
         "**link** `base_link`",
         "- 8.2 kg, centre of mass at 0 0 0 m",
-        "- ixx 0.1, iyy 0.1, izz 0.1 kg m²",
-        "- principal moments 0.1, 0.1, 0.1 kg m²",
+        "- ixx 0.1, iyy 0.1, izz 0.1 kg·m²",
+        "- principal moments 0.1, 0.1, 0.1 kg·m²",
         "- visual: box",
         "- collision: box",
         "- child of `base_footprint` by the fixed joint `base_footprint_joint`",

@@ -58,7 +58,7 @@ def test_soft_bounds(content: str, bounds: tuple[float, float] | None) -> None:
 def test_units() -> None:
     assert (joints.unit(one("revolute", "")), joints.effort_unit(one("revolute", ""))) == (
         "rad",
-        "N m",
+        "N·m",
     )
     assert (joints.unit(one("prismatic", "")), joints.effort_unit(one("prismatic", ""))) == (
         "m",

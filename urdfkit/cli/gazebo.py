@@ -111,7 +111,7 @@ def _link(link: SimulatedLink) -> Iterator[str]:
     x, y, z = (f"{0.0 if abs(value) <= noise else value:.4g}" for value in mass.center)
     yield f"{link.name}: {mass.mass:g} kg, centre of mass at {x} {y} {z} m"
     tensor = mass.tensor
-    yield f"  ixx {tensor.ixx:.4g}, iyy {tensor.iyy:.4g}, izz {tensor.izz:.4g} kg m^2"
+    yield f"  ixx {tensor.ixx:.4g}, iyy {tensor.iyy:.4g}, izz {tensor.izz:.4g} kg·m²"
     for name, _ in link.collisions:
         yield f"  collision {name}"
 

@@ -122,7 +122,7 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
     yield from _entry("centre", f"{_vector(center)} m in {whole.root}, {where}")
     noise = 1e-9 * max(map(abs, tensor))
     xx, xy, xz, yy, yz, zz = (f"{0.0 if abs(v) <= noise else v:.4g}" for v in tensor)
-    moments, products = f"ixx {xx}, iyy {yy}, izz {zz} kg m^2", f"ixy {xy}, ixz {xz}, iyz {yz}"
+    moments, products = f"ixx {xx}, iyy {yy}, izz {zz} kg·m²", f"ixy {xy}, ixz {xz}, iyz {yz}"
     yield from _entry("inertia", f"{moments} about the centre")
     yield from _entry("", products)
     yield from _entry("", f"principal moments {_vector(principal_moments(tensor))}")

@@ -112,7 +112,7 @@ def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str
         rows = [(name, _numbers(column)) for name, column in columns]
         yield from output.two_columns([("", head), *rows])
     if "mass_matrix" in found:
-        yield f"mass matrix, {where}, in kg, kg m and kg m^2"
+        yield f"mass matrix, {where}, in kg, kg m and kg·m²"
         yield from _matrix(found["mass_matrix"], found["columns"])
 
 

@@ -72,7 +72,7 @@ def render(found: MassTable) -> Iterator[str]:
 
 
 def _masses(found: MassTable) -> Iterator[str]:
-    head = f"{'mass / kg':>9} {'share':>6} {'centre of mass / m':>29} {'kg/m^3':>8}"
+    head = f"{'mass / kg':>9} {'share':>6} {'centre of mass / m':>29} {'kg/m³':>8}"
     rows = [("link", head)]
     for row in found.rows:
         density = "" if row.density is None else f"{row.density:.4g}"
@@ -86,7 +86,7 @@ def _masses(found: MassTable) -> Iterator[str]:
 
 
 def _moments(found: MassTable) -> Iterator[str]:
-    yield "principal moments in kg m^2, their axes, and the moments of the shapes"
+    yield "principal moments in kg·m², their axes, and the moments of the shapes"
     rows = []
     for row in found.rows:
         shapes = _three(row.of_shapes[0], 8) if row.of_shapes else ""
@@ -131,7 +131,7 @@ def _three(values: Iterable[float], width: int = 9) -> str:
 
 
 def as_json(found: MassTable) -> str:
-    """For programs; in kg, m, kg m^2 and kg/m^3, axes as columns."""
+    """For programs; in kg, m, kg·m² and kg/m³, axes as columns."""
     document = {
         "version": VERSION,
         "root": found.whole.root,
@@ -195,8 +195,8 @@ def as_csv(found: MassTable) -> str:
 
 def as_markdown(found: MassTable) -> str:
     """A table for a README or an issue."""
-    moments_of = "principal moments / kg m^2"
-    header = ["link", "mass / kg", "centre of mass / m", moments_of, "density / kg/m^3"]
+    moments_of = "principal moments / kg·m²"
+    header = ["link", "mass / kg", "centre of mass / m", moments_of, "density / kg/m³"]
     rows = [
         [
             escape(row.link),

@@ -9,6 +9,9 @@ from collections.abc import Iterable, Iterator
 from urdfkit.errors import UnwritableFile
 from urdfkit.text.terminal import columns, printable
 
+#: How units are written where the terminal has no letters for them, such as kg m^2.
+_ASCII = str.maketrans({"·": " ", "²": "^2", "³": "^3"})
+
 
 def has_color(when: str) -> bool:
     """Whether to write colours: ``always``, ``never``, or ``auto`` for what the place allows.
@@ -56,7 +59,7 @@ def write(text: str) -> None:
         if binary is None:  # an in-process caller has put something of its own there
             sys.stdout.write(text)
         elif _is_terminal():
-            binary.write(text.encode(sys.stdout.encoding, "replace"))
+            binary.write(_for_terminal(text, sys.stdout.encoding))
         else:
             binary.write(encode(text))
         sys.stdout.flush()
@@ -65,6 +68,13 @@ def write(text: str) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if not isinstance(error, BrokenPipeError):
             raise UnwritableFile(f"standard output: {error.strerror or error}") from error
+
+
+def _for_terminal(text: str, encoding: str) -> bytes:
+    try:
+        return text.encode(encoding)
+    except UnicodeEncodeError:
+        return text.translate(_ASCII).encode(encoding, "replace")
 
 
 def aligned(values: Iterable[float], noise: float = 0.0, width: int = 9) -> str:

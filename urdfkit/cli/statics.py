@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 VERSION = 1
 
-#: Torques in N m and places in m under this are rounding.
+#: Torques in N·m and places in m under this are rounding.
 NOISE = 1e-9
 
 #: More poses than this add nothing, and take minutes.
@@ -187,7 +187,7 @@ def _safety(found: Stability, verdict: str) -> str:
 
 
 def as_json(found: Statics, stands: Standing) -> dict[str, Any]:
-    """The same for programs; N m or N, m, rad."""
+    """The same for programs; N·m or N, m, rad."""
     weakest = found.weakest
     return {
         "version": VERSION,

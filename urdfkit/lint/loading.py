@@ -98,8 +98,8 @@ def load(
     >>> robot.name, len(robot.links), robot.degrees_of_freedom
     ('mobile_base', 5, 2)
     >>> wheel = robot.joints_by_name["left_wheel_joint"]
-    >>> print(wheel.limit.effort.value, "N m, written at", wheel.limit.effort.span)
-    5.0 N m, written at models/good/mobile_base/urdf/mobile_base.urdf.xacro:52:22
+    >>> print(wheel.limit.effort.value, "N·m, written at", wheel.limit.effort.span)
+    5.0 N·m, written at models/good/mobile_base/urdf/mobile_base.urdf.xacro:52:22
 
     Lengths are in m, angles in rad, masses in kg. Values that cannot be read are None;
     ``urdfkit.check`` says why.

@@ -26,7 +26,7 @@ MAX_SHOWN = 6
 #: Bytes of a mesh that is opened while somebody waits.
 MAX_MESH = 5_000_000
 _LENGTH_UNIT = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
-_FORCE_UNIT = {"revolute": "N m", "continuous": "N m", "prismatic": "N"}
+_FORCE_UNIT = {"revolute": "N·m", "continuous": "N·m", "prismatic": "N"}
 
 
 def hover(robot: OpenRobot, page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> str:
@@ -124,9 +124,9 @@ def _link(robot: OpenRobot, link: Link) -> Iterator[str]:
         yield f"- {link.mass:g} kg, centre of mass at {x:g} {y:g} {z:g} m"
     if inertial and inertial.tensor:
         tensor = inertial.tensor.value
-        yield f"- ixx {tensor.ixx:g}, iyy {tensor.iyy:g}, izz {tensor.izz:g} kg m²"
+        yield f"- ixx {tensor.ixx:g}, iyy {tensor.iyy:g}, izz {tensor.izz:g} kg·m²"
         a, b, c = principal_moments(tensor)
-        yield f"- principal moments {a:.4g}, {b:.4g}, {c:.4g} kg m²"
+        yield f"- principal moments {a:.4g}, {b:.4g}, {c:.4g} kg·m²"
     for role, bodies in (("visual", link.visuals), ("collision", link.collisions)):
         shapes = [body.shape.kind for body in bodies if body.shape]
         if shapes:

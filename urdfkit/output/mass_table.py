@@ -22,7 +22,7 @@ class MassRow(Record):
     Attributes:
         link: its name.
         properties: as declared, in the frame of the link.
-        moments: principal moments, smallest first, in kg m^2.
+        moments: principal moments, smallest first, in kg·m².
         axes: a rotation whose columns are their axes, in the frame of the link.
         shape_mass: what its shapes enclose; None where that is not known.
         reason: why it is not known; empty if it is.
@@ -37,7 +37,7 @@ class MassRow(Record):
 
     @property
     def density(self) -> float | None:
-        """The declared mass by the volume of the shapes, in kg/m^3; None without them."""
+        """The declared mass by the volume of the shapes, in kg/m³; None without them."""
         volume = self.shape_mass.properties.mass if self.shape_mass else 0.0
         return self.properties.mass / volume if volume > 0 else None
 

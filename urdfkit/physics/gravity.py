@@ -54,7 +54,7 @@ class Load(Record):
 
     Attributes:
         joint: its name.
-        effort: what it can exert, in N m or N; None where the model does not say.
+        effort: what it can exert, in N·m or N; None where the model does not say.
         at_zero: what it holds with all joints at zero; the sign is that of its axis.
         at_pose: what it holds at the pose that was asked for; that at zero if none was.
         worst: the largest of all poses, without sign: the effort that suffices.
@@ -143,7 +143,7 @@ class GravityModel:
         self.spans = {name: span(joints[name]) for name in self.moved}
 
     def torques(self, pose: Mapping[str, float]) -> dict[str, float]:
-        """What each joint holds that is set by one number, in N m or N, with the sign of its axis.
+        """What each joint holds that is set by one number, in N·m or N, with the sign of its axis.
 
         Args:
             pose: positions of these joints; the others are at 0.

@@ -1,6 +1,6 @@
 """Inertia tensors: principal moments, primitives of uniform density, and what bodies make together.
 
-Tensors in kg m^2 about the centre of mass unless said otherwise, masses in kg, lengths in m.
+Tensors in kg·m² about the centre of mass unless said otherwise, masses in kg, lengths in m.
 Nothing here needs numpy, which alone costs more than checking a robot.
 """
 
@@ -25,7 +25,7 @@ class MassProperties(Record):
     Attributes:
         mass: in kg.
         center: of mass, in m.
-        tensor: about the centre of mass, along the axes of the same frame, in kg m^2.
+        tensor: about the centre of mass, along the axes of the same frame, in kg·m².
     """
 
     mass: float

@@ -23,7 +23,7 @@ LIGHT = 1e-4
 
 
 def effort(joint: Joint) -> float | None:
-    """What a joint can exert, in N m or N; None where it is not said, or 0, which says nothing."""
+    """What a joint can exert, in N·m or N; None where it is not said, or 0, which says nothing."""
     limit = joint.limit
     if limit is None or limit.effort is None or limit.effort.value <= 0:
         return None
@@ -48,7 +48,7 @@ def overloadable(tree: KinematicTree) -> list[Joint]:
 
 
 def largest(tree: KinematicTree) -> dict[str, float]:
-    """The upper bound of what each joint must hold, in N m or N, by its name.
+    """The upper bound of what each joint must hold, in N·m or N, by its name.
 
     Joints that follow another one load that one, as if a linkage joined them.
 

@@ -98,7 +98,7 @@ def unit(joint: Joint) -> str:
 
 def effort_unit(joint: Joint) -> str:
     """Of what moves it."""
-    return "N" if joint.kind == "prismatic" else "N m"
+    return "N" if joint.kind == "prismatic" else "N·m"
 
 
 def driven(model: RobotModel) -> frozenset[str]:

@@ -45,7 +45,7 @@ class Placed(Generic[T]):
 
 
 class Tensor(Record):
-    """The inertia tensor about the centre of mass, in kg m^2."""
+    """The inertia tensor about the centre of mass, in kg·m²."""
 
     ixx: float
     ixy: float
@@ -134,7 +134,7 @@ class Link(Record):
 
 
 class Limit(Record):
-    """``<limit>``: position in rad or m, effort in N m or N, velocity in rad/s or m/s."""
+    """``<limit>``: position in rad or m, effort in N·m or N, velocity in rad/s or m/s."""
 
     at: Element
     lower: Placed[float] | None

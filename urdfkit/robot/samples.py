@@ -67,7 +67,7 @@ def inertial_xml(mass: str, moments: str) -> str:
 
     Args:
         mass: in kg.
-        moments: about x, y and z, in kg m^2, such as ``0.1 0.1 0.2``.
+        moments: about x, y and z, in kg·m², such as ``0.1 0.1 0.2``.
     """
     x, y, z = moments.split()
     tensor = f'<inertia ixx="{x}" ixy="0" ixz="0" iyy="{y}" iyz="0" izz="{z}"/>'

@@ -164,7 +164,7 @@ class MeshSolid(Record):
 
     Attributes:
         name: of the file.
-        shape_mass: what it encloses at a density of 1 kg/m^3, or its convex hull.
+        shape_mass: what it encloses at a density of 1 kg/m³, or its convex hull.
         hull: volume of the convex hull in m^3.
         is_closed: True if it encloses a solid; it is taken for its hull otherwise.
         points: extreme vertices; the mesh reaches hardly farther in any direction than they.

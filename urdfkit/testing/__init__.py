@@ -202,7 +202,7 @@ def assert_limits_within(
 
     Args:
         model: the robot.
-        bounds: least and greatest value by joint name or pattern, in rad or m (and rad/s, N m).
+        bounds: least and greatest value by joint name or pattern, in rad or m (and rad/s, N·m).
         of: ``position``, ``velocity`` or ``effort``.
     """
     __tracebackhide__ = True

@@ -18,8 +18,8 @@ def test_the_torque_and_the_pose() -> None:
     (message,) = messages("DYN003", pendulum("13.7"))
     assert message in {
         (
-            f"joint 'bob_joint' needs 13.73 N m to hold against gravity at bob_joint {sign}1.57; "
-            "its effort limit is 13.7 N m"
+            f"joint 'bob_joint' needs 13.73 N·m to hold against gravity at bob_joint {sign}1.57; "
+            "its effort limit is 13.7 N·m"
         )
         for sign in ("", "-")
     }

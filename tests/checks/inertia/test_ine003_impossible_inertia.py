@@ -10,7 +10,7 @@ def test_moments_of_a_diagonal_tensor() -> None:
     assert messages("INE003", link("arm", inertial(2, (0.01, 0.03, 0.01)))) == [
         (
             "link 'arm': the moments of inertia violate the triangle inequality: "
-            "0.03 > 0.01 + 0.01 kg m^2"
+            "0.03 > 0.01 + 0.01 kg·m²"
         )
     ]
 
@@ -23,7 +23,7 @@ def test_principal_moments_and_not_the_diagonal() -> None:
     assert messages("INE003", robot) == [
         (
             "link 'arm': the principal moments of inertia violate the triangle inequality: "
-            "0.05 > 0.01 + 0.03 kg m^2"
+            "0.05 > 0.01 + 0.03 kg·m²"
         )
     ]
 
@@ -35,7 +35,7 @@ def test_rounding_is_no_defect(high: float, found: int) -> None:
 
 def test_a_moment_that_stands_alone() -> None:
     (found,) = reported("INE003", part("base", 12, (0, 0, 0.9), BOX))
-    assert found.message.endswith("0.9 > 0 + 0 kg m^2")
+    assert found.message.endswith("0.9 > 0 + 0 kg·m²")
     assert found.help == 'write ixx="0.1" iyy="0.05" izz="0.13"'
 
 
@@ -63,7 +63,7 @@ def test_without_a_diagnosis_the_help_is_the_rule_s() -> None:
 def test_the_message_has_all_three_moments() -> None:
     robot = link("arm", inertial(2, (0.01, 0.03, 0, 0.01, 0, 0.02)))
     assert messages("INE003", robot) == [
-        ("link 'arm': principal moments of inertia -0.02, 0.02, 0.04 kg m^2 are not all positive")
+        ("link 'arm': principal moments of inertia -0.02, 0.02, 0.04 kg·m² are not all positive")
     ]
     assert places("INE003", robot) == [
         (3, '<inertia ixx="0.01" ixy="0.03" ixz="0" iyy="0.01" iyz="0" izz="0.02"/>')

@@ -20,7 +20,7 @@ def test_a_moving_link() -> None:
         "link 'arm' of 0.5 kg has no moment of inertia and is moved by the revolute joint "
         "'arm_joint'"
     )
-    assert found.help == "a solid sphere of radius 0.1 m has 0.002 kg m^2 each"
+    assert found.help == "a solid sphere of radius 0.1 m has 0.002 kg·m² each"
     assert places("INE005", robot) == [
         (5, '<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>')
     ]
@@ -72,7 +72,7 @@ def test_a_rod_without_thickness() -> None:
     assert messages("INE005", rod(THIN)) == [
         (
             "link 'rod', moved by the revolute joint 'rod_joint', has principal moments of inertia "
-            "of 0, 0.02 and 0.02 kg m^2: almost 0 about one axis"
+            "of 0, 0.02 and 0.02 kg·m²: almost 0 about one axis"
         )
     ]
     assert [line for line, _ in places("INE005", rod(THIN))] == [5]

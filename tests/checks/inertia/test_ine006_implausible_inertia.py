@@ -15,9 +15,9 @@ def test_a_wheel() -> None:
     robot = part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)
     (found,) = reported("INE006", robot)
     assert found.message == (
-        "link 'wheel': 0.1 kg m^2 is 47.3 times the most that 0.5 kg can have within 0.065 m of "
+        "link 'wheel': 0.1 kg·m² is 47.3 times the most that 0.5 kg can have within 0.065 m of "
         "the centre of mass; a solid cylinder of radius 0.06 m and length 0.05 m has "
-        "0.000554, 0.000554, 0.0009 kg m^2"
+        "0.000554, 0.000554, 0.0009 kg·m²"
     )
     assert found.help == 'write ixx="0.000554167" iyy="0.000554167" izz="0.0009"'
     assert (found.severity, found.confidence) == (Severity.WARNING, Confidence.INFERRED)
@@ -63,7 +63,7 @@ def test_no_share_of_a_body_whose_other_links_are_frames() -> None:
 def test_copies_are_one_finding_and_one_fix() -> None:
     robot = part("a", 1, (7, 7, 7), BALL) + part("b", 0.1, (7, 7, 7), BALL)
     (found,) = reported("INE006", robot)
-    assert found.message.startswith("link 'b': 7 kg m^2 is 7e+03 times")
+    assert found.message.startswith("link 'b': 7 kg·m² is 7e+03 times")
     assert found.message.endswith("(also 'a')")
     after = fixed("INE006", robot)
     assert messages("INE006", after) == messages("INE008", after) == []
@@ -87,17 +87,17 @@ def test_one_macro_of_the_mission_s_model_with_five_calls_the_worst_first() -> N
         first
         == found.message
         == (
-            "link 'base_footprint': 0.1 kg m^2 is 1.33e+09 times the most that 0.0001 kg can have "
+            "link 'base_footprint': 0.1 kg·m² is 1.33e+09 times the most that 0.0001 kg can have "
             "within 0.000866 m of the centre of mass; a solid box of 0.001 x 0.001 x 0.001 m has "
-            "1.67e-11 kg m^2 each; its radius of gyration is 31.6 m; it is 50% of what a simulator "
+            "1.67e-11 kg·m² each; its radius of gyration is 31.6 m; it is 50% of what a simulator "
             "merges into 'dummy'"
         )
     )
     for number, message in enumerate(wheels, 1):
         assert message == (
-            f"link 'wheel_{number}': 0.1 kg m^2 is 47.3 times the most that 0.5 kg can have within "
+            f"link 'wheel_{number}': 0.1 kg·m² is 47.3 times the most that 0.5 kg can have within "
             "0.065 m of the centre of mass; a solid cylinder of radius 0.06 m and length 0.05 m "
-            "has 0.000554, 0.000554, 0.0009 kg m^2"
+            "has 0.000554, 0.000554, 0.0009 kg·m²"
         )
     assert found.fix is None
 

@@ -10,8 +10,8 @@ def test_a_unit_is_recognized() -> None:
     robot = part("base", 12, (1.1e-7, 5.5e-8, 1.3e-7), BOX)
     (found,) = reported("INE006", robot)
     assert found.message == (
-        "link 'base' of 12 kg has at most 1.3e-07 kg m^2, 1/1000000 of its shape; a solid box of "
-        "0.2 x 0.3 x 0.1 m has 0.1, 0.05, 0.13 kg m^2"
+        "link 'base' of 12 kg has at most 1.3e-07 kg·m², 1/1000000 of its shape; a solid box of "
+        "0.2 x 0.3 x 0.1 m has 0.1, 0.05, 0.13 kg·m²"
     )
     assert found.help == 'write ixx="0.1" iyy="0.05" izz="0.13"'
     assert 'ixx="0.1" ixy="0" ixz="0" iyy="0.05"' in fixed("INE006", robot)

@@ -16,9 +16,9 @@ def test_a_wheel_that_lies_along_y() -> None:
     robot = link("wheel", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG)))
     (found,) = reported("INE006", robot)
     assert found.message == (
-        "link 'wheel' has moments of inertia of 0.000554, 0.000554, 0.0009 kg m^2 about x, y and "
+        "link 'wheel' has moments of inertia of 0.000554, 0.000554, 0.0009 kg·m² about x, y and "
         "z; a solid cylinder of radius 0.06 m and length 0.05 m has 0.000554, 0.0009, 0.000554 "
-        "kg m^2 in its orientation"
+        "kg·m² in its orientation"
     )
     assert found.help == (
         'write iyy="0.0009" izz="0.0005541666666666667", or rotate the <inertial>'
@@ -31,7 +31,7 @@ def test_the_sign_of_one_product_is_all_that_is_edited() -> None:
     robot = link("wrist", turned, inertial(12, (0.0923, -0.0178, 0, 0.0576, 0, 0.1303)))
     (found,) = reported("INE006", robot)
     assert found.message == (
-        "link 'wrist' has ixy -0.0178 kg m^2, with the sign opposite to that of the solid box of "
+        "link 'wrist' has ixy -0.0178 kg·m², with the sign opposite to that of the solid box of "
         "0.2 x 0.3 x 0.1 m, which has 0.0179"
     )
     assert found.help == 'write ixy="0.0178", or rotate the <inertial>'

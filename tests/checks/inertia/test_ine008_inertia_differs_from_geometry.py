@@ -16,8 +16,8 @@ def test_a_guessed_tensor() -> None:
     (found,) = reported("INE008", robot)
     assert found.severity is Severity.INFO
     assert found.message == (
-        "link 'imu' of 0.5 kg has moments of inertia of 0.0001 kg m^2 each; a solid sphere of "
-        "radius 0.1 m has 0.002 kg m^2 each"
+        "link 'imu' of 0.5 kg has moments of inertia of 0.0001 kg·m² each; a solid sphere of "
+        "radius 0.1 m has 0.002 kg·m² each"
     )
     assert found.help == 'write ixx="0.002" iyy="0.002" izz="0.002"'
     assert found.fix is not None
@@ -57,15 +57,15 @@ def test_the_mission_s_model() -> None:
     ]
     base, *cubes = found
     assert base.message == (
-        "link 'base_link' of 8.2 kg has moments of inertia of 0.1 kg m^2 each; a solid box of "
-        "0.2 x 0.3 x 0.1 m has 0.0683, 0.0342, 0.0888 kg m^2"
+        "link 'base_link' of 8.2 kg has moments of inertia of 0.1 kg·m² each; a solid box of "
+        "0.2 x 0.3 x 0.1 m has 0.0683, 0.0342, 0.0888 kg·m²"
     )
     assert [call.via[-1].span.line for call in base.calls] == [68]
     assert base.fix is None
     for cube in cubes:
         assert cube.message.endswith(
-            "has moments of inertia of 1e-06 kg m^2 each; a solid box of 0.05 x 0.05 x 0.05 m has "
-            "4.17e-06 kg m^2 each"
+            "has moments of inertia of 1e-06 kg·m² each; a solid box of 0.05 x 0.05 x 0.05 m has "
+            "4.17e-06 kg·m² each"
         )
         assert cube.help == 'write ixx="4.16667e-06" iyy="4.16667e-06" izz="4.16667e-06"'
         assert cube.fix is not None

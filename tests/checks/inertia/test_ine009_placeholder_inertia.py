@@ -15,7 +15,7 @@ def stand_in(name: str, mass: float, moment: float) -> str:
 
 def test_a_stand_in() -> None:
     assert messages("INE009", stand_in("arm", 4, 1.0)) == [
-        "link 'arm' of 4 kg: placeholder inertia 1 kg m^2 each (radius of gyration 0.5 m)"
+        "link 'arm' of 4 kg: placeholder inertia 1 kg·m² each (radius of gyration 0.5 m)"
     ]
 
 

@@ -15,10 +15,10 @@ def box(mass: float) -> str:
 def test_a_mass_in_grams() -> None:
     (found,) = reported("INE010", box(6000))
     assert found.message == (
-        "link 'box': 6000 kg in a box of 0.2 x 0.3 x 0.1 m make 1e+06 kg/m^3; robot parts have "
+        "link 'box': 6000 kg in a box of 0.2 x 0.3 x 0.1 m make 1e+06 kg/m³; robot parts have "
         "20 to 12000"
     )
-    assert found.help == "the mass is probably in g: write 6, and the tensor in kg m^2"
+    assert found.help == "the mass is probably in g: write 6, and the tensor in kg·m²"
     assert places("INE010", box(6000)) == [(2, "6000")]
 
 

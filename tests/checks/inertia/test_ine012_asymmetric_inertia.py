@@ -41,8 +41,8 @@ def test_moments() -> None:
     robot = hand(inertial(0.1, MOMENTS), inertial(0.1, (4e-6, 2e-6, 2.1e-6)))
     assert messages("INE012", robot) == [
         (
-            "link 'right_finger' has principal moments of inertia of 2e-06, 2.1e-06, 4e-06 kg m^2, "
-            "its counterpart 'left_finger' of the same mass 1e-06, 2e-06, 2e-06 kg m^2"
+            "link 'right_finger' has principal moments of inertia of 2e-06, 2.1e-06, 4e-06 kg·m², "
+            "its counterpart 'left_finger' of the same mass 1e-06, 2e-06, 2e-06 kg·m²"
         )
     ]
 

@@ -19,7 +19,7 @@ def frame(mass: float, moments: tuple[float, ...], kind: str = "fixed") -> str:
 def test_gazebo_adds_the_tensor() -> None:
     robot = frame(0, (1, 1, 1))
     assert messages("INE016", robot) == [
-        "link 'sonar' has a mass of 0 kg and moments of inertia of 1 kg m^2 each"
+        "link 'sonar' has a mass of 0 kg and moments of inertia of 1 kg·m² each"
     ]
     assert [line for line, _ in places("INE016", robot)] == [5]
 

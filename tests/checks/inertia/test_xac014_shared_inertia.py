@@ -33,7 +33,7 @@ def test_links_of_different_mass() -> None:
     )
     assert found.message == (
         "macro 'inertial' gives 3 links of 0.25 to 8 kg the same inertia tensor "
-        "(0.1, 0.2, 0.3 kg m^2)"
+        "(0.1, 0.2, 0.3 kg·m²)"
     )
     assert [(one.span.line, one.message) for one in found.related] == [
         (3, "link 'l0' of 8 kg"),
@@ -83,7 +83,7 @@ def test_copies_in_links_of_different_mass() -> None:
     (found,) = reported_plain("XAC014", robot)
     assert found.message == (
         "3 links, from 'l1' of 1 kg to 'l0' of 3 kg, have the same inertia tensor (0.002, 0.002, "
-        "0.001 kg m^2)"
+        "0.001 kg·m²)"
     )
     assert found.element == "link/l1/inertial/inertia"
     assert [note.message for note in found.related] == ["link 'l0' of 3 kg", "link 'l2' of 2 kg"]

@@ -53,7 +53,7 @@ def test_the_place_is_the_limit_or_else_the_joint() -> None:
     [
         (
             "revolute",
-            "add <limit> with lower and upper in rad, effort in N m and velocity in rad/s",
+            "add <limit> with lower and upper in rad, effort in N·m and velocity in rad/s",
         ),
         ("prismatic", "add <limit> with lower and upper in m, effort in N and velocity in m/s"),
     ],
@@ -61,7 +61,7 @@ def test_the_place_is_the_limit_or_else_the_joint() -> None:
 def test_the_help_has_the_units(kind: str, help: str) -> None:
     assert [found.help for found in reported("JNT002", robot(joint("j", kind)))] == [help]
     short = robot(joint("j", kind, "<limit/>"))
-    effort, velocity = ("N m", "rad/s") if kind == "revolute" else ("N", "m/s")
+    effort, velocity = ("N·m", "rad/s") if kind == "revolute" else ("N", "m/s")
     assert reported("JNT002", short)[0].help == f"add effort in {effort} and velocity in {velocity}"
 
 

@@ -9,9 +9,9 @@ from tests.reported import messages, places, reported
 @pytest.mark.parametrize(
     ("kind", "damping", "friction"),
     [
-        ("revolute", "N m s/rad", "N m"),
-        ("continuous", "N m s/rad", "N m"),
-        ("prismatic", "N s/m", "N"),
+        ("revolute", "N·m·s/rad", "N·m"),
+        ("continuous", "N·m·s/rad", "N·m"),
+        ("prismatic", "N·s/m", "N"),
     ],
 )
 def test_a_negative_amount(kind: str, damping: str, friction: str) -> None:

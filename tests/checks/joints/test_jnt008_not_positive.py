@@ -7,8 +7,8 @@ from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
 UNITS = [
-    ("revolute", "effort", "N m"),
-    ("continuous", "effort", "N m"),
+    ("revolute", "effort", "N·m"),
+    ("continuous", "effort", "N·m"),
     ("prismatic", "effort", "N"),
     ("revolute", "velocity", "rad/s"),
     ("continuous", "velocity", "rad/s"),

@@ -16,14 +16,14 @@ def symmetric_pairs(left: str, right: str, kind: str = "revolute", other: str = 
 @pytest.mark.parametrize(
     ("right", "difference"),
     [
-        (limit("-1", "2", "1000", "11"), "effort 1000, not 80 N m"),
-        (limit("-1", "2", "82", "11"), "effort 82, not 80 N m"),
+        (limit("-1", "2", "1000", "11"), "effort 1000, not 80 N·m"),
+        (limit("-1", "2", "82", "11"), "effort 82, not 80 N·m"),
         (limit("-1", "2", "80", "5"), "velocity 5, not 11 rad/s"),
         (limit("-1", "1.5", "80", "11"), "limits [-1, 1.5], not [-1, 2] rad"),
         (limit("-1.2", "2.2", "80", "11"), "limits [-1.2, 2.2], not [-1, 2] rad"),
         (
             limit("0", "2", "1", "2"),
-            "effort 1, not 80 N m, velocity 2, not 11 rad/s, limits [0, 2], not [-1, 2] rad",
+            "effort 1, not 80 N·m, velocity 2, not 11 rad/s, limits [0, 2], not [-1, 2] rad",
         ),
     ],
 )
@@ -94,7 +94,7 @@ def numbered(*origins: str) -> str:
 
 def test_numbered_joints_are_counterparts_if_they_lie_mirrored() -> None:
     assert messages("JNT025", numbered("0.1 0.2 0", "0.1 -0.2 0")) == [
-        "joint 'wheel_2' differs from its counterpart 'wheel_1': effort 2, not 1 N m"
+        "joint 'wheel_2' differs from its counterpart 'wheel_1': effort 2, not 1 N·m"
     ]
     assert reported("JNT025", numbered("0.1 0.2 0", "0.1 -0.25 0")) == []
     assert reported("JNT025", numbered("0 0 0.1", "0 0 0.2")) == []
@@ -114,8 +114,8 @@ LOSSES = '<dynamics damping="{}" friction="{}"/>'
 @pytest.mark.parametrize(
     ("losses", "difference"),
     [
-        ((5, 0.2), "damping 5, not 0.5 N m s/rad"),
-        ((0.5, 0.02), "friction 0.02, not 0.2 N m"),
+        ((5, 0.2), "damping 5, not 0.5 N·m·s/rad"),
+        ((0.5, 0.02), "friction 0.02, not 0.2 N·m"),
         ((0.4, 0.3), ""),  # they are measured
         ((0, 0.2), ""),
     ],

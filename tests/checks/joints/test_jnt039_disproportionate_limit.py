@@ -32,9 +32,9 @@ def test_a_wheel_is_not_compared_with_an_arm() -> None:
 @pytest.mark.parametrize(
     ("odd", "said"),
     [
-        (("1000000", "3"), "effort limit 1e+06 N m is 1.25e+04 times the largest"),
+        (("1000000", "3"), "effort limit 1e+06 N·m is 1.25e+04 times the largest"),
         (("50", "180"), "velocity limit 180 rad/s is 45 times the largest"),
-        (("0.04", "3"), "effort limit 0.04 N m is 0.004 of the smallest"),
+        (("0.04", "3"), "effort limit 0.04 N·m is 0.004 of the smallest"),
         (("20", "0.01"), "velocity limit 0.01 rad/s is 0.005 of the smallest"),
     ],
 )

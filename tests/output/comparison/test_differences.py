@@ -57,7 +57,7 @@ def found(old: str, new: str, **allowed: Any) -> list[str]:
         (
             'ixy="0"',
             'ixy="0.01"',
-            "link 'arm': inertia ixy 0 -> 0.01 kg m^2",
+            "link 'arm': inertia ixy 0 -> 0.01 kg·m²",
         ),
         ("a.stl", "b.stl", "link 'arm': visual mesh a.stl -> mesh b.stl"),
         (
@@ -122,7 +122,7 @@ def test_rounding_of_a_turned_tensor_is_not_told():
         'rpy="0 0 0"/>\n      <mass value="2"/>\n      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.2"'
     )
     new = old.replace('"0 0 0"', f'"0 0 {pi / 2}"').replace('"0.2"', '"0.3"')
-    assert found(old, new) == ["link 'arm': inertia ixx 0.1 -> 0.3, iyy 0.2 -> 0.1 kg m^2"]
+    assert found(old, new) == ["link 'arm': inertia ixx 0.1 -> 0.3, iyy 0.2 -> 0.1 kg·m²"]
 
 
 def test_tolerances_are_what_may_differ():

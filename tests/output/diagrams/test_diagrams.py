@@ -54,7 +54,7 @@ def test_every_format_has_its_module() -> None:
 def test_text() -> None:
     assert text.render(tree(BRANCHES)) == (
         "base\n"
-        "├ left_link  left: revolute about y, -1 to 2 rad, 30 N m, 4 rad/s\n"
+        "├ left_link  left: revolute about y, -1 to 2 rad, 30 N·m, 4 rad/s\n"
         "│ └ tip_link  tip: fixed\n"
         "└ right_link  right: prismatic along -z, 0 to 0.1 m, 10 N, 1 m/s\n"
     )
@@ -64,7 +64,7 @@ def test_what_is_too_wide_goes_on_below() -> None:
     assert text.render(tree(BRANCHES), width=50) == (
         "base\n"
         "├ left_link  left: revolute about y, -1 to 2 rad,\n"
-        "│ │   30 N m, 4 rad/s\n"
+        "│ │   30 N·m, 4 rad/s\n"
         "│ └ tip_link  tip: fixed\n"
         "└ right_link  right: prismatic along -z,\n"
         "      0 to 0.1 m, 10 N, 1 m/s\n"
@@ -147,7 +147,7 @@ def test_svg_is_xml_and_nothing_leaves_its_edges() -> None:
     texts = [one.text for one in drawn.findall(f"{space}text")]
     assert len(boxes) == 5
     assert 'a"b\\<c>`#]--|d' in texts
-    assert "left: revolute about y, -1 to 2 rad, 30 N m, 4 rad/s" in texts
+    assert "left: revolute about y, -1 to 2 rad, 30 N·m, 4 rad/s" in texts
     for box in boxes:
         assert float(box.attrib["x"]) + float(box.attrib["width"]) <= width
         assert float(box.attrib["y"]) + float(box.attrib["height"]) <= height

@@ -43,7 +43,7 @@ def test_the_verdict_of_each_program_is_its_own() -> None:
 
 
 def test_statics_are_those_of_a_beam(tmp_path: Path) -> None:
-    """2 kg at 0.5 m from a horizontal axis: m g r, of an effort of 20 N m."""
+    """2 kg at 0.5 m from a horizontal axis: m g r, of an effort of 20 N·m."""
     pytest.importorskip("pinocchio")
     robot = tmp_path / "beam.urdf"
     robot.write_text(
@@ -55,7 +55,7 @@ def test_statics_are_those_of_a_beam(tmp_path: Path) -> None:
     (load,) = describe(str(robot))[0]["statics"]["joints"]
     assert load["worst"] == pytest.approx(2 * 9.81 * 0.5, rel=1e-3)
     assert load["used"] == pytest.approx(load["worst"] / 20)
-    assert (load["joint"], load["unit"], load["exceeded"]) == ("j", "N m", False)
+    assert (load["joint"], load["unit"], load["exceeded"]) == ("j", "N·m", False)
     quick, *_ = describe(str(robot), quick=True)
     assert quick["statics"] is None
     assert "statics" not in quick["missing"]

@@ -125,12 +125,12 @@ class TestInertiaRules:
         robot = link(mesh("a.stl"), INERTIAL.format("0 0 0", 2, 60, 60, 60))
         (found,) = messages(tmp_path, "INE006", robot, {"a.stl": BLOCK})
         assert found.startswith(
-            "link 'arm': 60 kg m^2 is 2.14 times the most that 2 kg can have within 3.74 m of the "
-            "centre of mass; a solid mesh 'a.stl' of 48 m^3 has 8.67, 6.67, 3.33 kg m^2"
+            "link 'arm': 60 kg·m² is 2.14 times the most that 2 kg can have within 3.74 m of the "
+            "centre of mass; a solid mesh 'a.stl' of 48 m^3 has 8.67, 6.67, 3.33 kg·m²"
         )
 
     def test_a_hollow_mesh_may_hold_motors(self, tmp_path: Path) -> None:
-        """The shell alone would make 37 000 kg/m^3, the hull 500."""
+        """The shell alone would make 37 000 kg/m³, the hull 500."""
         shell = stl([
             *box((0, 0, 0), (1, 1, 1)),
             *box((0.0023, 0.0023, 0.0023), (0.9977, 0.9977, 0.9977), (f[::-1] for f in BOX)),
@@ -141,7 +141,7 @@ class TestInertiaRules:
     def test_too_heavy_even_for_the_hull(self, tmp_path: Path) -> None:
         robot = link(mesh("a.stl"), INERTIAL.format("0 0 0", 48 * 20_000, 1e6, 1e6, 1e6))
         (found,) = messages(tmp_path, "INE010", robot, {"a.stl": BLOCK})
-        assert "960000 kg in a mesh 'a.stl' of 48 m^3 make 2e+04 kg/m^3" in found
+        assert "960000 kg in a mesh 'a.stl' of 48 m^3 make 2e+04 kg/m³" in found
 
     def test_a_light_frame_is_not_judged_by_its_hull(self, tmp_path: Path) -> None:
         opened = stl(box((0, 0, 0), (1, 1, 1), BOX[2:]))
@@ -149,7 +149,7 @@ class TestInertiaRules:
         assert messages(tmp_path, "INE010", robot, {"a.stl": opened}) == []
         closed = stl(box((0, 0, 0), (1, 1, 1)))
         (found,) = messages(tmp_path, "INE010", robot, {"a.stl": closed})
-        assert "make 1 kg/m^3" in found
+        assert "make 1 kg/m³" in found
 
     def test_a_centre_of_mass_far_outside(self, tmp_path: Path) -> None:
         far = INERTIAL.format("0 0 9.1", 2, 1, 1, 1)

@@ -19,7 +19,7 @@ from urdfkit.robot.inertials.defects import center_is_outside, implausible_densi
 
 
 def ball(mass: float, moment: float, xyz: str = "0 0 0") -> str:
-    """One of 1 kg with its radius of 0.1 m has 0.004 kg m^2, and 0.01 at most."""
+    """One of 1 kg with its radius of 0.1 m has 0.004 kg·m², and 0.01 at most."""
     return part("ball", mass, (moment, moment, moment), BALL, xyz)
 
 
@@ -36,8 +36,8 @@ def ball(mass: float, moment: float, xyz: str = "0 0 0") -> str:
         (ball(1, 4.1e-5), {"unlike shape": ["ball"]}),
         (part("ball", 1, (0.004, 0.004, 0.0082), BALL), {"triangle inequality": ["ball"]}),
         (part("ball", 1, (0.004, 0.005, 0, 0.004, 0, 0.004), BALL), {"indefinite": ["ball"]}),
-        (ball(0.06, 0.00024), {"density": ["ball"]}),  # 14 kg/m^3
-        (ball(70, 0.28), {"density": ["ball"]}),  # 16 700 kg/m^3
+        (ball(0.06, 0.00024), {"density": ["ball"]}),  # 14 kg/m³
+        (ball(70, 0.28), {"density": ["ball"]}),  # 16 700 kg/m³
         (part("box", 12, (0.05, 0.1, 0.13), BOX), {"wrong axes": ["box"]}),
     ],
 )
@@ -115,10 +115,10 @@ def test_implausible_densities(mass: float, geometry: str, density: float | None
         (6000, (50, 25, 65), BOX, "g"),
         (6000, (0.05, 0.025, 0.065), BOX, "g"),
         (6000, (1e-9, 1e-9, 1e-9), BOX, ""),
-        (80, (1, 1, 1), BOX, ""),  # 13 kg/m^3 as grams
-        (1200, (10, 5, 13), BOX, "g"),  # 200 kg/m^3 as grams
+        (80, (1, 1, 1), BOX, ""),  # 13 kg/m³ as grams
+        (1200, (10, 5, 13), BOX, "g"),  # 200 kg/m³ as grams
         (6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>', "mm"),
-        (42, (0.35, 0.175, 0.455), '<box size="200 300 100"/>', "mm"),  # 7000 kg/m^3
+        (42, (0.35, 0.175, 0.455), '<box size="200 300 100"/>', "mm"),  # 7000 kg/m³
         (6, (0.05, 0.025, 0.065), BOX, ""),
         (1e-6, (1e-9, 1e-9, 1e-9), '<box size="1 1 1"/>', ""),  # no part, but not so large either
         (1000, (50, 25, 65), '<box size="20 20 20"/>', ""),  # too light, and far from 1e-9 of it

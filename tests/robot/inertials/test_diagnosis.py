@@ -214,8 +214,8 @@ def test_how_a_tensor_is_written(tensor: Tensor, text: str) -> None:
 
 
 def test_equal_values_are_written_once() -> None:
-    assert values((0.1, 0.1, 0.1)) == "0.1 kg m^2 each"
-    assert values((0.1, 0.12345, 1e-7)) == "0.1, 0.123, 1e-07 kg m^2"
+    assert values((0.1, 0.1, 0.1)) == "0.1 kg·m² each"
+    assert values((0.1, 0.12345, 1e-7)) == "0.1, 0.123, 1e-07 kg·m²"
 
 
 def test_a_replacement_edits_what_is_different_only() -> None:

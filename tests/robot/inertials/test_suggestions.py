@@ -219,7 +219,7 @@ def test_impossible_tensors_are_told_apart(tmp_path: Path) -> None:
 def test_the_right_moments_at_the_wrong_axes(
     numbers: tuple[float, ...], verdict: str, tmp_path: Path
 ) -> None:
-    """12 kg in a box of 0.1 x 0.2 x 0.3 m: x*x + y*y and so on, in kg m^2."""
+    """12 kg in a box of 0.1 x 0.2 x 0.3 m: x*x + y*y and so on, in kg·m²."""
     xx, yy, zz = numbers
     inertial = (
         f'<inertial><mass value="12"/><inertia ixx="{xx}" ixy="0" ixz="0" iyy="{yy}" iyz="0" '

@@ -54,7 +54,7 @@ def _finding(one: LinkInertia, masses: Masses) -> Finding:
         which = "moments" if one.is_diagonal else "principal moments"
         message = (
             f"the {which} of inertia violate the triangle inequality: "
-            f"{high:.3g} > {low:.3g} + {middle:.3g} kg m^2"
+            f"{high:.3g} > {low:.3g} + {middle:.3g} kg·m²"
         )
         weight = (high - low - middle) / high
     diagnosis = of_impossible(one, masses)

@@ -88,7 +88,7 @@ def _thin(masses: Masses) -> Findings:
                 one.at,
                 f"link '{body.top.name}', moved by the {body.joint.kind} joint "
                 f"'{body.joint.name}', has principal moments of inertia of {low:.1g}, "
-                f"{middle:.3g} and {high:.3g} kg m^2: almost 0 about one axis",
+                f"{middle:.3g} and {high:.3g} kg·m²: almost 0 about one axis",
                 "write the moment about the thin axis as well: mass / 2 * radius^2 for a rod",
                 weight=body.mass,
             )

@@ -81,7 +81,7 @@ def _too_large(one: LinkInertia, masses: Masses) -> Finding:
     high, bound = one.moments[2], one.largest_possible
     return Finding(
         one.at,
-        f"link '{one.link.name}': {high:.3g} kg m^2 is {high / bound:.3g} times the most that "
+        f"link '{one.link.name}': {high:.3g} kg·m² is {high / bound:.3g} times the most that "
         f"{one.mass:g} kg can have within {one.reach:.3g} m of the centre of mass; "
         f"{as_solid(one)}{_radius(one)}{_share(one, masses)}",
         advice(one, diagnosis),
@@ -112,7 +112,7 @@ def _too_small(one: LinkInertia, masses: Masses) -> Finding:
     high, expected = one.moments[2], principal_moments(one.expected)[2]
     return Finding(
         one.at,
-        f"link '{one.link.name}' of {one.mass:g} kg has at most {high:.3g} kg m^2, "
+        f"link '{one.link.name}' of {one.mass:g} kg has at most {high:.3g} kg·m², "
         f"1/{expected / high:.0f} of its shape; {as_solid(one)}",
         advice(one, diagnosis),
         replacement(one, diagnosis.tensor),
@@ -149,6 +149,6 @@ def _signs(one: LinkInertia, keys: list[str]) -> str:
     return (
         f"link '{one.link.name}' has "
         + " and ".join(f"{key} {old:.3g}" for key, (old, _) in zip(keys, pairs, strict=True))
-        + f" kg m^2, with the sign opposite to that of the solid {one.solid}, which has "
+        + f" kg·m², with the sign opposite to that of the solid {one.solid}, which has "
         + " and ".join(f"{new:.3g}" for _, new in pairs)
     )

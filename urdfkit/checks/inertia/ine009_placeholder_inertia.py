@@ -1,6 +1,6 @@
 """An inertia tensor is a placeholder such as 1, 1, 1.
 
-A moment of 1 kg m^2 is that of a car wheel: a link of an arm or a finger of a gripper resists
+A moment of 1 kg·m² is that of a car wheel: a link of an arm or a finger of a gripper resists
 rotation like one, so motors stall, the robot oscillates, and the simulation says nothing about the
 real robot. Take the tensor from the CAD program, or compute it from mass and size; a box around the
 mesh is close enough.

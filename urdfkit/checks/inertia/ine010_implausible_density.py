@@ -1,6 +1,6 @@
 """Mass and size of a link give a density that no robot material has.
 
-Hollow plastic has some 50 kg/m^3, wood 600, aluminium 2700, steel 7800, lead 11300. A mass in
+Hollow plastic has some 50 kg/m³, wood 600, aluminium 2700, steel 7800, lead 11300. A mass in
 grams, a size in millimetres or a missing zero puts a link far outside: forces and torques in the
 simulation are wrong. Correct the mass or the size. If most links of a robot are wrong, they are one
 finding: the unit was mistaken for all of them. Suppress this where a collision shape is
@@ -75,7 +75,7 @@ def _finding(one: LinkInertia) -> Finding:
     return Finding(
         one.inertial.mass,
         f"link '{one.link.name}': {one.mass:g} kg in a {one.solid} make "
-        f"{density:.3g} kg/m^3; robot parts have {LIGHTEST:g} to {HEAVIEST:g}",
+        f"{density:.3g} kg/m³; robot parts have {LIGHTEST:g} to {HEAVIEST:g}",
         _advice(one),
         _in_kilograms(one) if unit_mistake(one) == "g" else None,
         confidence=Confidence.INFERRED,
@@ -99,5 +99,5 @@ def _in_kilograms(one: LinkInertia) -> Fix | None:
 def _advice(one: LinkInertia) -> str:
     unit = unit_mistake(one)
     if unit == "g":
-        return f"the mass is probably in g: write {one.mass / 1000:g}, and the tensor in kg m^2"
+        return f"the mass is probably in g: write {one.mass / 1000:g}, and the tensor in kg·m²"
     return "the size is probably in mm: write it in m" if unit == "mm" else ""

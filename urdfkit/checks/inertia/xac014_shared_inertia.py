@@ -93,7 +93,7 @@ def _by_macro(links: list[Link], tag: Tag) -> Finding:
     return Finding(
         Location(macro.definition),
         f"macro '{macro.name}' gives {len(links)} links of {masses[0]:g} to {masses[-1]:g} kg "
-        f"the same inertia tensor ({moments} kg m^2)",
+        f"the same inertia tensor ({moments} kg·m²)",
         "compute ixx ... izz in the macro from mass and size (urdfkit explain XAC014)",
         related=tuple(
             Related(step.span, f"link '{link.name}' of {link.mass:g} kg") for link, step in calls

@@ -92,7 +92,7 @@ def _finding(
 def _of_dynamics(joint: Joint) -> Findings:
     dynamics = joint.at.child("dynamics")
     effort = effort_unit(joint)
-    for key, in_unit in (("damping", f"{effort} s/{unit(joint)}"), ("friction", effort)):
+    for key, in_unit in (("damping", f"{effort}·s/{unit(joint)}"), ("friction", effort)):
         value = number(dynamics.get(key)) if dynamics else None
         if dynamics and value is not None and value < 0:
             yield Finding(

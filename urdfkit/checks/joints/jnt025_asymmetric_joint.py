@@ -3,7 +3,7 @@
 Counterparts are found by name (left and right, l and r, FL and FR, ...) or, for numbers, by
 mirrored places on one link, and are on different branches.
 
-- Limits, type, damping, friction: where the left elbow has 80 N m and the right one 1000, one was
+- Limits, type, damping, friction: where the left elbow has 80 N·m and the right one 1000, one was
   forgotten in a correction, and the robot pulls to one side. Limits may be equal or mirrored; the
   tolerance is a twentieth of the range, 1 % of effort and velocity, and a factor of two of damping
   and friction.
@@ -76,7 +76,7 @@ def check(subject: Subject) -> Findings:
 
 
 def _differences(first: Joint, second: Joint) -> Iterator[str]:
-    """What differs, as ``effort 1000, not 80 N m``: the second's value before the first's."""
+    """What differs, as ``effort 1000, not 80 N·m``: the second's value before the first's."""
     if first.kind != second.kind:
         yield f"{second.kind}, not {first.kind}"
         return
@@ -105,7 +105,7 @@ def _losses(first: Joint, second: Joint) -> Iterator[str]:
     if one is None or other is None or first.mimic or second.mimic:
         return
     of = effort_unit(first)
-    for key, dimension in (("damping", f"{of} s/{unit(first)}"), ("friction", of)):
+    for key, dimension in (("damping", f"{of}·s/{unit(first)}"), ("friction", of)):
         a, b = number(one.get(key)), number(other.get(key))
         if a and b and max(a, b) > _LOSSES * min(a, b) > 0:
             yield f"{key} {b:g}, not {a:g} {dimension}"

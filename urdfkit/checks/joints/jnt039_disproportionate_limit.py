@@ -47,7 +47,7 @@ _TIMES_LESS = 200.0
 _OTHERS = 3
 
 
-@rule(Severity.WARNING, help="check the unit (N m or N, rad/s or m/s) and the decimal point")
+@rule(Severity.WARNING, help="check the unit (N·m or N, rad/s or m/s) and the decimal point")
 def check(subject: Subject) -> Findings:
     joints = [joint for joint in subject.model.joints if joint.kind in MOVING and joint.limit]
     for kind in MOVING:  # wheels are other motors than arms

@@ -2,13 +2,13 @@
 
 A joint whose friction exceeds its effort never moves. Damping grows with the velocity; it is
 reported if it equals the effort at less than 0.1 rad/s or 0.01 m/s, and at a twentieth of the
-velocity limit. Friction is in N m (or N), damping in N m per rad/s: numbers of a data sheet in
+velocity limit. Friction is in N·m (or N), damping in N·m per rad/s: numbers of a data sheet in
 N mm, or tuned for another simulator, are a thousand times too large. Gazebo, MuJoCo and Drake use
 them unchanged.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
-    measured: of 1300 public descriptions one hand has it, with friction of 5 and effort of 0.7 N m.
+    measured: of 1300 public descriptions one hand has it, with friction of 5 and effort of 0.7 N·m.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _CREEPS = {"rad": 0.1, "m": 0.01}
 _SLOW = 0.05
 
 
-@rule(Severity.WARNING, help="write friction in N m (N for a slide), damping in N m s/rad (N s/m)")
+@rule(Severity.WARNING, help="write friction in N·m (N for a slide), damping in N·m·s/rad (N·s/m)")
 def check(subject: Subject) -> Findings:
     for joint in subject.model.joints:
         dynamics = joint.at.child("dynamics")
@@ -60,7 +60,7 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
     if reached < min(_CREEPS[unit(joint)], _SLOW * speed):
         yield Finding(
             dynamics.attributes["damping"],
-            f"{who}: with damping {damping:g} {of} s/{unit(joint)}, the effort limit of {most:g} "
+            f"{who}: with damping {damping:g} {of}·s/{unit(joint)}, the effort limit of {most:g} "
             f"{of} reaches {reached:.2g} {unit(joint)}/s; the velocity limit is {speed:g}",
             weight=speed / reached,
             alike="damping",

@@ -148,7 +148,7 @@ def of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[Change]:
     tensors = _tensor(before.inertial), _tensor(after.inertial)
     scale = max(abs(entry) for tensor in tensors for entry in tensor)
     if dist(*tensors) > allowed.inertia * scale:
-        yield "inertias", f"inertia {_entries(*tensors, allowed.inertia * scale)} kg m^2", *tensors
+        yield "inertias", f"inertia {_entries(*tensors, allowed.inertia * scale)} kg·m²", *tensors
     for kind in ("visuals", "collisions"):
         yield from _of_bodies(kind, getattr(before, kind), getattr(after, kind), allowed)
 

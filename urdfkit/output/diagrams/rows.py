@@ -82,7 +82,7 @@ def limits(joint: Joint) -> list[str]:
 
 
 def caption(joint: Joint) -> str:
-    """Type, axis, limits and leader: ``revolute about y, -1.5 to 1.5 rad, 20 N m, 2 rad/s``."""
+    """Type, axis, limits and leader: ``revolute about y, -1.5 to 1.5 rad, 20 N·m, 2 rad/s``."""
     return ", ".join(captions(joint))
 
 

@@ -1,6 +1,6 @@
 """The document of a report: plain values that JSON can hold.
 
-Lengths in m, angles in rad, masses in kg, moments in kg m^2. A part that cannot be had, for want
+Lengths in m, angles in rad, masses in kg, moments in kg·m². A part that cannot be had, for want
 of a library or of a robot, is None, and ``missing`` says why.
 """
 

@@ -254,7 +254,7 @@ def _vector(values: Sequence[float | None] | None) -> str:
 
 
 def _dots(moments: Sequence[float | None] | None) -> str:
-    """A drawing of three moments on a logarithmic scale from 1e-7 to 100 kg m^2."""
+    """A drawing of three moments on a logarithmic scale from 1e-7 to 100 kg·m²."""
     from markupsafe import Markup
 
     known = [moment for moment in moments or () if moment is not None and moment > 0]

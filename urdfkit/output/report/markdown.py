@@ -40,7 +40,7 @@ def _sections(document: Document, _: Translator) -> Iterator[str]:
         header = ["", _("Where"), _("What")]
         yield f"### {_('Findings')}\n\n" + table(header, _findings(document["gathered"], _))
     if document["links"]:
-        header = [_("Link"), f"{_('Mass')} / kg", _("Principal moments") + " / kg m²"]
+        header = [_("Link"), f"{_('Mass')} / kg", _("Principal moments") + " / kg·m²"]
         yield f"### {_('Masses')}\n\n" + table(header, map(_link, document["links"]))
 
 

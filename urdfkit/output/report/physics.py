@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 #: Poses that statics and collisions sample; the commands of their own take more.
 POSES, SAMPLES = 200, 1000
-#: Torques in N m, and forces in N, under this are rounding.
+#: Torques in N·m, and forces in N, under this are rounding.
 NOISE = 1e-9
 
 Progress = Callable[[int, int], None]

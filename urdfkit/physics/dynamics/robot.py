@@ -176,7 +176,7 @@ class Dynamics:
         return found
 
     def mass_matrix(self, pose: Mapping[str, float]) -> Floats:
-        """The joint-space mass matrix, the root fixed, (nv, nv), in kg, kg m or kg m^2."""
+        """The joint-space mass matrix, the root fixed, (nv, nv), in kg, kg m or kg·m²."""
         upper = np.triu(pin.crba(self.model, self.data, self.configuration(pose)))
         # With negative masses Pinocchio divides by nearly nothing.
         with np.errstate(over="ignore", invalid="ignore"):
@@ -185,7 +185,7 @@ class Dynamics:
         return found
 
     def gravity(self, pose: Mapping[str, float]) -> Floats:
-        """What each coordinate must bear to hold the robot still, (nv,), in N m or N."""
+        """What each coordinate must bear to hold the robot still, (nv,), in N·m or N."""
         q = self.configuration(pose)
         found: Floats = self.selection.T @ pin.computeGeneralizedGravity(self.model, self.data, q)
         return found

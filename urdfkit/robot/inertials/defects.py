@@ -27,7 +27,7 @@ TOO_LARGE = 2.0
 #: Part of the uniform solid's moment below which no mass in the middle explains it.
 TOO_SMALL = 0.01
 
-#: Densities of robot parts in kg/m^3, from hollow plastic to lead.
+#: Densities of robot parts in kg/m³, from hollow plastic to lead.
 LIGHTEST, HEAVIEST = 20.0, 12000.0
 
 #: A density outside by less than this factor may be that of a shape drawn a little too small.
@@ -72,7 +72,7 @@ def find_defects(
 
     Args:
         inertias: of the links of a robot.
-        matters: True for a moment in kg m^2 that is a noticeable part of a rigid body's.
+        matters: True for a moment in kg·m² that is a noticeable part of a rigid body's.
         by_macro: names of links whose tensor a macro gives to links of different mass.
     """
     found: dict[InertiaDefect, list[LinkInertia]] = {}
@@ -115,7 +115,7 @@ def _defect(one: LinkInertia, matters: Matters) -> InertiaDefect | None:
 
 
 def implausible_density(link: LinkInertia) -> float | None:
-    """The density in kg/m^3 if no material of robots has it; the one nearer to a material's."""
+    """The density in kg/m³ if no material of robots has it; the one nearer to a material's."""
     if link.densities is None or link.mass < SIGNIFICANT * link.body.mass:
         return None
     low, high = link.densities

@@ -1,4 +1,4 @@
-"""Densities of the materials that robots are made of, in kg/m^3.
+"""Densities of the materials that robots are made of, in kg/m³.
 
 Solid material of common grades, rounded; a printed part with infill has less. Sources: metals from
 the EN standards of their grades (aluminium 6061 2700, structural steel 7850, stainless 1.4301 7900,

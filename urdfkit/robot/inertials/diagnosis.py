@@ -22,7 +22,7 @@ from urdfkit.text.editing.edits import all_or_none, from_macro, replace_value
 if TYPE_CHECKING:
     from urdfkit.robot.inertials.masses import Masses
 
-#: Units of CAD programs in kg m^2; 1 lb is 0.45359237 kg and 1 in is 0.0254 m by definition.
+#: Units of CAD programs in kg·m²; 1 lb is 0.45359237 kg and 1 in is 0.0254 m by definition.
 UNITS = (
     ("g mm^2", 1e-9),
     ("g cm^2", 1e-7),
@@ -57,7 +57,7 @@ class Diagnosis(Record):
 
     Attributes:
         cause: after "the tensor", such as ``is in g mm^2``; empty if nothing explains it.
-        tensor: the intended one, in kg m^2; None if it is unknown.
+        tensor: the intended one, in kg·m²; None if it is unknown.
         confidence: how sure the proposal is.
     """
 
@@ -317,6 +317,6 @@ def as_solid(link: LinkInertia) -> str:
 
 
 def values(numbers: Iterable[float]) -> str:
-    """Moments to three digits with their unit, such as ``0.1, 0.1, 0.2 kg m^2``."""
+    """Moments to three digits with their unit, such as ``0.1, 0.1, 0.2 kg·m²``."""
     texts = [f"{value:.3g}" for value in numbers]
-    return f"{texts[0]} kg m^2 each" if len({*texts}) == 1 else f"{', '.join(texts)} kg m^2"
+    return f"{texts[0]} kg·m² each" if len({*texts}) == 1 else f"{', '.join(texts)} kg·m²"

@@ -15,7 +15,7 @@ from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, Primitive, s
 #: Part of its rigid body's mass or inertia below which an error of a link is lost in it.
 SIGNIFICANT = 0.01
 
-#: Moments up to this, in kg m^2, are noise; a ball of 1 mg with a radius of 1 mm has 4e-13.
+#: Moments up to this, in kg·m², are noise; a ball of 1 mg with a radius of 1 mm has 4e-13.
 NOISE = 1e-13
 
 #: What rounding may do to a tensor, relative to its largest moment.
@@ -34,7 +34,7 @@ TURNED = 0.25
 #: thinnest shell twice as much. Numbers with many digits were computed from something.
 LEAST, MOST, MOST_COMPUTED = 0.3, 2.0, 3.5
 
-#: What people write where they know no value, in kg m^2.
+#: What people write where they know no value, in kg·m².
 PLACEHOLDERS = (1.0, 0.1, 0.01, 0.001)
 
 #: Shapes without an edge over this, in m, mark a place and are not the body of the link.
@@ -78,7 +78,7 @@ class LinkInertia:
 
     @cached_property
     def moments(self) -> Vector:
-        """The principal moments, smallest first, in kg m^2."""
+        """The principal moments, smallest first, in kg·m²."""
         return inertia.principal_moments(self.tensor)
 
     @property
@@ -175,7 +175,7 @@ class LinkInertia:
 
     @property
     def largest_possible(self) -> float:
-        """The largest moment of inertia that the mass can have within the shapes, in kg m^2.
+        """The largest moment of inertia that the mass can have within the shapes, in kg·m².
 
         All of it at the farthest point, for no point is farther from an axis through the centre
         of mass than from the centre itself.
@@ -223,7 +223,7 @@ class LinkInertia:
 
     @cached_property
     def densities(self) -> tuple[float, float] | None:
-        """The mass by the larger and by the smaller volume of collision and visual, in kg/m^3.
+        """The mass by the larger and by the smaller volume of collision and visual, in kg/m³.
 
         None without a collision, and where a shape is not measured or only marks a place. Of a
         mesh the larger volume is that of its hull, for a hollow one may hold motors.

@@ -30,7 +30,7 @@ PAIR_MASS, PAIR_MOMENTS = 1.2, 1.5
 #: Links of implausible density, of more than half of those whose density is known, have one cause.
 COMMON_CAUSE = 3
 
-#: The smallest moment of inertia in kg m^2 that MuJoCo takes for one: its mjMINVAL.
+#: The smallest moment of inertia in kg·m² that MuJoCo takes for one: its mjMINVAL.
 LEAST_MOMENT = 1e-15
 
 #: A smallest moment that is this part of the largest is zero to a solver.
@@ -114,14 +114,14 @@ class Masses:
         return dense if len(are_high) == 1 else []
 
     def moments_of(self, body: RigidBody) -> tuple[float, float, float]:
-        """The principal moments of a rigid body as a whole, smallest first, in kg m^2."""
+        """The principal moments of a rigid body as a whole, smallest first, in kg·m²."""
         name = body.top.name
         if name not in self._moments:
             self._moments[name] = principal_moments(body.properties.tensor)
         return self._moments[name]
 
     def matters(self, body: RigidBody, moment: float) -> bool:
-        """True if a moment of inertia in kg m^2 is a noticeable part of a rigid body's."""
+        """True if a moment of inertia in kg·m² is a noticeable part of a rigid body's."""
         return moment >= SIGNIFICANT * self.moments_of(body)[2]
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What the shapes of a link enclose: volume, centre and moments at a density of 1 kg/m^3.
+"""What the shapes of a link enclose: volume, centre and moments at a density of 1 kg/m³.
 
 Primitives by closed forms, meshes by exact integrals over their triangles. A mesh that does not
 enclose a solid counts with its convex hull, and that is said.

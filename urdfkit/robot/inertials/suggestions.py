@@ -134,7 +134,7 @@ def propose(
         robot: the robot.
         source: what to compute from, one of `urdfkit.robot.inertials.shape_mass.SOURCES`.
         mass: of each link in kg, instead of the declared one.
-        density: in kg/m^3, that gives the mass instead.
+        density: in kg/m³, that gives the mass instead.
         links: only these.
         lump: take links that fixed joints hold together as one body.
 

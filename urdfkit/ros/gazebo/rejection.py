@@ -149,7 +149,7 @@ def _of_inertia(conversion: Conversion) -> Iterator[Rejection]:
         low, middle, high = sorted(principal_moments(link.properties.tensor))
         slack = _SLACK * max(abs(low), abs(high))
         if low < -slack or low + middle < high - slack:
-            moments = f"{low:.3g}, {middle:.3g} and {high:.3g} kg m^2"
+            moments = f"{low:.3g}, {middle:.3g} and {high:.3g} kg·m²"
             message = f"link '{link.name}' cannot have principal moments {moments}"
             place = link.body.top.inertial or link.body.top
             yield Rejection("gz", "INE003", message, place.at.span)

@@ -6,7 +6,7 @@ from urdfkit.robot.samples import arm_xml, element_xml, inertial_xml, joint_xml,
 
 
 def solid_xml(name: str, *inside: str, mass: str = "1", moments: str = "0.01 0.01 0.01") -> str:
-    """A ``<link>`` with a mass in kg, moments in kg m^2 about x, y and z, and other elements."""
+    """A ``<link>`` with a mass in kg, moments in kg·m² about x, y and z, and other elements."""
     return link_xml(name, inertial_xml(mass, moments), *inside)
 
 
