@@ -19,6 +19,7 @@ from urdfkit import Source, check
 from urdfkit.cli import main
 from urdfkit.lint import rule_examples, rule_index, runner
 from urdfkit.lint.context import Subject
+from urdfkit.lint.description_file import DescriptionFile
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
@@ -63,11 +64,10 @@ def robots(tmp_path: Path) -> list[Path]:
 PARTS = [
     (Masses, "inertias", ("INE", "XAC014", "GEO", "DYN", "TRE")),
     (Subject, "masses", ("INE", "XAC014", "DYN", "TRE", "GEO")),
-    (Subject, "files", ("MSH", "GEO", "PKG", "INE", "COL", "DYN")),
+    (Subject, "files", ("MSH", "GEO", "PKG", "INE", "COL", "DYN", "XAC011", "XAC014")),
     (Subject, "visual_collision_pairs", ("GEO",)),
     (Subject, "deviations", ("URD", "XAC002")),
     (Subject, "plugins", ("GAZ", "RCT")),
-    (Subject, "unread", ("GAZ",)),
     (Subject, "ignores", ()),
     (Subject, "targets", ("",)),
     (VisualCollisionPairs, "mismatches", ("GEO",)),
@@ -111,7 +111,7 @@ def test_a_robot_that_fails_costs_no_other_robot(
     jobs: int, robots: list[Path], monkeypatch
 ) -> None:
     before = [one for one in reported(check(*robots)) if one[0] == str(robots[0])]
-    read = vars(Subject)["reading"].func
+    read = vars(DescriptionFile)["reading"].func
     broken = str(robots[1])
 
     def reading(subject: Subject) -> object:
@@ -134,7 +134,7 @@ def test_a_process_that_dies_costs_its_robot_alone(
         path.write_text(ROBOT)
     deadly = [str(robots[0]), str(robots[2])]
     before = [one for one in reported(check(*robots)) if one[0] not in deadly]
-    read = vars(Subject)["reading"].func
+    read = vars(DescriptionFile)["reading"].func
 
     def reading(subject: Subject) -> object:
         return os._exit(9) if subject.source.path in deadly else read(subject)

@@ -15,7 +15,8 @@ from tests.conftest import MODELS, ROOT
 #: What other programs rely on. A name that goes, or changes its meaning, breaks them: say so in
 #: CHANGELOG.md, and think twice before adding one.
 NAMES = """
-Call Comparison Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Related Report RobotModel
+Call Comparison Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Options Related Report
+RobotModel
 Rule Severity Source Span Subject Tolerances UnreadableRobot UrdfkitError Xacro all_rules check
 collisions compare expand find_rule fix format_files frames load mass_properties pose read report
 stand statics summarise to_yourdfpy transform
@@ -23,13 +24,13 @@ stand statics summarise to_yourdfpy transform
 
 SIGNATURES = {
     "all_rules": [],
-    "check": (
-        "files arguments packages select ignore targets trust rules preview min_confidence "
-        "config variant changed jobs progress texts cache resolver"
-    ).split(),
+    "check": "files arguments packages select ignore targets trust config options".split(),
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],
-    "fix": "files unsafe force generate_meshes options".split(),
+    "fix": (
+        "files unsafe force generate_meshes arguments packages select ignore targets trust config "
+        "options"
+    ).split(),
     "format_files": "files width force check config".split(),
     "load": "file arguments packages trust".split(),
     "read": "file arguments packages trust cache progress".split(),

@@ -27,7 +27,7 @@ PARTS = {
     Need.GAZEBO: {"gazebo", "plugins"},
     Need.LAUNCH: {"launch", "beside"},
     Need.SRDF: {"srdf"},
-    Need.DYNAMICS: {"dynamics", "opinion"},
+    Need.DYNAMICS: {"dynamics"},
     Need.COLLISIONS: {"collisions", "measured", "meshes", "files"},
 }
 
