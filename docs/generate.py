@@ -75,7 +75,7 @@ def page(rule: Rule) -> str:
         parts += [title, block("xml", good)]
     if fixed and fixed != good:
         parts += ["## After the fix", block("xml", fixed)]
-    for name, text in rule.beside.items():
+    for name, text in rule.example_files.items():
         parts += [f"## `{name}` beside it", block("yaml" if name.endswith("yaml") else "xml", text)]
     for name, data in getattr(sys.modules[rule.module], "FIXED_FILES", {}).items():
         parts += [f"## `{name}` after the fix", block("xml", data.decode())]

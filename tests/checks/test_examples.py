@@ -25,7 +25,7 @@ PARTS = {
     Need.FILES: ("files",),
     Need.MESHES: ("files", "measured", "meshes"),
     Need.GAZEBO: {"gazebo", "plugins"},
-    Need.LAUNCH: {"launch", "beside"},
+    Need.LAUNCH: {"launch", "other_robot"},
     Need.SRDF: {"srdf"},
     Need.DYNAMICS: {"dynamics"},
     Need.COLLISIONS: {"collisions", "measured", "meshes", "files"},

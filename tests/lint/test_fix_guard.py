@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from urdfkit.lint.context import Subject
-from urdfkit.lint.fix_guard import _is_used, harm, useless
+from urdfkit.lint.fix_guard import _is_used, regression, useless
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Severity
 from urdfkit.text.source import Source, Span
@@ -41,7 +41,7 @@ def judged(before: Report, after: Report, old: str = ONE_LINK, new: str = TWO_LI
         source = Source("r.urdf", f'<robot name="r">{body}</robot>'.encode())
         return [Subject(source, Resolver(environment={}))]
 
-    return harm(before, after, lambda: robots(old), lambda: robots(new))
+    return regression(before, after, lambda: robots(old), lambda: robots(new))
 
 
 def test_a_rule_that_cannot_look_any_more_forbids_a_fix() -> None:

@@ -162,7 +162,7 @@ def apply_fixes(
         files=tuple({**{file.path: file for file in again.files}, **first}.values()),
         applied=(*fixes.applied, *again.applied),
         meshes=fixes.meshes,
-        unmade=fixes.unmade,
+        not_generated=fixes.not_generated,
     )
 
 

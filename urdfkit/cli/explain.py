@@ -86,7 +86,7 @@ def render(rule: Rule) -> str:
         parts.append(_fill(f"Help: {rule.help}"))
     for title, example in _robots(rule).items():
         parts.append(f"{title}:\n\n{indent(example.strip(), '    ')}")
-    for name, text in rule.beside.items():
+    for name, text in rule.example_files.items():
         parts.append(f"{name} in the same package:\n\n{indent(text.strip(), '    ')}")
     if rule.sources:
         parts.append("\n".join(["Sources:", "", *(f"    {source}" for source in rule.sources)]))

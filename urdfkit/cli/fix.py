@@ -98,7 +98,7 @@ def _meshes(fixes: Fixes, made: str) -> Iterator[str]:
     for mesh in fixes.meshes:
         yield f"{made} {printable(shown(mesh.path))}:"
         yield from output.indented(mesh.reason)
-    for other in fixes.unmade:
+    for other in fixes.not_generated:
         yield f"cannot generate {printable(shown(other.path))}:"
         yield from output.indented(other.reason)
 

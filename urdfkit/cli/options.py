@@ -177,7 +177,7 @@ def add_rules(values: Mapping[str, Any]) -> list[str]:
     if names:
         from urdfkit.lint.rule_packages import add
 
-        add(names, modules=True, beside=os.curdir)
+        add(names, modules=True, folder=os.curdir)
     return names
 
 

@@ -159,7 +159,7 @@ def _of_folders(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
 
 
 def _plain_path(text: str, source: Source, resolver: Resolver) -> str:
-    """A path in a file, absolute; empty if only the expansion would tell."""
+    """A path in a file, absolute; empty if only the expansion can compute it."""
     here = os.path.dirname(os.path.abspath(source.path))
 
     def package(match: re.Match[str]) -> str:

@@ -51,7 +51,7 @@ def fingerprint(diagnostic: Diagnostic, folder: str) -> Fingerprint:
 def fingerprints(diagnostics: Iterable[Diagnostic]) -> list[str]:
     """A short mark for every finding, for services that follow findings from run to run.
 
-    Findings that cannot be told apart are numbered in their order.
+    Findings that cannot be distinguished are numbered in their order.
     """
     seen: Counter[str] = Counter()
     marks: list[str] = []

@@ -11,7 +11,7 @@ from urdfkit.text.diagnostic import Confidence, Severity
 
 
 class ConfigError(UrdfkitError):
-    """The configuration cannot be understood; the message names file, setting and remedy."""
+    """The configuration is invalid; the message names the file, the setting and the fix."""
 
 
 class FileIgnore(Record):

@@ -174,7 +174,7 @@ class _Reader:
         from urdfkit.lint.rule_packages import add
 
         try:
-            return tuple(add(names, modules=trusted, beside=self.folder))
+            return tuple(add(names, modules=trusted, folder=self.folder))
         except RuleError as error:
             raise self.error(f"'rule-packages': {error}") from error
 

@@ -111,7 +111,7 @@ class Subject(DescriptionFile):
     """What rules know of one description: the file as it was read, the robot in it, its files.
 
     Attributes:
-        parameters: the parameter files that the launch file loads which asks for it.
+        parameters: the parameter files of the launch file that loads it.
         cache: True if measures of meshes may be kept for the next run.
         progress: called with the number of mesh files read and of all.
         outcome: what the rules before the present one found; set by the runner alone.
@@ -142,7 +142,7 @@ class Subject(DescriptionFile):
         self.rule_options: Mapping[str, Mapping[str, float]] = {}
         self.launched: tuple[Launched, ...] = ()
         self.unchecked: tuple[UncheckedValues, ...] = ()
-        self._beside: dict[tuple[object, ...], Subject] = {}
+        self._other_robots: dict[tuple[object, ...], Subject] = {}
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
@@ -173,7 +173,7 @@ class Subject(DescriptionFile):
         """True for a file that makes sense inside another one only, and is no robot by itself.
 
         That is a library of macros; or a description that another file includes and that lacks
-        a name, or a link from which the others hang.
+        a name, or a link that is the root of the others.
         """
         from urdfkit.workspace.includes import is_included
 
@@ -209,14 +209,14 @@ class Subject(DescriptionFile):
 
     @cached_property
     def targets(self) -> Targets:
-        """The consumers that it is checked for: as given, else as the model gives away."""
+        """The targets that it is checked for: as given, else as detected."""
         if self._given_targets is not None:
             return self._given_targets
         return self.inferred_targets
 
     @property
     def inferred_targets(self) -> Targets:
-        """The consumers that the model gives away."""
+        """The targets detected from the model."""
         from urdfkit.ros.targets import infer
         from urdfkit.workspace.manifest import manifest_of
 
@@ -254,7 +254,7 @@ class Subject(DescriptionFile):
 
     @cached_property
     def srdf(self) -> Srdf | None:
-        """The SRDF beside the robot, if there is one; a part has none, an SRDF is of the whole."""
+        """The SRDF of the robot's package, if there is one; a part has none."""
         if self.is_part:
             return None
         from urdfkit.ros.moveit.srdf import find
@@ -270,29 +270,29 @@ class Subject(DescriptionFile):
 
         return other_variant(self, self.srdf)
 
-    def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:
+    def other_robot(self, path: str, arguments: Mapping[str, str]) -> Subject:
         """Another description, read in the same way; the same one each time."""
         key = (path, *sorted(arguments.items()))
-        if key not in self._beside:
-            self._beside[key] = Subject(
+        if key not in self._other_robots:
+            self._other_robots[key] = Subject(
                 self.resolver.read(path),
                 self.resolver,
                 arguments,
                 trust=self.trust,
                 cache=self.cache,
             )
-        return self._beside[key]
+        return self._other_robots[key]
 
     @cached_property
     def masses(self) -> Masses:
-        """The masses and inertias of the model, and what is doubtful about them."""
+        """The masses and inertias of the model, and their defects."""
         from urdfkit.robot.inertials.masses import Masses
 
         return Masses(self.model, self.tree, self.mesh_solid)
 
     @cached_property
     def visual_collision_pairs(self) -> VisualCollisionPairs:
-        """The collisions of each link beside its visuals."""
+        """The collisions of each link with its visuals."""
         from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 
         return VisualCollisionPairs(self.model, self.mesh_solid, self.files.has_ambiguous_axes)

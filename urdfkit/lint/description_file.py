@@ -51,7 +51,7 @@ class DescriptionFile:
         resolver: finds packages and files.
         arguments: ``name:=value`` for xacro.
         trust: True if the model's expressions and files are not sandboxed.
-        frame: the launch file that asks for it; None if it was named itself.
+        frame: the launch file that loads it; None if it was named itself.
     """
 
     def __init__(
@@ -160,7 +160,7 @@ class DescriptionFile:
         return self._traced.data_places(at)
 
     def _has(self, element: Element) -> bool:
-        """True for an element of the document, not of an SRDF or a manifest beside it."""
+        """True for an element of the document, not of its SRDF or manifest."""
         while element.parent is not None:
             element = element.parent
         return self.reading.document is not None and element is self.reading.document.root

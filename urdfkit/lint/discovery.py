@@ -143,7 +143,7 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Folder
         graph = _graph(folder, config, resolver)
         found = graph.entry_points()
         known = [robot for robot in config.robots if _is_within(robot.file, folder)]
-        # A configuration names the robots below itself; it knows nothing of others beside it.
+        # A configuration names the robots below itself; it knows nothing of those in siblings.
         others = [r for r in found.robots if not (known and _is_within(r.file, config.folder))]
         robots += sorted(
             (

@@ -22,9 +22,9 @@ from urdfkit.lint.fix_guard import (
     Key,
     RegressionGuard,
     Robots,
-    harm,
     key_of,
     real_path,
+    regression,
     useless,
 )
 from urdfkit.lint.options import Options, choose, foreign_codes
@@ -73,7 +73,7 @@ class Fixes(Record):
         left: what the last check still found.
         report: of the last check.
         meshes: that were made for missing and broken files.
-        unmade: missing and broken files for which none could be made.
+        not_generated: missing and broken files for which none could be generated.
     """
 
     files: tuple[Rewrite, ...]
@@ -81,7 +81,7 @@ class Fixes(Record):
     left: tuple[UnappliedFix, ...]
     report: Report
     meshes: tuple[GeneratedMesh, ...] = ()
-    unmade: tuple[NotGenerated, ...] = ()
+    not_generated: tuple[NotGenerated, ...] = ()
 
     def diff(self) -> str:
         """All changes as a unified diff."""
@@ -112,7 +112,7 @@ def fix(
     config: Config | None = None,
     options: Options = Options(),
 ) -> Fixes:
-    """Mend what has a remedy in descriptions of robots and in the files that they include.
+    """Apply the fixes of findings in descriptions of robots and in the files that they include.
 
     >>> fixes = fix("models/gazebo_pkg/urdf/waking_robot_new.xacro", select=["JNT020"])
     >>> [(one.code, one.span.line) for one in fixes.applied]
@@ -206,8 +206,8 @@ def _with_meshes(
         if one.diagnostic.code not in _OF_FILES
         or (real_path(one.diagnostic.span.source), *one.diagnostic.span[1:]) not in places
     )
-    unmade = tuple(one for one in found.values() if isinstance(one, NotGenerated))
-    return fixes._replace(left=left, meshes=meshes, unmade=unmade)
+    not_generated = tuple(one for one in found.values() if isinstance(one, NotGenerated))
+    return fixes._replace(left=left, meshes=meshes, not_generated=not_generated)
 
 
 def fixable(report: Report, options: Options, files: Iterable[str | os.PathLike[str]]) -> Fixable:
@@ -280,11 +280,11 @@ class _Session:
     def run(self) -> Fixes:
         """Apply what can be applied.
 
-        Other robots that include the files are checked once, at the end; only if that shows harm,
-        they are checked with every step, to find the fix that does it.
+        Other robots that include the files are checked once, at the end; only if that shows a
+        regression, they are checked with every step, to find the fix that causes it.
         """
         files = self._fix(is_careful=False)
-        if self._guard.harm({}, self._texts, files):
+        if self._guard.regression({}, self._texts, files):
             self._texts, self._dropped, self._applied = {}, {}, []
             self._fix(is_careful=True)
         report = self._checker.report(self._texts)
@@ -362,7 +362,7 @@ class _Session:
         return "" if self._force else self._ownership.refusal(source)
 
     def _round(self, report: Report, chosen: list[Diagnostic], *, is_careful: bool) -> Report:
-        """Apply as many fixes as do no harm; the report on the texts after them."""
+        """Apply all fixes without a regression; the report on the texts after them."""
         disputed = self._guard.disputes(chosen, self._texts, report)
         self._dropped.update(dict.fromkeys(disputed, _DISPUTED))
         chosen = [one for one in chosen if key_of(one) not in disputed]
@@ -373,11 +373,11 @@ class _Session:
             batch = batches.pop()
             trial = {**self._texts, **self._edited([*kept, *batch])}
             after = self._checker.guard(trial)
-            reason = harm(report, after, *map(self._robots, (self._texts, trial))) or useless(
+            reason = regression(report, after, *map(self._robots, (self._texts, trial))) or useless(
                 report, after, [*kept, *batch]
             )
             if is_careful:
-                reason = reason or self._guard.harm(self._texts, trial, report.files)
+                reason = reason or self._guard.regression(self._texts, trial, report.files)
             if not reason:
                 kept += batch
                 texts, latest = trial, after
@@ -398,7 +398,7 @@ class _Session:
         edits: dict[str, dict[_Piece, Edit]] = {}
         for diagnostic in diagnostics:
             for edit in _edits(diagnostic):
-                # Two robots may tell the same of a file that both include.
+                # Two robots may have the same finding in a file that both include.
                 edits.setdefault(real_path(edit.span.source), {})[_piece(edit)] = edit
         texts = {}
         for real, parts in edits.items():
@@ -409,7 +409,7 @@ class _Session:
 
 
 def _fits(piece: _Piece, others: list[_Piece]) -> bool:
-    """True if an edit can be made beside others, which are sorted; the same one is one."""
+    """True if an edit can be made together with others, which are sorted; the same one is one."""
     start, end, _ = piece
     after = bisect_left(others, (start, -1, ""))
     for other in others[max(0, after - 1) : after + 2]:

@@ -38,7 +38,7 @@ Robots = Callable[[], Iterable[Subject | None]]
 SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
 
 
-def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
+def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
     """What forbids the fixes between two checks of the same robots; empty if nothing does.
 
     Only what both versions can see is compared. Errors of rules that could not look before were
@@ -149,7 +149,7 @@ class Checker:
     def proposals(
         self, texts: Mapping[str, bytes], files: Iterable[str], codes: Iterable[str]
     ) -> tuple[tuple[Edit, ...], ...]:
-        """The edits that each of some robots asks for by some rules."""
+        """The edits that some rules propose for each of some robots."""
         return self._check(files, texts, codes).proposals
 
     def robots(
@@ -222,14 +222,14 @@ class RegressionGuard:
             }
         return found
 
-    def harm(
+    def regression(
         self, before: Mapping[str, bytes], after: Mapping[str, bytes], known: Iterable[str]
     ) -> str:
         """What forbids the change from some texts to others; empty if nothing does.
 
         Args:
             before: texts in the place of those on disk.
-            after: likewise.
+            after: the texts with the fixes.
             known: the descriptions that were checked already.
         """
         checker = self._checker
@@ -239,7 +239,7 @@ class RegressionGuard:
         now = checker.guard_others(after, others)
         if not (any(now.errors) or now.skipped or now.crashed):
             return ""
-        return harm(
+        return regression(
             checker.guard_others(before, others),
             now,
             lambda: checker.robots(before, others),

@@ -119,7 +119,7 @@ def _overridden(
     config: Config, select: Collection[str], ignore: Collection[str], min_confidence: str
 ) -> Config:
     """A configuration with what the options of a check say of its findings."""
-    # What is selected by hand is reported, whatever the configuration leaves out.
+    # What the call selects is reported, whatever the configuration leaves out.
     selected = {code for word in select for code in rule_index.matching(word)}
     kept = config.but_errors - selected
     config = config._replace(but_errors=kept | rule_index.ignored(ignore).but_errors)
@@ -153,7 +153,7 @@ def choose(
     left_out = rule_index.ignored(ignore)
     if left_out.unknown:
         raise left_out.unknown[0]
-    # What is selected by hand runs, whatever the configuration leaves out.
+    # What the call selects runs, whatever the configuration leaves out.
     ignored = left_out.codes | (config.ignore - selected)
     chosen = selected or config.select or {*rule_index.codes(), *foreign}
     return sorted((chosen | {rule_index.NOT_CHECKED}) - ignored)

@@ -41,7 +41,7 @@ class Job(Record):
         name: of the variant; empty if there is one only.
         arguments: for xacro.
         found: True if it was found in a folder, not named.
-        frame: the launch file that asks for it, if one does.
+        frame: the launch file that loads it, if one does.
         parameters: the files of parameters that this launch file loads.
         launched: the arguments that it lacks by itself, and where their values are from.
         codes: of the rules that are asked; all if empty.

@@ -77,7 +77,7 @@ class Report(Record):
         skipped: rules that did not run.
         crashed: rules that failed.
         rules: the codes that ran.
-        targets: per file, the consumers that severities were weighed for.
+        targets: per file, the programs that severities depend on.
         tolerated: how many findings a baseline holds.
         suppressed: how many findings ignore comments or the configuration leave out.
         errors: those of each description, in the order of the check; what several have in common

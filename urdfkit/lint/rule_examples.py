@@ -42,7 +42,7 @@ def whole_robot(text: str) -> str:
 
 @contextmanager
 def laid_out(rule: Rule, text: str) -> Iterator[Source]:
-    """An example in a folder of its own, with the files that its rule puts beside it."""
+    """An example in a folder of its own, with the other files of its rule."""
     module = sys.modules[rule.module]
     files: Mapping[str, bytes] = getattr(module, "FILES", {})
     example = _file_name(rule)
@@ -57,7 +57,7 @@ def laid_out(rule: Rule, text: str) -> Iterator[Source]:
 
 
 def targets_of(rule: Rule) -> tuple[str, ...]:
-    """The consumers that the examples of a rule are checked for; empty if they tell it."""
+    """The targets that the examples of a rule are checked for; empty if detected from them."""
     names: tuple[str, ...] = getattr(sys.modules[rule.module], "TARGETS", ())
     return names
 
@@ -86,12 +86,12 @@ def assert_examples(rule: Rule) -> None:
     if found := diagnose_example(rule, good):
         raise AssertionError(f"{rule.code} finds in GOOD: {found[0].message}")
     fixed = rule.example("FIXED")
-    beside: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FIXED_FILES", {})
-    if rule.fixable is (fixed is None and not beside):
+    fixed_files: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FIXED_FILES", {})
+    if rule.fixable is (fixed is None and not fixed_files):
         raise AssertionError(f"{rule.code}: it takes FIXED and fixable=True, or neither of them")
     given = apply_fixes(rule, bad)
     expected = {"": whole_robot(fixed)} if fixed else {}
-    expected |= {name: data.decode() for name, data in beside.items()}
+    expected |= {name: data.decode() for name, data in fixed_files.items()}
     if given != expected:
         raise AssertionError(f"{rule.code}: the fixes of BAD give\n{given}\nnot\n{expected}")
     if fixed and (found := diagnose_example(rule, fixed)):

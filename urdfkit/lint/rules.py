@@ -28,7 +28,7 @@ FIRST_VERSION = "0.1"
 
 
 class Need(Enum):
-    """What a rule asks of a Subject besides the source text."""
+    """What a rule needs of a Subject besides the source text."""
 
     XACRO = "xacro"  # the expansion: macros, properties, arguments
     MODEL = "model"  # the expanded document and the robot in it
@@ -36,7 +36,7 @@ class Need(Enum):
     MESHES = "meshes"  # the triangles in them, measured
     GAZEBO = "gazebo"  # what Gazebo makes of the model
     LAUNCH = "launch"  # the launch file
-    SRDF = "srdf"  # MoveIt's file beside the model
+    SRDF = "srdf"  # MoveIt's file of the model
     DYNAMICS = "dynamics"  # the robot in Pinocchio, or what Pinocchio says of it
     COLLISIONS = "collisions"  # which links overlap, by coal
 
@@ -55,7 +55,7 @@ class Finding(Record):
         at: the element, attribute, value or place that a person must edit.
         message: who (``link 'arm'``), the measured value with its unit, the bound.
         help: what to do; the rule's own help if empty.
-        fix: a remedy as text edits.
+        fix: as text edits.
         related: other places that explain it.
         confidence: how sure it is.
         weight: the larger, the worse; orders the calls of one macro.
@@ -116,7 +116,7 @@ class Rule(Record):
         code: three letters of the family and three digits.
         name: of the defect, in kebab case.
         severity: unless configured otherwise.
-        needs: what it asks of a Subject.
+        needs: of a Subject.
         check: yields the findings.
         help: what to do, where a finding does not say it.
         fixable: True if findings may carry a fix.
@@ -192,8 +192,8 @@ class Rule(Record):
         return example.decode("utf-8", "surrogateescape") if isinstance(example, bytes) else example
 
     @property
-    def beside(self) -> dict[str, str]:
-        """What lies beside the examples and is short enough to be shown, by relative path."""
+    def example_files(self) -> dict[str, str]:
+        """The other files of the examples that are short enough to be shown, by relative path."""
         files: Mapping[str, bytes] = getattr(sys.modules[self.module], "FILES", {})
         return {
             name: data.decode()

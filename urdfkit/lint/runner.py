@@ -43,7 +43,7 @@ class FileResult(Record):
         diagnostics: in the order of the rules.
         skipped, crashed: rules that did not run, or failed.
         ran: codes of the rules that ran.
-        targets: the consumers that severities were weighed for; None if it did not matter.
+        targets: the programs that severities depend on; None if none does.
         suppressed: how many findings the model's comments or the configuration suppress.
         unknown_arguments: those given that the description never mentions, with the one meant.
         consequences: findings that follow from others, which are reported in their place.
@@ -278,16 +278,16 @@ def _hides_parts(diagnostic: Diagnostic, rule: Rule) -> bool:
 
 def _bounded(finding: Finding) -> Finding:
     """A finding with a message of some length, that names files as they are shown."""
-    message, remedy = shown_text(finding.message), shown_text(finding.help)
+    message, help = shown_text(finding.message), shown_text(finding.help)
     if len(message) > MAX_MESSAGE:
         message = f"{message[:MAX_MESSAGE]}..."
-    if (message, remedy) == (finding.message, finding.help):
+    if (message, help) == (finding.message, finding.help):
         return finding
-    return finding._replace(message=message, help=remedy)
+    return finding._replace(message=message, help=help)
 
 
 def _targets(rule: Rule, findings: list[Finding], subject: Subject) -> tuple[str, ...]:
-    """The targets that a rule's findings are weighed for; inferred only where it matters."""
+    """The targets that a rule's severities depend on; detected only where that matters."""
     return subject.targets.names if findings and rule.by_target else ()
 
 

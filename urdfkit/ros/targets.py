@@ -51,11 +51,11 @@ class UnknownTarget(UrdfkitError):
 
 
 class Targets(Record):
-    """The consumers that a description is checked for.
+    """The programs that a description is checked for.
 
     Attributes:
         names: in the order of ``TARGETS``.
-        evidence: why each of them was inferred; empty if they were given.
+        evidence: why each of them was detected; empty if they were given.
     """
 
     names: tuple[str, ...]
@@ -106,7 +106,7 @@ def infer(model: RobotModel, manifest: Manifest | None) -> Targets:
 
 
 class _Evidence(Record):
-    """A line that gives a target away, and how much that counts."""
+    """A line from which a target is detected, and its weight."""
 
     target: str
     reason: str

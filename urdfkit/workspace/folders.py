@@ -1,4 +1,4 @@
-"""Folders, each listed once, and names looked up in them exactly as they are spelt on disk."""
+"""Directories, each listed once, and names looked up in them exactly as on disk."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ class Folders:
     """Listings of folders.
 
     A file is looked up in the listings instead of being asked for by its whole path: a hundred
-    meshes of one folder cost one listing, and a name that differs in case is told apart on
+    meshes of one folder cost one listing, and a name that differs in case is distinguished on
     file systems that do not care, too.
     """
 
@@ -51,7 +51,7 @@ class Folders:
         return os.path.isfile(entry.path) or os.path.isdir(entry.path)
 
     def find(self, folder: str, relative: str) -> str | None:
-        """The file at a path below a folder, spelt exactly so; None if there is none."""
+        """The file at a path below a directory, spelled exactly so; None if there is none."""
         at = folder
         parts = _parts(relative)
         for number, part in enumerate(parts, start=1):
@@ -74,21 +74,21 @@ class Folders:
         None if there is no such file, or several.
         """
         at = folder
-        spelt: list[str] = []
+        parts_on_disk: list[str] = []
         parts = _parts(relative)
         for number, part in enumerate(parts, start=1):
             if part == "..":
                 at = os.path.dirname(at)
-                spelt.append(part)
+                parts_on_disk.append(part)
                 continue
             entries = self.entries(at) or {}
             is_folder = number < len(parts)
             names = [name for name in _alike(entries, part) if entries[name] is is_folder]
             if len(names) != 1:
                 return None
-            spelt.append(names[0])
+            parts_on_disk.append(names[0])
             at = os.path.join(at, names[0])
-        return "/".join(spelt) or None
+        return "/".join(parts_on_disk) or None
 
     def files_below(self, folder: str, limit: int) -> list[str]:
         """The files in a folder and all below it, nearest first; hidden folders are left out.

@@ -65,7 +65,7 @@ class Manifest(Record):
 
     @property
     def ros(self) -> int | None:
-        """1 or 2 by the build system; None if it does not tell."""
+        """1 or 2 by the build system; None if it does not say."""
         build = re.search(_BUILD, self.data)
         return None if build is None else {b"catkin": 1, b"ament": 2}[build.group(1)]
 
@@ -140,7 +140,7 @@ def known_tags(number: str | None) -> frozenset[str]:
     return own.union(REQUIRED, _OPTIONAL) if own else frozenset()
 
 
-def beside(path: str) -> str | None:
+def nearest_manifest(path: str) -> str | None:
     """The package.xml around a file, whatever is in it."""
     folder = os.path.dirname(os.path.abspath(path))
     while True:

@@ -188,12 +188,12 @@ class Packages:
         ]
 
     def _by_folder_name(self, name: str, near: str) -> Iterator[str]:
-        """Folders of that name beside those above a file."""
+        """Siblings of that name of the directories above a file."""
         above = [at for at in upwards(self.folder_of(near)) if self.searches(at, near)]
         for folder in above:
-            beside = os.path.join(folder, name)
-            if beside not in above and os.path.isdir(beside):
-                yield beside
+            sibling = os.path.join(folder, name)
+            if sibling not in above and os.path.isdir(sibling):
+                yield sibling
 
 
 def path_list(environment: Mapping[str, str], variable: str) -> list[str]:

@@ -162,7 +162,7 @@ class Resolver:
 
         Symbolic links count as what they lead to, except in packages that the user's
         environment names: ``colcon build --symlink-install`` fills those with links. Devices
-        and pipes, which may have no end, are refused.
+        and pipes, which may have no end, are rejected.
 
         Args:
             path: the file, which need not exist.
@@ -245,8 +245,10 @@ class Resolver:
 
     def _absolute(self, reference: str, text: str) -> ResolvedReference:
         tried: list[str] = []
-        for spelt in _spellings(text):
-            path = os.path.normpath(spelt.lstrip("/") if re.match(_DRIVE, spelt) else spelt)
+        for spelling in _spellings(text):
+            path = os.path.normpath(
+                spelling.lstrip("/") if re.match(_DRIVE, spelling) else spelling
+            )
             tried.append(path)
             found = self.folders.find(*os.path.split(path)) or self.installed(path)
             if found:
@@ -285,13 +287,13 @@ class Resolver:
 
     def _find(self, name: str, folder: str, relative: str, tried: list[str]) -> str | None:
         """A file of a package; the paths looked at are added to ``tried``."""
-        for spelt in _spellings(relative):
-            tried.append(_join(folder, spelt))
-            path = self.folders.find(folder, spelt)
+        for spelling in _spellings(relative):
+            tried.append(_join(folder, spelling))
+            path = self.folders.find(folder, spelling)
             if path:
                 return path
-        for spelt in _spellings(relative):
-            for path in self._as_installed(name, folder, spelt):
+        for spelling in _spellings(relative):
+            for path in self._as_installed(name, folder, spelling):
                 return path
         return None
 

@@ -35,7 +35,7 @@ def check_out(path: str, revision: str, folder: str, largest: int = MAX_BYTES) -
     commit = _commit(top, revision)
     tree = _git(top, "ls-tree", "-r", "-l", "-z", commit)
     names = b"\0".join(_name(entry) for entry in tree.split(b"\0") if _is_wanted(entry, largest))
-    import tempfile  # which a check that asks git about ignored files does without
+    import tempfile  # not needed to list ignored files
 
     with tempfile.TemporaryDirectory() as scratch:
         index = os.path.join(scratch, "index")

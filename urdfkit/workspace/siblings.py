@@ -1,4 +1,4 @@
-"""Files that lie beside a robot and belong to it, found by where they are."""
+"""Files that belong to a robot by their location, such as the SRDF of its MoveIt package."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     """The SRDF files that may be a robot's.
 
     They are looked for in the robot's folder, in ``config`` and ``srdf`` of its package, and in
-    MoveIt packages beside it whose ``.setup_assistant`` names the robot's file.
+    sibling MoveIt packages whose ``.setup_assistant`` names the robot's file.
     """
     folder = os.path.dirname(os.path.abspath(robot))
     package = resolver.packages.enclosing(robot)
@@ -37,7 +37,7 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
 
 
 def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
-    """The SRDF files of MoveIt packages beside a robot that may be for it, or for others.
+    """The SRDF files of sibling MoveIt packages that may be for a robot, or for others.
 
     They name it with arguments of its own, or do not say which file they are made for.
 
@@ -73,7 +73,7 @@ def _srdf_in(folders: Iterable[str], resolver: Resolver) -> Iterator[str]:
 
 
 def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
-    """The MoveIt packages beside that of a robot, and those in a folder of them."""
+    """The sibling MoveIt packages of a robot's package, and those in a directory of them."""
     package = resolver.packages.enclosing(robot)
     around = os.path.dirname(package[1]) if package else ""
     if package is None or not resolver.packages.searches(around, robot):

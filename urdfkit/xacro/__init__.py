@@ -131,7 +131,7 @@ def expand(
         trust: do not sandbox expressions, read any file and variable.
         root_dir: relative paths of the command line start there.
         traced: note where every value comes from, for ``Xacro.inputs``; slower.
-        frame: the launch file that asks for it, if one does.
+        frame: the launch file that loads it, if one does.
     """
     collecting = gc.isenabled()
     gc.disable()  # the trees are large and live until the end

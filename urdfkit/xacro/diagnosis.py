@@ -219,7 +219,7 @@ def macro_notes(error: BaseException) -> tuple[Related, ...]:
 
 
 def warning(text: str, node: Node, local: dict[str, Any]) -> Problem | None:
-    """What xacro warns of, at the element it works on; None if it does no harm.
+    """What xacro warns of, at the element it works on; None if it has no effect.
 
     Args:
         text: as xacro words it.

@@ -34,7 +34,7 @@ Dom = Any  #: a ``minidom.Document`` whose elements are Nodes
 class Attr(_StockAttr):  # type: ignore[misc]
     """An attribute: a name and a value, which are no properties.
 
-    That of ``minidom`` has a text node for every value besides, which nobody asks for and which
+    That of ``minidom`` has a text node for every value besides, which nothing uses and which
     takes most of the time.
     """
 
@@ -124,7 +124,7 @@ class Node(_StockElement):  # type: ignore[misc]
 
     @property
     def attributes(self) -> dict[str, str]:
-        """The values of its attributes by name, which is all that xacro asks of them."""
+        """The values of its attributes by name, which is all that xacro uses of them."""
         return {name: attribute.value for name, attribute in (self._attrs or {}).items()}
 
     def removeAttribute(self, name: str) -> None:  # noqa: N802

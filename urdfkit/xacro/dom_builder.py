@@ -32,7 +32,7 @@ def parse(
 
     Args:
         source: the file.
-        frame: the include that asks for it; None for the checked file.
+        frame: the include that names it; None for the checked file.
         budget: what the expansion may make.
 
     Raises:

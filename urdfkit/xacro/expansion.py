@@ -1,4 +1,4 @@
-"""One expansion: what xacro asks for, what it meets, and the places of its errors."""
+"""One expansion: the files that xacro reads, and the places of its errors."""
 
 from __future__ import annotations
 

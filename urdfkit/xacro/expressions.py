@@ -53,7 +53,7 @@ def compile_expression(text: str) -> CodeType:
 
     Raises:
         SyntaxError: as Python's own ``compile``.
-        UnsafeExpression: it is refused.
+        UnsafeExpression: it is rejected.
         TooLarge: it is longer, or nested deeper, than any model's.
     """
     if _is_plain(text):

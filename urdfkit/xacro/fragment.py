@@ -26,7 +26,7 @@ def as_part(
 ) -> list[Problem]:
     """The problems of a file; if another file includes it, the names it lacks are one hint.
 
-    So they are if no file does any more, and the links hang on none of the file's own.
+    So they are if no file does any more, and the parent links are not in the file.
 
     Checked alone, such a part lacks what the including file defines before the include. That is
     no error of the part, and the robot is checked by checking the other file.
@@ -51,7 +51,7 @@ def as_part(
 
 
 def _is_loose(root: Node) -> bool:
-    """True for a ``<robot>`` without a name whose links all hang on other links."""
+    """True for a ``<robot>`` without a name whose links all have a parent."""
     links = {link.getAttribute("name") for link in root.getElementsByTagName("link")}
     children = {child.getAttribute("link") for child in root.getElementsByTagName("child")}
     return bool(links) and links <= children and not root.hasAttribute("name")

@@ -225,16 +225,16 @@ def _nearest_file(path: str) -> str:
     while folder and not os.path.isdir(folder) and folder != os.path.dirname(folder):
         folder, name = os.path.split(folder)
     try:
-        beside = os.listdir(folder or os.curdir)
+        siblings = os.listdir(folder or os.curdir)
     except OSError:
         return ""
     stem, dot, suffix = name.partition(".")
-    alike = [other.partition(".")[0] for other in beside if other.endswith(dot + suffix)]
+    alike = [other.partition(".")[0] for other in siblings if other.endswith(dot + suffix)]
     suggested = nearest(stem, alike, SIMILAR_FILE)
     hint = f"did you mean '{suggested}{dot}{suffix}'?" if suggested else ""
     if name == last:
         return hint or "correct the path; a relative one starts at the file that it stands in"
-    there = sorted(one for one in beside if os.path.isdir(os.path.join(folder, one)))
+    there = sorted(one for one in siblings if os.path.isdir(os.path.join(folder, one)))
     if not hint and 0 < len(there) <= _FEW:  # often the values that an argument may have
         hint = f"there {'is' if len(there) == 1 else 'are'} {', '.join(there)}"
     return f"directory '{name}' not found in {shown(folder)}" + (f"; {hint}" if hint else "")

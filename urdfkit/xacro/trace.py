@@ -1,6 +1,6 @@
 """Where a value comes from: through expressions, macro arguments, properties and YAML files.
 
-Tracing is an expansion of its own, run when somebody asks: it notes which names every expression
+Tracing is an expansion of its own, run on request: it notes which names every expression
 looks up, and how each of them got its value.
 """
 

@@ -1,7 +1,7 @@
 """A robot was found and could not be checked.
 
 It wants arguments for which no file has values, or it cannot be read for a reason that this check
-was told to ignore. Nothing of the robot was checked, and a report without findings would hide
+is configured to ignore. Nothing of the robot was checked, and a report without findings would hide
 that. The same holds for single values of an argument: more than 16, or a directory with whose name
 the robot does not expand. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore
 comment above the root element and `per-file-ignores` accept robots that stay unchecked.

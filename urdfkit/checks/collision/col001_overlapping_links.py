@@ -76,12 +76,12 @@ def check(subject: Subject) -> Findings:
         if pair.is_rigid:
             continue
         if found := _adjacent(pair) if pair.is_adjacent else _apart(pair, contacts.beginning):
-            contact, message, remedy, severity = found
+            contact, message, help, severity = found
             small, large = contact.small, contact.large
             yield Finding(
                 subject.model.collision(small.link, small.number),
                 message,
-                remedy,
+                help,
                 related=(
                     Related(
                         subject.model.collision(large.link, large.number).span,

@@ -55,13 +55,13 @@ _SAMPLES = 20
     help="raise the effort to what the motor has, or correct the masses (urdfkit statics)",
 )
 def check(subject: Subject) -> Findings:
-    doubtful = overloadable(subject.tree)
-    if not doubtful or subject.is_part or subject.masses.consistently_wrong:  # INE010
+    overloaded = overloadable(subject.tree)
+    if not overloaded or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return
     from urdfkit.physics.gravity import GravityModel, gravity_loads
 
     model = GravityModel(subject.tree, weightless=_weightless(subject))
-    joints = {joint.name: joint for joint in doubtful}
+    joints = {joint.name: joint for joint in overloaded}
     for load in gravity_loads(model, joints, model.starts(_SAMPLES, seed=0), pose={}):
         if load.is_exceeded and isfinite(load.worst):
             yield _finding(joints[load.joint], load)

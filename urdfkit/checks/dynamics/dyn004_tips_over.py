@@ -4,7 +4,7 @@ All joints at zero, the lowest collisions touch the ground: their hull is what t
 In a simulation it falls over in its first second. Move the heavy parts, the wheels or the caster,
 or correct a mass or the place of one. Three kinds are not judged: a robot that stands on its base
 alone, since bases are bolted down, one on two wheels, which balances, and one on legs, which does
-not stand with all joints at zero; `urdfkit statics --pose` tells how it stands in any pose.
+not stand with all joints at zero; `urdfkit statics --pose` computes its stability in any pose.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link

@@ -46,8 +46,8 @@ GOOD = BAD.replace("1e-9", "1").replace("1e-11", "0.01")
     help="give the light link the mass and inertia of the real part, or fix one of the joints",
 )
 def check(subject: Subject) -> Findings:
-    doubtful = light(subject.tree)
-    if not doubtful or subject.is_part:
+    light_joints = light(subject.tree)
+    if not light_joints or subject.is_part:
         return
     robot = subject.dynamics  # before the module, which needs the same libraries
     from urdfkit.physics.dynamics.conditioning import LARGEST, conditioning
@@ -55,8 +55,8 @@ def check(subject: Subject) -> Findings:
     found = conditioning(robot)
     if not found.is_ill:
         return
-    names = {joint.name for joint in doubtful}
-    first = next((name for name in found.joints if name in names), doubtful[0].name)
+    names = {joint.name for joint in light_joints}
+    first = next((name for name in found.joints if name in names), light_joints[0].name)
     ratio = "is singular" if isinf(found.number) else f"has the condition {found.number:.2g}"
     joints = " against ".join(f"'{name}'" for name in found.joints[:2])
     yield Finding(

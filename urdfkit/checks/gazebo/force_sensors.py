@@ -45,7 +45,7 @@ def _is_read(model: RobotModel, name: str, at: Element) -> bool:
 
 
 def _measuring(model: RobotModel) -> Iterator[tuple[str, Element, str]]:
-    """The joints whose forces are measured, the element that asks for them, and its name."""
+    """The joints whose forces are measured, the element of the sensor, and its name."""
     measured: set[str] = set()
     for sensor in sensors(model):
         if sensor.type == "force_torque":

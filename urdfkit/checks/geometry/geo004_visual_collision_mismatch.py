@@ -82,7 +82,7 @@ def _apart(one: VisualCollisionPair) -> Finding:
 
 
 def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:
-    """The origin of the other body, or how far to move where that is no remedy."""
+    """The origin of the other body, or how far to move where that does not help."""
     if wrong.origin != right.origin:
         return f"give the {wrong.at.tag} the <origin> of the {right.at.tag}"
     shift = minus(one.visual.bounds.center, one.collision.bounds.center)

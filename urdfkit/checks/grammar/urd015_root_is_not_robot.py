@@ -1,7 +1,7 @@
 """The file is XML, but its root element is not `<robot>`.
 
-It is another format (an SDF model, a launch file, a mesh), or the name is misspelt: XML tells
-capital letters from small ones. urdfdom, Drake, MuJoCo and PyBullet find no robot in it.
+It is another format (an SDF model, a launch file, a mesh), or the name is misspelt: XML is
+case-sensitive. urdfdom, Drake, MuJoCo and PyBullet find no robot in it.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot

@@ -89,11 +89,11 @@ def _soft_limits(model: RobotModel) -> Iterator[_Soft]:
             yield _Soft(joint, at, soft, hard)
 
 
-def _finding(found: list[_Soft], reason: str, remedy: str) -> Finding:
+def _finding(found: list[_Soft], reason: str, help: str) -> Finding:
     return Finding(
         found[0].at,
         f"{several([one.joint for one in found])}: {reason}",
-        f"{remedy}, or remove the <safety_controller>",
+        f"{help}, or remove the <safety_controller>",
         related=related((one.joint, one.at.span) for one in found),
     )
 

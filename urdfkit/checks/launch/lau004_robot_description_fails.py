@@ -30,7 +30,7 @@ GOOD = BAD.replace("bad.xacro", "good.xacro")
 )
 def check(subject: Subject) -> Findings:
     for description in subject.launch.descriptions:
-        robot = subject.beside(description.path, description.arguments)
+        robot = subject.other_robot(description.path, description.arguments)
         if robot.reading.document is None and not _may_expand(description, robot):
             first, *others = (problem.message for problem in robot.reading.problems)
             more = f", and {len(others)} more" if others else ""

@@ -52,7 +52,7 @@ def check(subject: Subject) -> Findings:
     for description in subject.launch.descriptions:
         if not description.arguments:
             continue
-        xacro = subject.beside(description.path, description.arguments).reading.xacro
+        xacro = subject.other_robot(description.path, description.arguments).reading.xacro
         if xacro is None or xacro.document is None:
             continue  # LAU004
         known = {argument.name for argument in xacro.arguments}

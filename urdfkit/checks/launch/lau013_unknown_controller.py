@@ -80,7 +80,7 @@ def _loaded(subject: Subject) -> set[str]:
     for file in subject.launch.parameters:
         found |= _defined(subject, file.path)
     for description in subject.launch.descriptions:
-        robot = subject.beside(description.path, description.arguments)
+        robot = subject.other_robot(description.path, description.arguments)
         if robot.reading.document is not None:
             found.update(one.name for _, several in in_files(robot) for one in several)
     return found

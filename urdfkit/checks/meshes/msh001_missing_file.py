@@ -87,9 +87,9 @@ def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
 
 def _missing(subject: Subject, mesh: MeshReference) -> Finding:
     files, located = subject.files, mesh.located
-    if spelt := files.spelling_on_disk(mesh):
-        message = f"{mesh.who} is called '{spelt.reference}' on disk: not found on Linux"
-        fix = _fix(mesh, spelt.reference, "write the name as on disk")
+    if spelling := files.spelling_on_disk(mesh):
+        message = f"{mesh.who} is called '{spelling.reference}' on disk: not found on Linux"
+        fix = _fix(mesh, spelling.reference, "write the name as on disk")
         return Finding(mesh.at, message, "write the name as it is on disk", fix)
     where = f" in package '{located.package}'" if located.package else ""
     # An absolute path is what was tried.

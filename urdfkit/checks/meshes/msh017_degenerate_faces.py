@@ -2,7 +2,7 @@
 
 Two of their vertices coincide, or all three are on a line. They are invisible and have no normal:
 collision checks may get undefined contact directions from them, and normals computed at their
-vertices are wrong. A few of them do little harm. `urdfkit mesh repair` removes them.
+vertices are wrong. A few of them matter little. `urdfkit mesh repair` removes them.
 
 Sources:
     MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc

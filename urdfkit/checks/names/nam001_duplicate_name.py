@@ -40,15 +40,15 @@ GOOD = BAD.replace('<link name="wheel"/>\n', "", 1)
 @rule(Severity.ERROR)
 def check(subject: Subject) -> Findings:
     model = subject.model
-    remedy = "give each {} its own name, in a macro by a prefix"
-    yield from _duplicates((link.at for link in model.links), remedy.format("link"))
-    yield from _duplicates((joint.at for joint in model.joints), remedy.format("joint"))
+    help = "give each {} its own name, in a macro by a prefix"
+    yield from _duplicates((link.at for link in model.links), help.format("link"))
+    yield from _duplicates((joint.at for joint in model.joints), help.format("joint"))
     materials = (material.at for material in model.materials)
     yield from _duplicates(materials, "keep one of them", alike="material")
     yield from _redefined(model)
 
 
-def _duplicates(elements: Iterable[Element], remedy: str, alike: str = "") -> Findings:
+def _duplicates(elements: Iterable[Element], help: str, alike: str = "") -> Findings:
     first: dict[str, Element] = {}
     for element in elements:
         name = element.attributes.get("name")
@@ -58,7 +58,7 @@ def _duplicates(elements: Iterable[Element], remedy: str, alike: str = "") -> Fi
             yield Finding(
                 name,
                 f"duplicate {element.tag} '{name.value}'",
-                remedy,
+                help,
                 related=(Related(first[name.value].span, "first defined here"),),
                 alike=alike,
             )

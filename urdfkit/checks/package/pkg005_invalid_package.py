@@ -33,7 +33,7 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.xml_reader import read_xml
-from urdfkit.workspace.manifest import REQUIRED, beside, known_tags
+from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
 from urdfkit.workspace.package_references import are_in
 
 NAME = "urdf/bot.urdf"
@@ -74,7 +74,7 @@ def check(subject: Subject) -> Findings:
     if home := resolver.packages.enclosing(path):
         yield from other_name(*home)
         yield from not_registered(*home)
-    file = beside(path)
+    file = nearest_manifest(path)
     try:
         source = resolver.read(file) if file else None
     except UnreadableFile:

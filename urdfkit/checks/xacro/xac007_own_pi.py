@@ -1,7 +1,7 @@
 """A property repeats the constant pi, with fewer digits.
 
 Expressions have `pi` built in, exact to the last bit. With a pi of eight digits a wheel is
-off by a few nanometres, which does no harm until two frames are compared; with 3.14 it is off by a
+off by a few nanometres, which matters only where two frames are compared; with 3.14 it is off by a
 millimetre at one metre. Write `${pi}`.
 
 Sources:

@@ -172,7 +172,7 @@ def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
 
 
 def wrong_direction(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | None:
-    """Why a drive does not move a robot as commanded, and the remedy; None if it does.
+    """Why a drive does not move a robot as commanded, and the help; None if it does.
 
     A drive rolls forwards by turning all wheels in the positive sense, and left is where the axis
     of a wheel points that rolls so.
@@ -191,8 +191,8 @@ def wrong_direction(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | 
     if to_left > 0:
         return None
     message = f"left joint {first} is {-to_left:.3g} m to the right of {second} when rolling "
-    remedy = "swap the joints, or invert both axes"
-    return f"{message}forwards, so the robot turns the wrong way", remedy
+    help = "swap the joints, or invert both axes"
+    return f"{message}forwards, so the robot turns the wrong way", help
 
 
 def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:

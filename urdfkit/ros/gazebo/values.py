@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _FLOAT = r"\s*([-+]?(?:0x[\da-f]+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|inf(?:inity)?|nan))"
 _INTEGER = r"\s*([-+]?(?:0x[\da-f]+|\d+))"
 
-#: Units that SDF has anyway: to ignore them does no harm.
+#: Units that SDF has anyway, so that ignoring them changes nothing.
 _UNITS = ("hz", "m", "s", "rad", "kg", "n", "nm", "n/m", "m/s", "rad/s", "px", "pixel", "pixels")
 
 

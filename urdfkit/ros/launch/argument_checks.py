@@ -91,8 +91,8 @@ def is_included(path: str, resolver: Resolver) -> bool:
     home = resolver.packages.enclosing(path)
     folder = home[1] if home else os.path.dirname(os.path.abspath(path))
     name = os.path.basename(path)
-    beside = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
-    others = [file for file in beside if os.path.basename(file) != name]
+    siblings = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
+    others = [file for file in siblings if os.path.basename(file) != name]
     return len(others) > MAX_FILES or any(_names(name.encode(), one, resolver) for one in others)
 
 

@@ -18,7 +18,7 @@ class Spawner(Record):
     Attributes:
         valued, plain: its options with and without a value.
         required: groups of options, of each of which one must be there.
-        is_strict: True if it stops at other options; else it passes over them.
+        is_strict: True if it stops at other options; else it ignores them.
     """
 
     valued: frozenset[str]

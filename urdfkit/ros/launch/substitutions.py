@@ -96,7 +96,7 @@ def pieces(text: str) -> Iterator[tuple[bool, str]]:
         yield False, text[start:]
 
 
-def unmade(path: str, ros: int, resolver: Resolver) -> str | None:
+def unresolved(path: str, ros: int, resolver: Resolver) -> str | None:
     """The first substitution in a YAML file; None if there is none."""
     try:
         text = resolver.read(path).data.decode("utf-8", "replace")

@@ -20,7 +20,7 @@ from urdfkit.ros.launch.collect import Collector, frame_at
 from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, StartedProgram, Word
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
-from urdfkit.ros.launch.substitutions import Substitutions, pieces, unmade
+from urdfkit.ros.launch.substitutions import Substitutions, pieces, unresolved
 from urdfkit.ros.launch.tags import dialect, mistakes
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Element
@@ -357,7 +357,7 @@ class _File:
         switched = attribute.element.get(switch)
         if switched not in (None, "false", "False", "0") or self._ros is None:
             return
-        if found := unmade(path, self._ros, self.collector.resolver):
+        if found := unresolved(path, self._ros, self.collector.resolver):
             message = f"'{os.path.basename(path)}' holds {found}, which is not resolved"
             help = f'write {switch}="true"'
             problem = Problem("LAU019", attribute.span, message, help, self.frame)

@@ -75,7 +75,7 @@ def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
             yield path
         elif xacros < _MAX_XACROS and is_xacro(description.resolver.read(path)):
             xacros += 1
-            other = description.beside(path, description.arguments)
+            other = description.other_robot(path, description.arguments)
             if other.is_readable:
                 model = other.model
                 if _fits(names, {*model.links_by_name, *model.joints_by_name}):
