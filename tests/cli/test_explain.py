@@ -40,7 +40,9 @@ def test_the_page_of_a_rule() -> None:
 
 
 def test_short_files_beside_the_examples_are_shown_and_meshes_are_not() -> None:
-    assert '\n\nbad.srdf in the same package:\n\n    <robot name="bad">\n' in render(rule_index.get("SRD004"))
+    assert '\n\nbad.srdf in the same package:\n\n    <robot name="bad">\n' in render(
+        rule_index.get("SRD004")
+    )
     assert "vertex 1,0 0,0 0,0" in render(rule_index.get("MSH009"))
     assert rule_index.get("MSH009").example_files.keys() == {"meshes/comma.stl", "meshes/plate.stl"}
 
