@@ -94,9 +94,10 @@ def _fix(element: Element, suggested: str) -> Fix | None:
         fix = Fix.of(f"rename <{element.tag}> to <{suggested}>", edits)
         # What was not read as a block may move the robot once it is.
         return fix._replace(safe=False) if fix and calling_macro(element) else fix
-    if element.attributes or element.children or element.text.strip():
-        return None  # what somebody wrote there may belong elsewhere
-    return Fix(f"remove the <{element.tag}>", remove_element(element))
+    if element.children or element.text.strip() or not _is_zero(element):
+        return None  # its values may belong elsewhere
+    is_empty = not element.attributes
+    return Fix(f"remove the <{element.tag}>", remove_element(element), safe=is_empty)
 
 
 def _misplaced(elements: list[Element]) -> Findings:
@@ -127,15 +128,16 @@ def _in_place(
         message += f" (and {len(others)} more like this)"
     related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
     # The colour of a collision is not shown; onshape-to-robot writes an <origin> of zeros in links.
-    is_idle = (element.tag == "material" and parent.tag == "collision") or _is_zero(element)
+    is_material = element.tag == "material" and parent.tag == "collision"
+    is_idle = is_material or (element.tag == "origin" and _is_zero(element))
     severity = Severity.INFO if is_idle else None
     return Finding(element, message, f"move it into {places}", fix, related, severity=severity)
 
 
 def _is_zero(element: Element) -> bool:
-    """True for an origin that moves nothing, wherever it is."""
+    """True for an element whose attributes, if it has any, are zeros."""
     words = " ".join(attribute.value for attribute in element.attributes.values()).split()
-    return element.tag == "origin" and all(word.strip("+-0.") == "" for word in words)
+    return all(word.strip("+-0.") == "" for word in words)
 
 
 def _moved(element: Element, parent: Element) -> Fix | None:
