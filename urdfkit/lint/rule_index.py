@@ -57,24 +57,27 @@ _foreign: set[str] = set()
 _redirects: dict[str, str] = {}
 
 
-def codes() -> list[str]:
-    """The codes of urdfkit's rules, sorted; read from the file names, nothing is imported."""
+def _known() -> dict[str, str]:
+    """The module of every rule, by code; read from the file names, nothing is imported."""
     if not _modules:
-        folder = _CHECKS
         found: dict[str, str] = {}
-        for family in os.listdir(folder):
+        for family in os.listdir(_CHECKS):
             if family.isidentifier() and not family.startswith("_"):
-                for file in os.listdir(os.path.join(folder, family)):
+                for file in os.listdir(os.path.join(_CHECKS, family)):
                     if file.endswith(".py") and (code := code_of(file[:-3])):
                         found[code] = f"urdfkit.checks.{family}.{file[:-3]}"
         _modules.update(sorted(found.items()))
-    return [code for code in _modules if code not in _foreign]
+    return _modules
+
+
+def codes() -> list[str]:
+    """The codes of urdfkit's own rules, sorted."""
+    return [code for code in _known() if code not in _foreign]
 
 
 def family_of(code: str) -> str:
     """The family of a rule, a folder of ``urdfkit/checks``; empty for one of another package."""
-    codes()
-    return "" if code in _foreign else _modules[code].split(".")[2]
+    return "" if code in _foreign else _known()[code].split(".")[2]
 
 
 def of_family(family: str) -> frozenset[str]:
@@ -93,15 +96,15 @@ def register(modules: Mapping[str, str]) -> None:
     Raises:
         RuleError: a code belongs to urdfkit, or to a rule of a third package.
     """
-    codes()
+    known = _known()
     for code, module in modules.items():
         if code[:3] in FAMILIES:
             raise RuleError(
                 f"{module}: the prefix {code[:3]} is reserved by urdfkit; choose another"
             )
-        if _modules.get(code, module) != module:
-            raise RuleError(f"{module}: the code {code} is taken by {_modules[code]}")
-    _modules.update(modules)
+        if known.get(code, module) != module:
+            raise RuleError(f"{module}: the code {code} is taken by {known[code]}")
+    known.update(modules)
     _foreign.update(modules)
 
 
@@ -117,9 +120,7 @@ def get(code: str) -> Rule:
         KeyError: there is none.
         RuleError: the module of another package holds no such rule.
     """
-    if not _modules:
-        codes()
-    module = _modules[code]
+    module = _known()[code]
     if code in _foreign:
         return _foreign_rule(code, module)
     found = import_module(module).check
@@ -161,8 +162,7 @@ def matching(word: str) -> list[str]:
     Raises:
         UnknownRule: there is none, or no longer; the message has the nearest.
     """
-    codes()
-    found = [code for code in _modules if word and code.startswith(word.upper())]
+    found = [code for code in _known() if word and code.startswith(word.upper())]
     found = found or _exactly(word)
     if not found:
         families = {code[:3] for code in _modules}
@@ -181,8 +181,7 @@ def _exactly(word: str) -> list[str]:
     Raises:
         UnknownRule: there is none any more.
     """
-    codes()
-    if word.upper() in _modules:
+    if word.upper() in _known():
         return [word.upper()]
     code = redirect(word)
     if code == "":
@@ -195,8 +194,7 @@ def redirect(word: str) -> str | None:
 
     Empty for a rule that was removed.
     """
-    codes()
-    if word.upper() in _modules:
+    if word.upper() in _known():
         return None
     found = redirects()
     return found.get(word.upper(), found.get(word.lower()))
@@ -262,14 +260,12 @@ def names() -> dict[str, list[str]]:
 
     A name may serve two families: a package can be missing for xacro and for a mesh.
     """
-    codes()
     found: dict[str, list[str]] = {}
-    for code, module in _modules.items():
+    for code, module in _known().items():
         found.setdefault(name_of(module), []).append(code)
     return found
 
 
 def all_rules() -> list[Rule]:
     """Every rule that is known, by code; those of other packages come last."""
-    codes()
-    return [get(code) for code in _modules]
+    return [get(code) for code in _known()]
