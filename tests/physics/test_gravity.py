@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from tests.output.test_overview import of
 from urdfkit.lint.context import Subject
+from urdfkit.physics import gravity
 from urdfkit.physics.gravity import GravityModel, gravity_loads
 from urdfkit.robot.joint_loads import largest
 
@@ -99,3 +100,26 @@ def test_a_payload_and_links_without_weight() -> None:
     assert GravityModel(arm.tree).torques({}) == {"j": pytest.approx(-2 * 9.81)}
     assert GravityModel(arm.tree, {"tip": 1.0}).torques({}) == {"j": pytest.approx(-4 * 9.81)}
     assert GravityModel(arm.tree, weightless={"b"}).torques({}) == {"j": pytest.approx(0)}
+
+
+def test_more_joints_than_are_searched_have_their_load_at_zero(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    body = (
+        '<link name="l{0}"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" '
+        'iyz="0" izz="1"/></inertial></link>'
+    )
+    joint = (
+        '<joint name="j{0}" type="continuous"><parent link="l{0}"/><child link="l{1}"/>'
+        '<origin xyz="0 0 1"/><axis xyz="1 0 0"/></joint>'
+    )
+    text = "".join(body.format(n) for n in range(4))
+    subject = of(text + "".join(joint.format(n, n + 1) for n in range(3)))
+    model = GravityModel(subject.tree)
+    joints = subject.model.joints_by_name
+    starts = model.starts(3, seed=0)
+    searched = gravity_loads(model, joints, starts, pose={})
+    assert max(load.worst for load in searched) == pytest.approx(3 * 9.81)  # 1 and 2 m away
+    monkeypatch.setattr(gravity, "MAX_SEARCHED", 2)
+    loads = gravity_loads(model, joints, starts, pose={})
+    assert [(load.worst, load.pose) for load in loads] == [(0, {})] * 3  # the chain is upright
