@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from urdfkit.lint.context import Subject
 
 #: Former codes and names, and the rules that report their findings now.
@@ -19,3 +21,8 @@ REDIRECTS = {
 def applies(subject: Subject) -> bool:
     """True where the document deviates from the grammar."""
     return bool(subject.deviations)
+
+
+def codes(subject: Subject) -> Collection[str]:
+    """The rules that report the deviations."""
+    return subject.deviations

@@ -1,4 +1,4 @@
-"""Joints: types, axes, limits, mimic."""
+"""Joints: types, axes, limits."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from urdfkit.lint.context import Subject
 REDIRECTS = {
     "motor-weaker-than-friction": "JNT041",
     "limit-out-of-line": "JNT039",
-    "fingers-move-together": "JNT032",
     "GEO013": "JNT012", "size-looks-like-millimetres": "JNT012",
     "JNT018": "JNT008", "negative-damping-or-friction": "JNT008",
     "effort-or-velocity-not-positive": "JNT008",
@@ -22,8 +21,6 @@ REDIRECTS = {
     "JNT040": "JNT010", "velocity-looks-like-degrees": "JNT010",
     "origin-looks-like-millimetres": "JNT012", "JNT038": "JNT012",
     "travel-looks-like-millimetres": "JNT012",
-    "JNT014": "JNT015", "mimic-itself": "JNT015", "mimic-cycle": "JNT015", "JNT017": "JNT015",
-    "mimic-of-fixed": "JNT015", "JNT036": "JNT015", "mimic-without-effect": "JNT015",
     "JNT024": "JNT019", "calibration-out-of-range": "JNT019",
     "safety-limits-outside-limits": "JNT019", "JNT029": "JNT019", "empty-soft-range": "JNT019",
     "JNT035": "JNT020", "limit-on-fixed": "JNT020", "axis-on-fixed": "JNT020",

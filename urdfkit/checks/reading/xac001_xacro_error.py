@@ -22,7 +22,7 @@ import re
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Findings, reported, rule
 from urdfkit.text.diagnostic import Severity
-from urdfkit.xacro.messages import UNBUILT
+from urdfkit.xacro.errors import UNBUILT
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -38,7 +38,7 @@ GOOD = """\
 
 
 #: All uses of a name lack one definition, and all definitions without prefix the prefix.
-_UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro ignores .*)?")
+_UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
 
 
 @rule(
@@ -51,5 +51,5 @@ def check(subject: Subject) -> Findings:
         if finding.message.startswith(UNBUILT):  # which is no defect of the robot
             yield finding._replace(severity=Severity.WARNING)
             continue
-        lacking = _UNDEFINED.match(finding.message)
+        lacking = re.match(_UNDEFINED, finding.message)
         yield finding._replace(alike=lacking[1] or lacking[0]) if lacking else finding
