@@ -5,8 +5,7 @@ from __future__ import annotations
 import os
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Location
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
 
