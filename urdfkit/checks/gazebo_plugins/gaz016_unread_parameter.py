@@ -29,16 +29,9 @@ from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag, rename_element
 
+_TAGS = "<robotBaseFrme>base</robotBaseFrme>", "<odometryFrame>odom</odometryFrame>"
 BAD = robot_xml(
-    solid_xml("base"),
-    gazebo_xml(
-        plugin_xml(
-            "drive",
-            "libgazebo_ros_planar_move.so",
-            "<robotBaseFrme>base</robotBaseFrme>",
-            "<odometryFrame>odom</odometryFrame>",
-        )
-    ),
+    solid_xml("base"), gazebo_xml(plugin_xml("drive", "libgazebo_ros_planar_move.so", *_TAGS))
 )
 GOOD = BAD.replace("Frme", "Frame")
 FIXED = GOOD

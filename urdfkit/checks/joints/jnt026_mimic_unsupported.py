@@ -28,15 +28,13 @@ BAD = robot_xml(
     hand_xml("prismatic", [_LIMIT], [_LIMIT, '<mimic joint="left_joint"/>'], _INERTIAL),
     '<gazebo>\n  <plugin name="control" filename="libgazebo_ros_control.so"/>\n</gazebo>',
 )
-GOOD = BAD.replace(
-    "</gazebo>",
-    """\
+_PLUGIN = """\
   <plugin name="fingers" filename="libroboticsgroup_gazebo_mimic_joint_plugin.so">
     <joint>left_joint</joint>
     <mimicJoint>right_joint</mimicJoint>
   </plugin>
-</gazebo>""",
-)
+"""
+GOOD = BAD.replace("</gazebo>", f"{_PLUGIN}</gazebo>")
 
 
 @rule(

@@ -26,15 +26,11 @@ from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_value
 
+_RPY = '<origin rpy="1.5707963 0 -1.5707963"/>'
 BAD = robot_xml(
     link_xml("camera_link"),
     link_xml("camera_optical_frame"),
-    joint_xml(
-        "fixed",
-        '<origin rpy="1.5707963 0 -1.5707963"/>',
-        parent="camera_link",
-        child="camera_optical_frame",
-    ),
+    joint_xml("fixed", _RPY, parent="camera_link", child="camera_optical_frame"),
 )
 FIXED = GOOD = BAD.replace('"1.5707963 0 -1.5707963"', '"-1.5707963 0 -1.5707963"')
 

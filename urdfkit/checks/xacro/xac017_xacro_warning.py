@@ -17,12 +17,9 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="l${sorted([3, 1])[0]}"/>
-</robot>
-"""
+BAD = xacro_xml('<link name="l${sorted([3, 1])[0]}"/>')
 FIXED = GOOD = BAD.replace("sorted", "python.sorted")
 
 
