@@ -15,6 +15,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
+from urdfkit.core import disk
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Findings, Location, rule
 from urdfkit.mesh.samples import PLATE
@@ -55,7 +56,7 @@ def check(subject: Subject) -> Findings:
     reported: set[str] = set()
     for relative, span in uses(subject, name, folder):
         top = relative.partition("/")[0]
-        is_there = os.path.exists(os.path.join(folder, relative))
+        is_there = disk.exists(os.path.join(folder, relative))
         if top not in reported and is_there and not rules.installs(relative):
             reported.add(top)
             message = f"'{relative}' is not installed by {rules.file}"
