@@ -18,9 +18,7 @@ as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `u
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Related, Severity, Subject, rule
 from urdfkit.text.source import Span
 
 BAD = """\

@@ -23,9 +23,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.contacts import Contact, LinkPair

@@ -16,12 +16,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
-from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.bodies import CollisionBody

@@ -13,12 +13,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.ros.gazebo.drives import drive_of, driven
 from urdfkit.ros.gazebo.plugins import Reference
 from urdfkit.ros.gazebo.samples import WHEELED
-from urdfkit.text.diagnostic import Related, Severity
 
 GOOD = (
     WHEELED

@@ -14,10 +14,9 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject, need_pinocchio
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.context import need_pinocchio
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.model import RobotModel
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 
 TARGETS = ("pinocchio",)

@@ -16,14 +16,12 @@ from __future__ import annotations
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.joint_loads import overloadable
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.ros.gazebo.values import is_true, text_of
-from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.physics.gravity import Load

@@ -14,13 +14,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject, Unavailable
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.context import Unavailable
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.bounding_box import WITHOUT_MESHES
 from urdfkit.robot.model import RobotModel, Shape
 from urdfkit.robot.stability import Stability, is_freestanding, stand
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.text.diagnostic import Related, Severity
 
 _WHEEL = """
 <link name="{0}">

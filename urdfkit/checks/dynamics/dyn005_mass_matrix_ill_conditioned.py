@@ -15,10 +15,8 @@ from __future__ import annotations
 
 from math import isinf
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.joint_loads import light
-from urdfkit.text.diagnostic import Severity
 
 _LINK = """
 <link name="{0}">

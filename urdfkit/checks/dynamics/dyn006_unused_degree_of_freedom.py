@@ -11,11 +11,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joint_loads import idle
 from urdfkit.robot.joints import driven
-from urdfkit.text.diagnostic import Severity
 
 BAD = """\
 <link name="base">

@@ -9,13 +9,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import is_true
-from urdfkit.text.diagnostic import Severity
 
 BAD = robot_xml(
     solid_xml("base"),

@@ -33,12 +33,10 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.gazebo.force_sensors import merged_force_sensors
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.ros.gazebo.values import is_true, text_of
-from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element, replace_value
 

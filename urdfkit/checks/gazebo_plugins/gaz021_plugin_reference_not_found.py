@@ -25,14 +25,12 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.catalog.extensions import rewritten
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference, conversion_result
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import fix_value, from_macro, insert_before
 
 BAD = robot_xml(

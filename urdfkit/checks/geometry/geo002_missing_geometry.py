@@ -18,12 +18,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
-from urdfkit.text.diagnostic import Severity
 
 BAD = robot_xml(
     link_xml(

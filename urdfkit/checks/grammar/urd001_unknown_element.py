@@ -21,9 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
 from urdfkit.text.grammar import calling_macro, owner

@@ -16,10 +16,8 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.text import schema
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import as_written, replace_value
 from urdfkit.text.grammar import has_break, is_number, owner
 

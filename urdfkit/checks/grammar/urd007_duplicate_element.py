@@ -14,9 +14,7 @@ from __future__ import annotations
 
 from itertools import zip_longest
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import remove_element
 from urdfkit.text.grammar import owner

@@ -22,13 +22,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, Conversion
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Severity
 
 BAD = robot_xml(
     link_xml("base", inertial_xml("2", "0.02 0.02 0.02")),

@@ -21,12 +21,10 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import length
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, related, several
 from urdfkit.robot.model import Body, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import scale_limits
 
 BAD = robot_xml(

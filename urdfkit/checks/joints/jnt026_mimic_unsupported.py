@@ -16,13 +16,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Severity
 
 _LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
 _INERTIAL = inertial_xml("0.015", "2.4e-6 2.4e-6 7.5e-7")

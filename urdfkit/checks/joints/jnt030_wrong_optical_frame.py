@@ -20,11 +20,9 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import Rotation, rotate
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.model import Joint, numbers
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_value
 

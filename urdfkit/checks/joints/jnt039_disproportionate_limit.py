@@ -13,12 +13,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Confidence, Severity
 
 _LINKS = ("base", "shoulder", "arm", "forearm", "hand")
 _EFFORTS = (80, 80, 40000, 20)

@@ -17,9 +17,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, reported, rule
 
 NAME = "robot.launch"
 BAD = (

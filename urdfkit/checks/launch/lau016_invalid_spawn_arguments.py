@@ -18,12 +18,10 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawning import SPAWNERS, Spawner, options
-from urdfkit.text.diagnostic import Severity
 
 NAME = "robot.launch.py"
 BAD = """\

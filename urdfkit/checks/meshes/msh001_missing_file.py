@@ -26,12 +26,10 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.workspace.resolve import ResolvedReference
 

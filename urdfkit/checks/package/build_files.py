@@ -6,8 +6,7 @@ import os
 import re
 
 from urdfkit.core import disk
-from urdfkit.lint.rules import Finding, Findings, Location
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
 

@@ -14,10 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span

@@ -16,10 +16,8 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.core import disk
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 from urdfkit.workspace.install_rules import InstallRules

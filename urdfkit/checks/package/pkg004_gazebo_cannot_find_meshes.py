@@ -15,12 +15,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.ros.gazebo.paths import survey
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 

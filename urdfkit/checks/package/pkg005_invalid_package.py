@@ -26,10 +26,8 @@ from __future__ import annotations
 from urdfkit.checks.package.build_files import not_registered, other_name
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.xml_reader import read_xml

@@ -18,14 +18,12 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml
 from urdfkit.ros.ros_control import Component, ControlPart, Interface, components
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
 BAD = robot_xml(

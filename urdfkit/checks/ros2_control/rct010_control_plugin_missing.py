@@ -11,14 +11,12 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugins as files
 from urdfkit.ros.catalog.ros_control import hardware
 from urdfkit.ros.gazebo.samples import control_xml, driven_xml, solid_xml
 from urdfkit.ros.ros_control import ControlPlugin, components, control_plugins, is_of_pr2
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
 BAD = robot_xml(

@@ -27,13 +27,11 @@ from collections.abc import Iterator
 from urdfkit.checks.ros2_control.interfaces import invalid_interfaces
 from urdfkit.checks.ros2_control.parameters import invalid_values
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import component_types, grammar
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml
 from urdfkit.ros.ros_control import Component, components
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag, fix_value
 from urdfkit.text.grammar import is_expression

@@ -11,11 +11,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
-from urdfkit.text.diagnostic import Severity
 
 BAD = named_xml(
     "bad",

@@ -13,11 +13,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
-from urdfkit.text.diagnostic import Severity
 
 _UP = '<origin xyz="0 0 0.5"/>'
 _LIMIT = '<limit lower="-1" upper="1" effort="10" velocity="1"/>'

@@ -9,9 +9,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.text.editing.edits import replace_value
 
 BAD = """\

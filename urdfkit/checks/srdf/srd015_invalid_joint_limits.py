@@ -17,13 +17,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint
 from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
 from urdfkit.ros.parameter_types import is_not_positive, type_of
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.manifest import manifest_of
 

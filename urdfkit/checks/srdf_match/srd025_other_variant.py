@@ -10,9 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 
 BAD = """\
 <link name="left_base"/>

@@ -19,9 +19,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
 from urdfkit.xacro.messages import UNBUILT
 
 BAD = """\

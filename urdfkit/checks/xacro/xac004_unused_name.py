@@ -11,9 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.workspace.includes import is_included
 

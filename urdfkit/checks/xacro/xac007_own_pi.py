@@ -13,10 +13,9 @@ from __future__ import annotations
 import re
 from math import pi
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
 from urdfkit.robot.model import number
-from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.xacro.definitions import Definition
 

@@ -13,9 +13,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import NAMES, Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import NAMES, Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rewrite
 from urdfkit.xacro import Xacro
