@@ -16,6 +16,7 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.checks.package.samples import robot_of_package
+from urdfkit.core import disk
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.file_kinds import is_launch
@@ -46,7 +47,7 @@ def check(subject: Subject) -> Findings:
     reported: set[str] = set()
     for relative, span in uses(subject, name, folder):
         top = relative.partition("/")[0]
-        is_there = os.path.exists(os.path.join(folder, relative))
+        is_there = disk.exists(os.path.join(folder, relative))
         if top not in reported and is_there and not rules.installs(relative):
             reported.add(top)
             message = f"'{relative}' is not installed by {rules.file}"
