@@ -8,8 +8,9 @@ pytest.importorskip("trimesh")
 
 import trimesh
 
-from tests.mesh.shapes_made import as_mesh
+from tests.mesh.shapes_made import as_mesh, as_part
 from urdfkit.cli import main
+from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.writers import write
 
 pytestmark = pytest.mark.usefixtures("rough_meshes")
@@ -45,7 +46,7 @@ def angle(tmp_path: Path) -> Path:
     """Two boards, which two convex pieces are enough for."""
     boards = [trimesh.creation.box((1, 0.2, 0.2)), trimesh.creation.box((0.2, 0.2, 1))]
     boards[1].apply_translation((-0.6, 0, 0.4))
-    write(as_mesh(trimesh.util.concatenate(boards)), tmp_path / "angle.stl")
+    write(Mesh(tuple(map(as_part, boards))), tmp_path / "angle.stl")
     return tmp_path / "angle.stl"
 
 
