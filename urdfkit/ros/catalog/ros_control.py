@@ -134,9 +134,7 @@ def controllers() -> dict[str, ControllerType]:
     """The types of controller whose parameters name joints."""
     entries = data("ros_control")["controllers"]
     return {
-        name: record(
-            ControllerType, entry, measures=tuple(map(_measure, entry.get("geometry", ())))
-        )
+        name: record(ControllerType, entry, measures=_measures(entry.get("geometry", ())))
         for name, entry in entries.items()
     }
 
