@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from fnmatch import fnmatchcase
 
+from urdfkit.core import disk
 from urdfkit.workspace.file_head import read_head
 
 #: Longer files are none that people write.
@@ -24,7 +25,7 @@ class Ignored:
     def __contains__(self, path: object) -> bool:
         if not isinstance(path, str):
             return False
-        words = self._above(os.path.dirname(os.path.realpath(path)))
+        words = self._above(os.path.dirname(disk.real(path)))
         if not words or not _may_mean(words, path):
             return False
         from urdfkit.workspace.revisions import is_ignored
@@ -38,7 +39,7 @@ class Ignored:
         """
         if folder not in self._words:
             above = os.path.dirname(folder)
-            if os.path.exists(os.path.join(folder, ".git")):
+            if disk.exists(os.path.join(folder, ".git")):
                 words: set[str] | None = _words(os.path.join(folder, ".git", "info", "exclude"))
             else:
                 words = None if above == folder else self._above(above)
