@@ -1,7 +1,5 @@
 """What every rule promises, tried on the examples that it carries."""
 
-from __future__ import annotations
-
 import re
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The command line as a whole: exit codes, errors, and where what is written."""
 
-from __future__ import annotations
-
 import errno
 import os
 import signal

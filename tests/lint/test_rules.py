@@ -1,7 +1,5 @@
 """Finding rules by what a user types."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from itertools import chain

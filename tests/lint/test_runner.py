@@ -1,7 +1,5 @@
 """From what rules say to diagnostics: folding, weighing, and rules that could not look."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any

@@ -23,23 +23,24 @@ from urdfkit.scan.tables import FINDINGS, MODELS, write_tables
 PAGE = "summary.html"
 
 
-class _Scan(click.Group):
-    """A group whose only subcommand is ``summary``; what begins otherwise is a scan."""
+class _Scan(click.Command):
+    """The command, and under its name another one: ``urdfkit scan summary``."""
 
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        return super().parse_args(ctx, args if args[:1] == ["summary"] else ["run", *args])
+    def make_context(
+        self,
+        info_name: str | None,
+        args: list[str],
+        parent: click.Context | None = None,
+        **more: Any,
+    ) -> click.Context:
+        if args[:1] == ["summary"]:
+            return summary.make_context(f"{info_name} summary", args[1:], parent, **more)
+        return super().make_context(info_name, args, parent, **more)
 
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return ["summary"]
 
-
-@click.group("scan", cls=_Scan)
-def command() -> None:
-    """Check collections of models."""
-
-
-@command.command(
-    "run",
+@click.command(
+    "scan",
+    cls=_Scan,
     epilog=examples(
         "urdfkit scan partnet-mobility/ -o results",
         "urdfkit scan 'zoo/**/*.urdf' more.zip list.txt -o results --jobs 8",
@@ -53,12 +54,14 @@ def command() -> None:
 @click.option("--seconds", type=click.FloatRange(0.01), default=60.0, help="Limit for a model.")
 @click.option("--memory", type=click.FloatRange(0.1), default=4.0, help="Limit in GiB.")
 @click.option("--engine", type=click.Choice(["local", "dask"]), default="local")
-@click.option("--address", default="", metavar="URL", help="Of a Dask scheduler. [default: local]")
+@click.option(
+    "--address", default="", metavar="URL", show_default=False, help="Of a Dask scheduler."
+)
 @click.option("--select", multiple=True, metavar="CODES", help="Run only these rules.")
 @click.option("--ignore", multiple=True, metavar="CODES", help="Do not run these rules.")
 @click.option("--target", multiple=True, metavar="NAMES", help="Target program.")
 @click.option("--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package.")
-def run(
+def command(
     sources: tuple[str, ...],
     folder: str,
     jobs: int | None,
@@ -68,7 +71,7 @@ def run(
     address: str,
     **values: Any,
 ) -> int:
-    """Check collections of models; write one row for each model and each finding.
+    """Check collections of models: a row for each model and finding.
 
     SOURCE is a directory (its .urdf and .urdf.xacro files), a description, a glob, a .zip or .tar
     archive, or a .txt file that lists these. DIR gets results.jsonl as the models are done and, if
@@ -107,7 +110,7 @@ def run(
     return 0
 
 
-@command.command("summary", epilog=examples("urdfkit scan summary results"))
+@click.command("summary", epilog=examples("urdfkit scan summary results"))
 @click.argument("folder", metavar="DIR")
 def summary(folder: str) -> int:
     """Summarise the results of a scan: on standard output, and as DIR/summary.html.

@@ -13,6 +13,7 @@ import os
 from collections import Counter
 from collections.abc import Iterable
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.rule_index import redirect
@@ -78,8 +79,7 @@ def load(path: str) -> Counter[Fingerprint]:
         BaselineError: it cannot be read, or is no baseline.
     """
     try:
-        with open(path, encoding="utf-8") as file:
-            document = json.load(file)
+        document = json.loads(disk.read(path))
         if document["version"] != VERSION:
             raise BaselineError(f"{path}: a baseline of version {document['version']!r}")
         found: Counter[Fingerprint] = Counter()
@@ -98,7 +98,7 @@ def sift(
 ) -> tuple[list[Diagnostic], int]:
     """The findings that a baseline does not tolerate, and how many it does."""
     paths = {key.path for key in known}
-    gone = {path for path in paths if not os.path.lexists(os.path.join(folder, path))}
+    gone = {path for path in paths if not disk.has_name(os.path.join(folder, path))}
     left: Counter[Fingerprint] = Counter()
     for key, count in known.items():
         left[key._replace(path="") if key.path in gone else key] += count

@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
@@ -192,11 +193,11 @@ def _with_meshes(
         ours = Ownership([robot.source.path], robot.resolver)
         stand_ins = generate_missing(robot)
         for undone in stand_ins.undone:
-            found[os.path.realpath(undone.path)] = undone
+            found[disk.real(undone.path)] = undone
         for made in stand_ins.made:
             foreign = not (force or ours.owns(made.path))
             refusal = NotGenerated(made.path, made.references, made.defect, OUTSIDE)
-            found[os.path.realpath(made.path)] = refusal if foreign else made
+            found[disk.real(made.path)] = refusal if foreign else made
     meshes = tuple(one for one in found.values() if isinstance(one, GeneratedMesh))
     replaced = {reference.at.span for one in meshes for reference in one.references}
     places = {(real_path(span.source), *span[1:]) for span in replaced}

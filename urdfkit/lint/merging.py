@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
+from urdfkit.core import disk
 from urdfkit.lint.plan import Job, Plan
 from urdfkit.lint.report import Report
 from urdfkit.lint.runner import FileResult
@@ -67,7 +67,7 @@ def _launched_once(checked: list[Checked]) -> list[Checked]:
     robot is checked otherwise.
     """
     read = {
-        os.path.realpath(job.source.path)
+        disk.real(job.source.path)
         for job, result in checked
         if all(skip.code for skip in result.skipped)
     }
@@ -75,7 +75,7 @@ def _launched_once(checked: list[Checked]) -> list[Checked]:
         (job, result._replace(diagnostics=(), skipped=()))
         if job.frame
         and any(not skip.code for skip in result.skipped)
-        and os.path.realpath(job.source.path) in read
+        and disk.real(job.source.path) in read
         else (job, result)
         for job, result in checked
     ]
@@ -93,7 +93,7 @@ def _distinct(checked: list[Checked]) -> Iterator[Diagnostic]:
     for job, result in checked:
         for diagnostic in result.diagnostics:
             path = diagnostic.span.source.path
-            file = files_of.get(path) or files_of.setdefault(path, os.path.realpath(path))
+            file = files_of.get(path) or files_of.setdefault(path, disk.real(path))
             key = (diagnostic.code, file, *diagnostic.span[1:], diagnostic.message)
             once.setdefault(key, diagnostic)
             found_in.setdefault(key, []).append(job)

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile, UrdfkitError
@@ -99,7 +100,7 @@ class Plan:
         """A file, with its variants if the configuration has some, or a folder."""
         if isinstance(file, Source):
             self._add_source(file)
-        elif os.path.isdir(file):
+        elif disk.is_folder(os.fspath(file)):
             from urdfkit.lint.discovery import discover, launch_files
 
             folder, config = os.fspath(file), self.config
@@ -184,7 +185,7 @@ class Plan:
 
     def _is_other(self, description: LaunchedDescription) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""
-        sets = self._launched.setdefault(os.path.realpath(description.path), [{}])
+        sets = self._launched.setdefault(disk.real(description.path), [{}])
         if description.arguments in sets or len(sets) > MAX_LAUNCHED:
             return False
         sets.append(description.arguments)

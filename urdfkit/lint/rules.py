@@ -15,13 +15,19 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import RuleError
+from urdfkit.lint.context import Subject
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.robot.model import Placed
+
+#: All that the file of a rule needs, but what its subject matter is.
+__all__ = [
+    "FIRST_VERSION", "NAMES", "Check", "Confidence", "Finding", "Findings", "Fix", "Location",
+    "Need", "Related", "Rule", "Severity", "Subject", "code_of", "name_of", "reported", "rule",
+]  # fmt: skip
 
 #: The version of urdfkit that brought every rule that names no other.
 FIRST_VERSION = "0.1"
@@ -97,7 +103,7 @@ def reported(subject: Subject, code: str) -> Findings:
         )
 
 
-Check = Callable[["Subject"], Findings]
+Check = Callable[[Subject], Findings]
 
 #: The attributes that name links and joints.
 NAMES = ("name", "link", "joint", "reference")

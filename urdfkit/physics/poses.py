@@ -7,11 +7,11 @@ an angle in degrees. A group state in the SRDF of the robot's package is a named
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterable, Mapping
 from math import pi
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.joints import bounds, unit
@@ -74,10 +74,10 @@ def outside_limits(tree: KinematicTree, given: Mapping[str, float]) -> list[str]
 
 
 def _named(description: RosDescription, name: str) -> dict[str, float]:
-    if os.path.exists(name):
+    if disk.exists(name):
         return _positions(description.tree, _read(name))
     path, _, state = name.rpartition(":")
-    srdf = _srdf(description, path) if os.path.exists(path) else description.srdf
+    srdf = _srdf(description, path) if disk.exists(path) else description.srdf
     if srdf is None:
         raise PoseError(f"no pose file '{name}', and no SRDF with this group state")
     states = _states(srdf)

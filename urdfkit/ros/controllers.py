@@ -8,10 +8,10 @@ Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_con
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
@@ -96,14 +96,14 @@ def parameter_files(description: RosDescription) -> list[ParameterFile]:
     files = {
         use.path: ParameterFile(use.span, use.path, use.path)
         for use in description.parameters
-        if os.path.isfile(use.path)
+        if disk.is_file(use.path)
     }
     for plugin in () if _runs_on_hardware(description) else control_plugins(description.model):
         for element in plugin.at.all("parameters"):
             path = element.text.strip()
             if not path.startswith("/") or is_expression(path) or "\0" in path:
                 continue
-            found = path if os.path.isfile(path) else description.resolver.installed(path)
+            found = path if disk.is_file(path) else description.resolver.installed(path)
             files.setdefault(path, ParameterFile(element.span, path, found, element))
     return list(files.values())
 

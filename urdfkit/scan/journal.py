@@ -42,8 +42,12 @@ class Journal:
             self._file = open(path, "a+b")  # noqa: SIM115 - closed at exit
         except OSError as error:
             raise UnwritableFile(f"{path}: {error.strerror}") from error
-        _lock(self._file, path)
-        self.done = {row["model"] for row in _whole_lines(self._file)}
+        try:
+            _lock(self._file, path)
+            self.done = {row["model"] for row in _whole_lines(self._file)}
+        except BaseException:
+            self._file.close()
+            raise
 
     def __enter__(self) -> Journal:  # noqa: PYI034 - Self is not in Python 3.10
         return self

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.core import disk
 from urdfkit.workspace.file_head import read_head
 
 #: Longer files are none that people write.
@@ -23,7 +24,7 @@ class Ignored:
     def __contains__(self, path: object) -> bool:
         if not isinstance(path, str):
             return False
-        words = self._above(os.path.dirname(os.path.realpath(path)))
+        words = self._above(os.path.dirname(disk.real(path)))
         if not words or not _may_mean(words, path):
             return False
         from urdfkit.workspace.revisions import is_ignored
@@ -37,7 +38,7 @@ class Ignored:
         """
         if folder not in self._words:
             above = os.path.dirname(folder)
-            if os.path.exists(os.path.join(folder, ".git")):
+            if disk.exists(os.path.join(folder, ".git")):
                 words: set[str] | None = set()
             else:
                 words = None if above == folder else self._above(above)

@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterable
 
+from urdfkit.core import disk
 from urdfkit.text.comments import blank_comments, comments
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -48,20 +49,20 @@ class Ownership:
 
     def __init__(self, files: Iterable[str], resolver: Resolver) -> None:
         self._workspaces = {
-            os.path.realpath(resolver.packages.workspace(os.path.realpath(file))) for file in files
+            disk.real(resolver.packages.workspace(disk.real(file))) for file in files
         }
         self._refusals: dict[str, str] = {}
 
     def refusal(self, source: Source) -> str:
         """Why the file of a source is left alone; empty if it need not be."""
-        path = os.path.realpath(source.path)
+        path = disk.real(source.path)
         if path not in self._refusals:
             self._refusals[path] = self._judge(source, path)
         return self._refusals[path]
 
     def owns(self, path: str) -> bool:
         """True if a file lies in one of the workspaces; it need not exist."""
-        real = os.path.realpath(path)
+        real = disk.real(path)
         return any(real.startswith(os.path.join(folder, "")) for folder in self._workspaces)
 
     def _judge(self, source: Source, path: str) -> str:
@@ -79,6 +80,6 @@ class Ownership:
 def _may_be_written(path: str) -> bool:
     """False for a file that nobody may write to; that its folder allows it is not enough."""
     try:
-        return bool(os.stat(path).st_mode & 0o222)
+        return bool(disk.state(path).st_mode & 0o222)
     except OSError:
         return True  # it is not there; writing it will fail

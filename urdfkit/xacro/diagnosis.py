@@ -8,6 +8,7 @@ import re
 from types import FrameType
 from typing import Any
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
@@ -138,7 +139,7 @@ def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Prob
         if len(default) <= 2 or default not in parts or argument.name in defined.given:
             continue
         above = os.sep.join(parts[: parts.index(default)])
-        if os.path.isdir(above) and not os.path.exists(os.path.join(above, default)):
+        if disk.is_folder(above) and not disk.exists(os.path.join(above, default)):
             at = argument.tag.attribute_spans().get("default", argument.tag.span)
             message = (
                 f"argument '{argument.name}' must be given: with its default '{default}' "

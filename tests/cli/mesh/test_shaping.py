@@ -1,7 +1,5 @@
 """mesh simplify, hull and decompose: what is said, what is written, the exit codes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

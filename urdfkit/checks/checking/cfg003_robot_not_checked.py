@@ -18,23 +18,13 @@ as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `u
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Related, Severity, Subject, rule
+from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.source import Span
 
-BAD = """\
-<!-- urdfkit: ignore[XAC010] its launch file gives the prefix -->
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="$(arg prefix)base"/>
-</robot>
-"""
-GOOD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:arg name="prefix" default=""/>
-  <link name="$(arg prefix)base"/>
-</robot>
-"""
+_ROBOT = xacro_xml('<link name="$(arg prefix)base"/>')
+BAD = f"<!-- urdfkit: ignore[XAC010] its launch file gives the prefix -->\n{_ROBOT}"
+GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg prefix)base"/>')
 
 
 @rule(Severity.WARNING, needs=())

@@ -16,10 +16,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, rule
 from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import rewrite
 from urdfkit.text.grammar import is_expression
 

@@ -32,15 +32,13 @@ from math import isnan
 
 from urdfkit.checks.gazebo.plugin_values import invalid_in_plugins
 from urdfkit.checks.gazebo.sensor_values import invalid_in_sensors
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.robot.model import RobotModel, number
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import Extension, extensions
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import corrected, leading, quoted, text_of, value
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
 

@@ -24,11 +24,9 @@ from __future__ import annotations
 
 from math import prod
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.robot.shapes import shaped, sizes
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 

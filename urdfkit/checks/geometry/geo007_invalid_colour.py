@@ -17,12 +17,10 @@ from __future__ import annotations
 import re
 from itertools import chain
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 
 BAD = robot_xml(

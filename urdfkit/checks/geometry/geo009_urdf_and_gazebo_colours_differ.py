@@ -12,14 +12,12 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
 _BLACK = '<material name="black"><color rgba="0 0 0 1"/></material>'

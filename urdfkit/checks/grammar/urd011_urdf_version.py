@@ -20,9 +20,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import owner, version_of

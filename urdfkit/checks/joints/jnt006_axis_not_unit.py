@@ -24,12 +24,10 @@ from __future__ import annotations
 from math import hypot
 
 from urdfkit.core.spatial import Vector, length
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.joints import MOVING
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import replace_value
 

@@ -27,12 +27,10 @@ from collections.abc import Iterator
 from functools import lru_cache
 from math import pi, radians
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint, Placed, RobotModel, numbers
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import replace_value, scale_limits
 from urdfkit.text.grammar import owner

@@ -19,12 +19,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.samples import hand_xml
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.schema import JOINT_TYPES
 
 _LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'

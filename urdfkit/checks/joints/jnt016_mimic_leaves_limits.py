@@ -12,12 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import hand_xml
-from urdfkit.text.diagnostic import Related, Severity
 
 _LIMIT = '<limit lower="0" upper="0.8" effort="20" velocity="2"/>'
 BAD = hand_xml("revolute", [_LIMIT], [_LIMIT, '<mimic joint="left_joint" multiplier="-1"/>'])

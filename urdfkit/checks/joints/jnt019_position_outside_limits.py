@@ -24,12 +24,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
 from urdfkit.robot.model import Joint, RobotModel, number
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 
 BAD = arm_xml(

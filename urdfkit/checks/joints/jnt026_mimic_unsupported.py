@@ -16,13 +16,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Severity
 
 _LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
 _INERTIAL = inertial_xml("0.015", "2.4e-6 2.4e-6 7.5e-7")
@@ -30,15 +28,13 @@ BAD = robot_xml(
     hand_xml("prismatic", [_LIMIT], [_LIMIT, '<mimic joint="left_joint"/>'], _INERTIAL),
     '<gazebo>\n  <plugin name="control" filename="libgazebo_ros_control.so"/>\n</gazebo>',
 )
-GOOD = BAD.replace(
-    "</gazebo>",
-    """\
+_PLUGIN = """\
   <plugin name="fingers" filename="libroboticsgroup_gazebo_mimic_joint_plugin.so">
     <joint>left_joint</joint>
     <mimicJoint>right_joint</mimicJoint>
   </plugin>
-</gazebo>""",
-)
+"""
+GOOD = BAD.replace("</gazebo>", f"{_PLUGIN}</gazebo>")
 
 
 @rule(

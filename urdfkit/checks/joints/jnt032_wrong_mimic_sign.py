@@ -10,12 +10,10 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import dot, length, minus, rotate
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import hand_xml
-from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 _LIMIT = '<limit lower="0" upper="0.04" effort="10" velocity="0.1"/>'
 _LEFT = '<origin xyz="0 0.01 0.05"/>', '<axis xyz="0 1 0"/>', _LIMIT

@@ -23,12 +23,10 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.io.facts import BY_SUFFIX
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = mesh_xml("visual", "forearm.stl")
 GOOD = BAD.replace("forearm.stl", "hand.stl")

@@ -20,13 +20,12 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject, Unavailable
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.context import Unavailable
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_defects import MeshDefect, losses
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = mesh_xml("visual", "meshes/comma.stl")
 GOOD = BAD.replace("comma", "plate")

@@ -17,13 +17,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
 from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import edits
 

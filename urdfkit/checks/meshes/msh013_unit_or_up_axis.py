@@ -31,12 +31,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.mesh.io.facts import MeshFacts

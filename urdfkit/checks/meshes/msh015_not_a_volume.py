@@ -27,14 +27,12 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import BOX, box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")

@@ -21,8 +21,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import (
     DENSE_COLLISION,
@@ -32,7 +31,6 @@ from urdfkit.robot.assets.mesh_defects import (
     MeshDefect,
 )
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")

@@ -15,12 +15,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import MeshDefect, missing_textures
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = mesh_xml("visual", "forearm.dae")
 GOOD = BAD.replace("forearm", "hand")

@@ -6,11 +6,9 @@ both places; a `<mesh>` can be mirrored with its scale and moved with its `<orig
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
-from urdfkit.text.diagnostic import Related, Severity
 
 BAD = robot_xml(
     link_xml("left", visual_xml('<mesh filename="left.stl"/>')),

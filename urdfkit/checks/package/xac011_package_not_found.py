@@ -21,24 +21,16 @@ import re
 from string import digits
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.context import Subject, Unavailable
-from urdfkit.lint.rules import Finding, Findings, Location, reported, rule
+from urdfkit.lint.context import Unavailable
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, reported, rule
 from urdfkit.robot.assets.mesh_files import MeshReference, is_typo
-from urdfkit.text.diagnostic import Severity
+from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 from urdfkit.workspace.manifest import is_known_dependency, manifest_of
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>
-</robot>
-"""
-GOOD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="base"/>
-</robot>
-"""
+BAD = xacro_xml('<xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>')
+GOOD = xacro_xml('<link name="base"/>')
 
 _NAME = re.compile(r"^package '([^']+)'")
 

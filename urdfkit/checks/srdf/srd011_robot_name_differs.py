@@ -9,16 +9,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.ros.moveit.samples import named_xml
 from urdfkit.text.editing.edits import replace_value
 
-BAD = """\
-<robot name="bad">
-  <link name="base"/>
-</robot>
-"""
+BAD = named_xml("bad", '<link name="base"/>')
 GOOD = BAD.replace('"bad"', '"other"')
 FILES = {"example.srdf": b'<robot name="other"/>'}
 FIXED_FILES = {"example.srdf": b'<robot name="bad"/>'}

@@ -19,23 +19,12 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 from urdfkit.xacro.messages import UNBUILT
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="${prefix}base"/>
-</robot>
-"""
-GOOD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:property name="prefix" value="left_"/>
-  <link name="${prefix}base"/>
-</robot>
-"""
-
+BAD = xacro_xml('<link name="${prefix}base"/>')
+GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
 
 #: All uses of a name lack one definition, and all definitions without prefix the prefix.
 _UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro ignores .*)?")

@@ -14,9 +14,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import NAMES, Finding, Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import NAMES, Finding, Findings, Severity, Subject, reported, rule
 from urdfkit.text.grammar import is_expression
 
 BAD = '<link name="${side}_arm"/>'

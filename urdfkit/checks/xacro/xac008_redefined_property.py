@@ -10,17 +10,14 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:property name="width" value="0.3"/>
-  <xacro:property name="width" value="0.4"/>
-  <link name="base_${width}"/>
-</robot>
-"""
+BAD = xacro_xml(
+    '<xacro:property name="width" value="0.3"/>',
+    '<xacro:property name="width" value="0.4"/>',
+    '<link name="base_${width}"/>',
+)
 GOOD = BAD.replace('name="width" value="0.4"', 'name="height" value="0.4"')
 
 

@@ -13,20 +13,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="${().__class__.__name__}"/>
-</robot>
-"""
-GOOD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="${str(1 + 1)}"/>
-</robot>
-"""
+BAD = xacro_xml('<link name="${().__class__.__name__}"/>')
+GOOD = xacro_xml('<link name="${str(1 + 1)}"/>')
 
 
 @rule(

@@ -11,24 +11,14 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:macro name="again" params="n"><xacro:again n="${n + 1}"/></xacro:macro>
-  <xacro:again n="0"/>
-</robot>
-"""
-GOOD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:macro name="again" params="n">
-    <xacro:if value="${n &lt; 3}"><xacro:again n="${n + 1}"/></xacro:if>
-  </xacro:macro>
-  <xacro:again n="0"/>
-</robot>
-"""
+_CALL = '<xacro:again n="${n + 1}"/>'
+BAD = xacro_xml(
+    f'<xacro:macro name="again" params="n">{_CALL}</xacro:macro>', '<xacro:again n="0"/>'
+)
+GOOD = BAD.replace(_CALL, f'<xacro:if value="${{n &lt; 3}}">{_CALL}</xacro:if>')
 
 
 @rule(

@@ -16,15 +16,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="l${sorted([3, 1])[0]}"/>
-</robot>
-"""
+BAD = xacro_xml('<link name="l${sorted([3, 1])[0]}"/>')
 FIXED = GOOD = BAD.replace("sorted", "python.sorted")
 
 

@@ -12,22 +12,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 
-BAD = """\
-<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:arg name="name" default="arm"/>
-  <link name="base"/>
-</robot>
-"""
-GOOD = """\
-<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:arg name="prefix" default=""/>
-  <link name="$(arg prefix)base"/>
-</robot>
-"""
+GOOD = xacro_xml('<xacro:arg name="name" default="arm"/>', '<link name="base"/>')
+BAD = GOOD.replace('name="r"', 'name="$(arg name)"')
 
 
 @rule(

@@ -13,28 +13,22 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import NAMES, Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import NAMES, Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.robot.samples import element_xml, joint_xml, xacro_xml
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rewrite
 from urdfkit.xacro import Xacro
 
 NAME = "example.urdf.xacro"
-BAD = """\
-<robot name="cart" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:macro name="wheel" params="side">
-    <link name="${side}_wheel"/>
-    <joint name="{side}_axle" type="continuous">
-      <parent link="base"/>
-      <child link="${side}_wheel"/>
-      <axis xyz="0 1 0"/>
-    </joint>
-  </xacro:macro>
-  <link name="base"/>
-  <xacro:wheel side="left"/>
-</robot>
-"""
+BAD = xacro_xml(
+    element_xml(
+        'xacro:macro name="wheel" params="side"',
+        '<link name="${side}_wheel"/>',
+        joint_xml("continuous", name="{side}_axle", child="${side}_wheel"),
+    ),
+    '<link name="base"/>',
+    '<xacro:wheel side="left"/>',
+)
 FIXED = GOOD = BAD.replace('"{side}', '"${side}')
 
 _BRACES = r"(?<![$\w}])\{([A-Za-z_]\w*)\}"

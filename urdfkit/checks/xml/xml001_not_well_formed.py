@@ -14,9 +14,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
 
 BAD = """\
 <robot name="r">

@@ -17,9 +17,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
 
 BAD = '<!-- made by hand -->\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>'
 FIXED = '<?xml version="1.0"?>\n<!-- made by hand -->\n<robot name="r"><link name="a"/></robot>'
