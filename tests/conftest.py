@@ -82,6 +82,7 @@ SLOW = (
     "tests/pytest_plugin/",
     "tests/render/",
     "tests/ros/gazebo/test_conversion.py",
+    "tests/scan/test_scan.py",
     "tests/test_against_check_urdf.py",
     "tests/test_bad_input.py",
     "tests/test_corpus",
