@@ -216,13 +216,7 @@ def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
 
 def _is_leg(tree: KinematicTree, link: str) -> bool:
     """True for the end of a leg; a wheel may be steered and sprung, and then turn."""
-    bends = 0
-    above = tree.parents[link]
-    while above:
-        bends += above[0].kind in BOUNDED
-        assert above[0].parent is not None
-        above = tree.parents[above[0].parent.value]
-    return bends > 2
+    return sum(joint.kind in BOUNDED for joint in tree.path(link)) > 2
 
 
 def _edges(polygon: tuple[Point, ...], over: Point, height: float) -> tuple[float, float, Point]:
