@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import importlib
 import json
 import os
 import sys
@@ -81,6 +82,7 @@ SLOW = (
     "tests/pytest_plugin/",
     "tests/render/",
     "tests/ros/gazebo/test_conversion.py",
+    "tests/scan/test_scan.py",
     "tests/test_against_check_urdf.py",
     "tests/test_bad_input.py",
     "tests/test_corpus",
@@ -189,6 +191,20 @@ def corpus() -> Path:
     if not CORPUS.is_dir():
         pytest.skip("the corpus of real robots is not beside this checkout")
     return CORPUS
+
+
+@pytest.fixture
+def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Few points of surfaces, few voxels: for tests that do not depend on how exact meshes are."""
+    pytest.importorskip("numpy")
+    numbers = {
+        "distance": ("MAX_VERTICES", "SAMPLES", "FARTHEST", "_MANY_SAMPLES", "_GUIDES"),
+        "convex_decomposition": ("_VOXELS",),
+    }
+    for name, constants in numbers.items():
+        module = importlib.import_module(f"urdfkit.mesh.{name}")
+        for constant in constants:
+            monkeypatch.setattr(module, constant, getattr(module, constant) // 20)
 
 
 @pytest.fixture(scope="session", autouse=True)

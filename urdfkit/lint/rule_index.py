@@ -85,9 +85,19 @@ def of_family(family: str) -> frozenset[str]:
     return frozenset(code for code in codes() if family_of(code) == family)
 
 
-def applies(family: str, subject: Subject) -> bool:
-    """True if the rules of a family may have something to report of a description."""
-    return not family or bool(import_module(f"urdfkit.checks.{family}").applies(subject))
+def applicable(family: str, codes: list[str], subject: Subject) -> list[str]:
+    """Those rules of a family that may have something to report of a description.
+
+    The ``__init__.py`` of the family has ``applies(subject)``, and where something names the rules
+    that report it, ``codes(subject)``: those that have something to report.
+    """
+    if not family:
+        return codes
+    module = import_module(f"urdfkit.checks.{family}")
+    if not module.applies(subject):
+        return []
+    found = module.codes(subject) if hasattr(module, "codes") else codes
+    return [code for code in codes if code in found]
 
 
 def register(modules: Mapping[str, str]) -> None:

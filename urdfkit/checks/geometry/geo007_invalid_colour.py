@@ -33,7 +33,7 @@ FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 _SLIGHTLY = 2.0
 
 #: Names of materials that are invisible on purpose.
-_INTENDED = re.compile(r"invisible|transparent|hidden|none|clear|glass", re.IGNORECASE)
+_INTENDED = r"(?i)invisible|transparent|hidden|none|clear|glass"
 
 
 @rule(Severity.ERROR, help="write red, green, blue and alpha from 0 to 1")
@@ -52,7 +52,7 @@ def _invisible(model: RobotModel) -> Findings:
         rgba, name = material.rgba, material.name.value if material.name else ""
         if rgba is None or material.texture or len(rgba.value) != 4 or rgba.value[3] != 0:
             continue
-        if rgba.at not in reported and not _INTENDED.search(name):
+        if rgba.at not in reported and not re.search(_INTENDED, name):
             reported.add(rgba.at)
             called = f" '{name}'" if name else ""
             yield Finding(

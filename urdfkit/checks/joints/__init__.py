@@ -1,4 +1,4 @@
-"""Joints: types, axes, limits, mimic."""
+"""Joints: types, axes, limits."""
 
 from __future__ import annotations
 

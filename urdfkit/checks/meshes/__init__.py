@@ -1,4 +1,4 @@
-"""Mesh files: whether they exist, and what they contain."""
+"""Mesh files that a robot names: whether they exist."""
 
 from __future__ import annotations
 

@@ -38,9 +38,7 @@ FILES = {
     "meshes/forearm.stl": PLATE,
 }
 
-_WRITTEN_ABSOLUTE = re.compile(
-    r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z]:[/\\])"
-)
+_WRITTEN_ABSOLUTE = r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z]:[/\\])"
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.FILES), help="refer to it as package://PACKAGE/...")
@@ -73,7 +71,7 @@ def _is_absolute(mesh: MeshReference) -> bool:
     return (
         mesh.located.scheme == "absolute"
         and isinstance(at, Attribute)
-        and bool(_WRITTEN_ABSOLUTE.match(at.span.text))
+        and bool(re.match(_WRITTEN_ABSOLUTE, at.span.text))
     )
 
 

@@ -1,4 +1,4 @@
-"""The text: encoding and well-formedness."""
+"""The text, whatever it describes."""
 
 from __future__ import annotations
 
