@@ -91,6 +91,7 @@ SLOW = (
     "tests/render/",
     "tests/ros/gazebo/test_conversion.py",
     "tests/ros/launch/test_corpus.py",
+    "tests/scan/test_scan.py",
     "tests/test_against_check_urdf.py",
     "tests/test_bad_input.py",
     "tests/test_corpus",

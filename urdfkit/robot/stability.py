@@ -6,6 +6,7 @@ The ground is a plane across z of the root, through the lowest point of the robo
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from functools import lru_cache
 from math import atan2, cos, hypot, pi, sin
 from typing import TYPE_CHECKING
 
@@ -314,6 +315,7 @@ def _points(robot: Robot, body: Body, frame: Transform, meshes: bool) -> list[Ve
     return [*map(frame.apply, _of(part)), *_lowest(part, frame)] if part else []
 
 
+@lru_cache(maxsize=1000)
 def _of(part: Primitive) -> list[Vector]:
     """Corners of a primitive in its link, as far as it has some."""
     if part.kind == "box":
