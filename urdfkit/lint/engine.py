@@ -98,6 +98,25 @@ def check_with(
     return merged_report(plan, _checked(plan.jobs, options, resolver), _unopened(plan, options))
 
 
+def check_robots(
+    options: Options, file: str | os.PathLike[str] | Source, resolver: Resolver
+) -> tuple[Report, list[Subject]]:
+    """Check the robots of one file, which are returned with the report.
+
+    Args:
+        options: how; resolved.
+        file: as of ``check``.
+        resolver: as of ``check_with``.
+
+    Raises:
+        UrdfkitError: as of ``check``.
+    """
+    plan, read = planned([file], resolver, options), _reader(options, resolver)
+    robots = [pair for job in plan.jobs for pair in as_launched(job, read)]
+    checked = [(job, _result(job, subject, options)) for job, subject in robots]
+    return merged_report(plan, checked, ()), [subject for _, subject in robots]
+
+
 def subjects(
     options: Options, files: Iterable[str | os.PathLike[str] | Source]
 ) -> Iterator[Subject | None]:

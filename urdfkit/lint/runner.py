@@ -120,9 +120,9 @@ class _Run:
         for code in chosen:
             families.setdefault(rule_index.family_of(code), []).append(code)
         for family, codes in families.items():
-            if self._applies(family, codes):
-                for rule in filter(self._is_chosen, map(rule_index.get, codes)):
-                    self._rule(rule)
+            applicable = self._applicable(family, codes)
+            for rule in filter(self._is_chosen, map(rule_index.get, applicable)):
+                self._rule(rule)
 
     def _is_chosen(self, rule: Rule) -> bool:
         """False for a preview rule that nobody asked for, and for one that takes too long."""
@@ -143,20 +143,20 @@ class _Run:
             self.ran.discard(rule.code)
             self.crashed.append(crash(rule.code, self.subject.source.path, error))
 
-    def _applies(self, family: str, codes: list[str]) -> bool:
-        """True if rules of a family may have something to report."""
+    def _applicable(self, family: str, codes: list[str]) -> list[str]:
+        """Those rules of a family that may have something to report."""
         path = self.subject.source.path
         if is_launch(path) and family not in LAUNCH_FAMILIES:
-            return False
+            return []
         try:
-            return rule_index.applies(family, self.subject)
+            return rule_index.applicable(family, codes, self.subject)
         except NotApplicable:
-            return False
+            pass
         except Unavailable as reason:
             self.skipped += [Skipped(code, path, str(reason)) for code in codes]
         except Exception as error:
             self.crashed += [crash(code, path, error) for code in codes]
-        return False
+        return []
 
     def _findings(self, rule: Rule) -> list[Finding]:
         path = self.subject.source.path

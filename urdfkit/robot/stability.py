@@ -29,7 +29,7 @@ Point = tuple[float, float]
 TOLERANCE, LEAST = 0.02, 0.003
 
 #: Corners that stand for a circle.
-_CORNERS = 32
+_CIRCLE = tuple((cos(pi * number / 16), sin(pi * number / 16)) for number in range(32))
 
 #: What can be said of a robot on the ground, by the word for programs.
 VERDICTS = {
@@ -315,8 +315,8 @@ def _lowest(robot: Robot, body: Body, link: Transform, meshes: bool) -> list[Vec
         balls = (at.apply((0.0, 0.0, z)) for z in ends)
         return [(x, y, z - part.radius) for x, y, z in balls]
     _, _, (gx, gy, _) = at.rotation  # how x and y of the cylinder rise
-    angles = [atan2(-gy, -gx), *(2 * pi * number / _CORNERS for number in range(_CORNERS))]
-    rim = [(part.radius * cos(angle), part.radius * sin(angle)) for angle in angles]
+    steep = hypot(gx, gy) or 1.0
+    rim = ((part.radius * x, part.radius * y) for x, y in (*_CIRCLE, (-gx / steep, -gy / steep)))
     return [at.apply((x, y, z)) for x, y in rim for z in ends]
 
 

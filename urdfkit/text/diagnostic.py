@@ -39,7 +39,10 @@ class Confidence(str, Enum):
     @property
     def rank(self) -> int:
         """0 for the surest."""
-        return list(Confidence).index(self)
+        return _CONFIDENCE_RANKS[self]
+
+
+_CONFIDENCE_RANKS = {one: rank for rank, one in enumerate(Confidence)}
 
 
 class Edit(Record):
