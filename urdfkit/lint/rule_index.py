@@ -213,8 +213,11 @@ def redirect(word: str) -> str | None:
 def redirects() -> dict[str, str]:
     """The codes that former codes and names stand for; empty for rules that were removed."""
     if not _redirects:
-        for family in sorted({family_of(code) for code in codes()}):
-            _redirects.update(getattr(import_module(f"urdfkit.checks.{family}"), "REDIRECTS", {}))
+        from json import load  # configurations name few rules that are no more
+
+        with open(os.path.join(_CHECKS, "redirects.json"), encoding="utf-8") as file:
+            former = load(file)
+        _redirects.update((word, code) for code, words in former.items() for word in words)
     return _redirects
 
 

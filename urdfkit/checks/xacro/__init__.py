@@ -4,14 +4,6 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 
-#: Former codes and names, and the rules that report their findings now.
-REDIRECTS = {
-    "XAC018": "XAC003", "unexpanded-tag": "XAC003",
-    "unused-property": "XAC004", "XAC005": "XAC004", "unused-macro": "XAC004", "XAC006": "XAC004",
-    "unused-argument": "XAC004",
-    "XAC022": "", "power-is-exclusive-or": "",
-}  # fmt: skip
-
 
 def applies(subject: Subject) -> bool:
     """True for a xacro, and for a plain file with expressions or tags of xacro."""
