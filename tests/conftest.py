@@ -66,22 +66,31 @@ def model_id(entry: object) -> str | None:
 #: Folders and files of tests that check whole robots, write documents or start other programs:
 #: minutes, where the rest takes seconds. ``pytest -m "not slow"`` leaves them out.
 SLOW = (
+    "tests/checks/checking/test_cfg003_robot_not_checked.py::test_the_gate_fails_for_an_arm",
     "tests/cli/mesh/test_shaping.py",
+    "tests/cli/test_collisions.py",
+    "tests/cli/test_main.py::test_ctrl_c_ends",
     "tests/cli/test_pages.py",
+    "tests/cli/test_project.py",
     "tests/cli/test_render.py",
+    "tests/cli/test_report.py",
     "tests/false_alarms/",
     "tests/integration/",
     "tests/lint/test_engine.py",
     "tests/lint/test_fix.py",
     "tests/lint/test_formatting.py",
     "tests/lint/test_rule_packages.py",
+    "tests/lsp/test_server.py",
     "tests/mesh/parts/",
     "tests/mesh/test_",
     "tests/output/report/",
+    "tests/output/test_exchange.py",
+    "tests/output/test_overview.py",
     "tests/physics/",
     "tests/pytest_plugin/",
     "tests/render/",
     "tests/ros/gazebo/test_conversion.py",
+    "tests/ros/launch/test_corpus.py",
     "tests/scan/test_scan.py",
     "tests/test_against_check_urdf.py",
     "tests/test_bad_input.py",
@@ -95,6 +104,7 @@ SLOW = (
     "tests/test_pages.py",
     "tests/test_planted.py",
     "tests/test_site.py",
+    "tests/test_testing.py",
     "tests/text/editing/test_formatter.py",
     "tests/text/test_xml_errors.py",
     "tests/viewer/",
@@ -145,6 +155,12 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
     """Processes for a whole run only: a file of tests is run sooner than they start."""
     return None if config.args_source is pytest.Config.ArgsSource.TESTPATHS else 0
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Files that are left out need not be imported."""
+    is_left_out = config.getoption("markexpr") == "not slow"
+    return (is_left_out and collection_path.relative_to(ROOT).as_posix().startswith(SLOW)) or None
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
