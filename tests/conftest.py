@@ -223,6 +223,14 @@ def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
             monkeypatch.setattr(module, constant, getattr(module, constant) // 20)
 
 
+@pytest.fixture
+def small_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """For tests of reports that do not look at the pictures, which take most of their time."""
+    module = importlib.import_module("urdfkit.output.report.data_uris")
+    for name in ("SHEET", "MARKED"):
+        monkeypatch.setattr(module, name, (128, 72))
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """A missing package is looked for in the folders above: here, in those of all other tests.
