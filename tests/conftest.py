@@ -68,6 +68,7 @@ SLOW = (
     "tests/cli/mesh/test_shaping.py",
     "tests/cli/test_pages.py",
     "tests/cli/test_render.py",
+    "tests/cli/test_result_cache.py",
     "tests/false_alarms/",
     "tests/integration/",
     "tests/lint/test_engine.py",

@@ -36,6 +36,7 @@ COMMANDS = (
     "view",
     "init",
     "doctor",
+    "clean",
     "lsp",
 )
 

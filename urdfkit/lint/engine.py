@@ -7,6 +7,9 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from urdfkit.core import disk
+from urdfkit.core.file_log import FileLog
+from urdfkit.core.own_sources import note_sources
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.config import Config
@@ -167,12 +170,17 @@ def _in_processes(jobs: list[Job], options: Options) -> Iterable[list[Checked]]:
 
     count = min(options.jobs, len(jobs))
     done = 0
-    with ProcessPoolExecutor(count, initializer=_begin, initargs=(rule_index.foreign(),)) as pool:
+    with ProcessPoolExecutor(
+        count, initializer=_begin, initargs=(rule_index.foreign(), disk.log() is not None)
+    ) as pool:
         # Not `map`, which cancels what is left and trips over it when the processes are gone.
         futures = [pool.submit(_check_alone, job, options) for job in jobs]
         try:
             for future in futures:
-                yield future.result()
+                checked, log = future.result()
+                if (own := disk.log()) is not None and log is not None:
+                    own.add(log)
+                yield checked
                 done += 1
         except BrokenProcessPool:
             time.sleep(1)  # the others may have heard Ctrl-C first; then it is raised here
@@ -184,17 +192,25 @@ def _in_processes(jobs: list[Job], options: Options) -> Iterable[list[Checked]]:
         yield from _in_processes(jobs[done:], options._replace(jobs=1))
 
 
-def _begin(foreign: Mapping[str, str]) -> None:
-    """A process begins, which knows no rules of other packages."""
+def _begin(foreign: Mapping[str, str], is_noting: bool) -> None:
+    """A process begins, which knows no rules of other packages and has noted nothing yet."""
     import signal
 
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     rule_index.register(foreign)
+    disk.log_to(FileLog() if is_noting else None)
 
 
-def _check_alone(job: Job, options: Options) -> list[Checked]:
-    return _check_one_of_many(job, options, Resolver(options.packages, texts=options.texts))
+def _check_alone(job: Job, options: Options) -> tuple[list[Checked], FileLog | None]:
+    """The result of a job, and what it depends on, if that is noted."""
+    resolver = Resolver(options.packages, texts=options.texts)
+    checked = _check_one_of_many(job, options, resolver)
+    log = disk.log()
+    if log is not None:
+        note_sources()
+        disk.log_to(FileLog())
+    return checked, log
 
 
 def _check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
