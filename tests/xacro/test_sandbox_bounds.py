@@ -1,7 +1,5 @@
 """The bounds of the sandbox: what is as large as allowed is made, and nothing larger."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from math import factorial, inf
 from typing import Any

@@ -32,16 +32,9 @@ from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
+_PLUGIN = plugin_xml("driver", "libgazebo_ros_imu_sensor.so", "<frameName>camra</frameName>")
 BAD = robot_xml(
-    solid_xml("camera"),
-    gazebo_xml(
-        sensor_xml(
-            "imu",
-            "imu",
-            plugin_xml("driver", "libgazebo_ros_imu_sensor.so", "<frameName>camra</frameName>"),
-        ),
-        reference="camera",
-    ),
+    solid_xml("camera"), gazebo_xml(sensor_xml("imu", "imu", _PLUGIN), reference="camera")
 )
 FIXED = GOOD = BAD.replace("camra", "camera")
 

@@ -29,16 +29,9 @@ from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag, rename_element
 
+_TAGS = "<robotBaseFrme>base</robotBaseFrme>", "<odometryFrame>odom</odometryFrame>"
 BAD = robot_xml(
-    solid_xml("base"),
-    gazebo_xml(
-        plugin_xml(
-            "drive",
-            "libgazebo_ros_planar_move.so",
-            "<robotBaseFrme>base</robotBaseFrme>",
-            "<odometryFrame>odom</odometryFrame>",
-        )
-    ),
+    solid_xml("base"), gazebo_xml(plugin_xml("drive", "libgazebo_ros_planar_move.so", *_TAGS))
 )
 GOOD = BAD.replace("Frme", "Frame")
 FIXED = GOOD
@@ -49,7 +42,7 @@ _MAX_TAGS = 6
 _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "classic": "no ROS"}
 
 
-@rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it")
+@rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it", migrates=True)
 def check(subject: Subject) -> Findings:
     foreign: dict[tuple[PluginUse, bool], list[UnreadParameter]] = {}
     found_unread = [(use, one) for use in subject.plugins for one in unread(use)]

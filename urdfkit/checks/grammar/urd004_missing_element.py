@@ -20,12 +20,7 @@ from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
 from urdfkit.text.schema import SHAPES
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="2"/>
-  </inertial>
-</link>"""
+BAD = link_xml("base", '<inertial><mass value="2"/></inertial>')
 GOOD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
 
 

@@ -33,14 +33,7 @@ BAD = robot_xml(
     link_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
     joint_xml("continuous", name="axle", child="wheel"),
 )
-GOOD = BAD.replace(
-    '<link name="wheel">',
-    """<link name="wheel">
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0.002" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.002"/>
-  </inertial>""",
-)
+GOOD = BAD.replace("<collision>", f"{inertial_xml('0.5', '0.002 0.002 0.002')}<collision>")
 
 #: Links below that a message names.
 _NAMED = 4

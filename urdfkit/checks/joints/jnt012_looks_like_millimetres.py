@@ -28,16 +28,9 @@ from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.text.editing.edits import scale_limits
 
 BAD = robot_xml(
-    link_xml("palm", visual_xml('<box size="0.1 0.1 0.05"/>')),
-    link_xml("finger"),
-    joint_xml(
-        "prismatic",
-        '<axis xyz="1 0 0"/>',
-        '<limit lower="0" upper="30" effort="10" velocity="0.1"/>',
-        name="slide",
-        parent="palm",
-        child="finger",
-    ),
+    link_xml("base", visual_xml('<box size="0.1 0.1 0.05"/>')),
+    link_xml("arm"),
+    joint_xml("prismatic", '<limit lower="0" upper="30" effort="10" velocity="0.1"/>'),
 )
 FIXED = GOOD = BAD.replace('"30"', '"0.03"')
 

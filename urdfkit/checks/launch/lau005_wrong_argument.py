@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 
 NAME = "robot.launch"
 BAD = (
@@ -26,19 +27,11 @@ BAD = (
 )
 GOOD = BAD.replace("camera:", "with_camera:")
 FILES = {
-    "arm.xacro": b"""\
-<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:arg name="with_camera" default="true"/>
-  <link name="base"/>
-  <xacro:if value="$(arg with_camera)">
-    <link name="camera"/>
-    <joint name="mount" type="fixed">
-      <parent link="base"/>
-      <child link="camera"/>
-    </joint>
-  </xacro:if>
-</robot>
-""",
+    "arm.xacro": xacro_xml(
+        '<xacro:arg name="with_camera" default="true"/>',
+        '<link name="base"/>',
+        '<xacro:if value="$(arg with_camera)"><gazebo/></xacro:if>',
+    ).encode()
 }
 
 

@@ -34,11 +34,7 @@ BAD = """\
 GOOD = BAD.replace("controler", "controller")
 FILES = {
     "package.xml": b"<package><name>arm</name></package>",
-    "config/control.yaml": b"""\
-arm_controller:
-  type: position_controllers/JointPositionController
-  joint: elbow
-""",
+    "config/control.yaml": b"arm_controller:\n  type: effort_controllers/JointEffortController\n",
 }
 
 #: Similarity from which a name is a typo: most end in ``_controller``.

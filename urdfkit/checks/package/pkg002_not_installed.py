@@ -15,6 +15,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
+from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
@@ -24,15 +25,7 @@ from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.package_references import of_package
 
 NAME = "urdf/bot.urdf"
-BAD = """\
-<robot name="bot">
-  <link name="base">
-    <visual>
-      <geometry><mesh filename="package://bot_description/meshes/base.stl"/></geometry>
-    </visual>
-  </link>
-</robot>
-"""
+BAD = robot_of_package("bot_description")
 GOOD = BAD.replace("meshes/", "models/")
 FILES = {
     "package.xml": b"<package><name>bot_description</name></package>",

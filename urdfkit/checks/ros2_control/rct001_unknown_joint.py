@@ -35,10 +35,7 @@ from urdfkit.text.located_yaml import Value
 
 BAD = robot_xml(
     SHOULDER,
-    control_xml(
-        "mock_components/GenericSystem",
-        driven_xml("sholder"),
-    ),
+    control_xml("mock_components/GenericSystem", driven_xml("sholder")),
 )
 GOOD = BAD.replace("sholder", "shoulder")
 FIXED = GOOD

@@ -41,10 +41,7 @@ from urdfkit.text.document import Element
 
 BAD = robot_xml(
     arm_xml("fixed"),
-    control_xml(
-        "mock_components/GenericSystem",
-        driven_xml("shoulder"),
-    ),
+    control_xml("mock_components/GenericSystem", driven_xml("shoulder")),
 )
 GOOD = BAD.replace('type="fixed"', 'type="continuous"')
 

@@ -32,10 +32,7 @@ from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(
     SHOULDER,
-    control_xml(
-        "mock_component/GenericSystem",
-        driven_xml("shoulder"),
-    ),
+    control_xml("mock_component/GenericSystem", driven_xml("shoulder")),
 )
 GOOD = BAD.replace("mock_component/", "mock_components/")
 FIXED = GOOD

@@ -22,15 +22,8 @@ from urdfkit.text.grammar import is_expression
 
 BAD = robot_xml(
     SHOULDER,
-    control_xml(
-        "mock_components/GenericSystem",
-        driven_xml("shoulder"),
-    ),
-    control_xml(
-        "mock_components/GenericSystem",
-        driven_xml("shoulder"),
-        name="arm_sim",
-    ),
+    control_xml("mock_components/GenericSystem", driven_xml("shoulder")),
+    control_xml("mock_components/GenericSystem", driven_xml("shoulder"), name="arm_sim"),
 )
 GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 

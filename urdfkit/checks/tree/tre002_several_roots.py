@@ -17,14 +17,7 @@ from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.robot.tree import KinematicTree
 
 BAD = robot_xml(link_xml("base"), link_xml("arm"), link_xml("camera"), joint_xml("fixed"))
-GOOD = (
-    BAD
-    + """
-<joint name="camera_joint" type="fixed">
-  <parent link="arm"/>
-  <child link="camera"/>
-</joint>"""
-)
+GOOD = robot_xml(BAD, joint_xml("fixed", name="camera_joint", parent="arm", child="camera"))
 
 #: Roots that a message names; the others are counted.
 SHOWN = 8
