@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import ROOT
-from urdfkit.cli import result_cache, result_recording
-from urdfkit.cli.result_cache import Entry, decode, encode
+from urdfkit.cli import result_cache, result_entry, result_recording
+from urdfkit.cli.result_entry import Entry, decode, encode
 from urdfkit.core.cache_folder import VARIABLE
 from urdfkit.core.file_log import FileLog, answer_again
 from urdfkit.output import formats
@@ -308,7 +308,7 @@ def test_an_entry_is_repeated(entry: Entry) -> None:
 
 def test_a_damaged_entry_is_none(entry: Entry) -> None:
     data = encode(entry)
-    path = Path(result_cache.path_of(entry.question))
+    path = Path(result_entry.path_of(entry.question))
     path.parent.mkdir(parents=True)
     broken = [data[:size] for size in range(len(data))]
     broken += [data[:at] + b"\xff" + data[at + 1 :] for at in range(len(data))]
@@ -319,7 +319,7 @@ def test_a_damaged_entry_is_none(entry: Entry) -> None:
 
 def test_an_entry_answers_one_question(entry: Entry) -> None:
     other = entry._replace(question=entry.question + b"x")
-    path = Path(result_cache.path_of(entry.question))
+    path = Path(result_entry.path_of(entry.question))
     path.parent.mkdir(parents=True)
     path.write_bytes(encode(other))  # of the same name, as two checksums may be
     assert result_cache.replay(["check", "a.urdf"]) is None
@@ -345,7 +345,7 @@ def test_another_version_asks_something_else(
 def test_where_nothing_can_be_written_nothing_is_kept(
     entry: Entry, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
-    monkeypatch.setattr(result_cache, "path_of", lambda _: f"{place}/entry")
+    monkeypatch.setattr(result_entry, "path_of", lambda _: f"{place}/entry")
     result_recording.store(entry)
 
 
@@ -369,7 +369,7 @@ def test_the_older_half_goes(entry: Entry, cache: Path, monkeypatch: pytest.Monk
         os.utime(old, (number, number))
     result_recording.store(entry)
     left = {path.name for path in (cache / "results").iterdir()}
-    assert left == {"5", "6", "7", "8", "9", Path(result_cache.path_of(entry.question)).name}
+    assert left == {"5", "6", "7", "8", "9", Path(result_entry.path_of(entry.question)).name}
 
 
 def test_a_file_with_the_same_time_is_not_read(

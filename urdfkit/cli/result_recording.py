@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import time
 
-from urdfkit.cli import result_cache
-from urdfkit.cli.result_cache import Entry
+from urdfkit.cli import result_entry
+from urdfkit.cli.result_entry import Entry
 from urdfkit.core import atomic, disk
 from urdfkit.core.file_log import FileLog
 from urdfkit.core.own_sources import note_sources
@@ -49,12 +49,12 @@ def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
 
 def store(entry: Entry) -> None:
     """Write an entry; that this fails is no concern of a check."""
-    path = result_cache.path_of(entry.question)
+    path = result_entry.path_of(entry.question)
     folder = os.path.dirname(path)
     try:
         os.makedirs(folder, exist_ok=True)
         _make_room(folder)
-        atomic.write(path, result_cache.encode(entry), durable=False)
+        atomic.write(path, result_entry.encode(entry), durable=False)
     except (OSError, UnwritableFile):
         return
 
