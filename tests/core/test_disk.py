@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import ROOT
-from urdfkit.core import disk
+from urdfkit.core import disk, file_log
 from urdfkit.core.file_log import FileLog
 
 PACKAGE = ROOT / "urdfkit"
@@ -126,6 +126,14 @@ def test_another_process_may_have_noted_more(log: FileLog) -> None:
     log.add(other)
     assert log.answers == {("v", "ARM"): "=left"}
     assert not log.is_complete
+
+
+def test_so_many_answers_are_not_kept(log: FileLog, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(file_log, "MAX_ANSWERS", 10)
+    for number in range(11):
+        disk.exists(f"/none/{number}")
+    assert not log.is_complete
+    assert log.answers == {}
 
 
 def test_what_changes_in_between_has_no_one_answer(log: FileLog, tmp_path: Path) -> None:

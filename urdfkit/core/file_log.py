@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 #: The answer if there is nothing, or nothing that may be read.
 NOTHING = "-"
 
+#: Answers that are noted; with more, which take 20 MB, there is no result to keep.
+MAX_ANSWERS = 50_000
+
 #: A file that changed so shortly before it was read may change again without a new time: file
 #: systems count in steps of up to 2 s (FAT).
 _RACE_NS = 2_000_000_000
@@ -89,6 +92,9 @@ class FileLog:
             return  # no file has such a name, today or later
         if self.answers.setdefault((kind, path), answer) != answer:
             self.is_complete = False
+        if len(self.answers) > MAX_ANSWERS:
+            self.is_complete = False
+            self.answers.clear()
 
 
 def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
