@@ -135,6 +135,8 @@ class _Run:
     def _rule(self, rule: Rule) -> None:
         self._asked[rule.code] = rule
         findings = self._findings(rule)
+        if not findings:
+            return
         try:
             findings = self._undisputed(findings)
             targets = _targets(rule, findings, self.subject)

@@ -41,7 +41,8 @@ def check(subject: Subject) -> Findings:
         values: list[tuple[Element | Attribute, str]] = [(element, element.text.strip())]
         values += [(attribute, attribute.value) for attribute in element.attributes.values()]
         for at, value in values:
-            named = [name for name in re.findall(_BRACES, value) if name in known]
+            braced = re.findall(_BRACES, value) if "{" in value else ()
+            named = [name for name in braced if name in known]
             if named:
                 right = re.sub(_BRACES, r"${\1}", value)
                 yield Finding(
