@@ -15,10 +15,21 @@ from functools import partial
 from math import cos, pi, sin
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import ORIGIN, Rotation, Transform, Vector, cross, dot, rotate, transposed
+from urdfkit.core.spatial import (
+    ORIGIN,
+    Rotation,
+    Transform,
+    Vector,
+    cross,
+    dot,
+    plus,
+    rotate,
+    times,
+    transposed,
+)
 from urdfkit.robot.joint_loads import GRAVITY, effort
 from urdfkit.robot.joints import span
-from urdfkit.robot.kinematics import SLIDING, TURNING, MimicLaw, best_angle, direction, laws
+from urdfkit.robot.kinematics import SLIDING, STILL, TURNING, MimicLaw, best_angle, direction, laws
 from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree
@@ -51,9 +62,6 @@ _REFINED = 3
 _LEAST = 1e-9
 
 _UP: Vector = (0.0, 0.0, 1.0)
-
-#: Of a joint that not one number moves.
-_STILL = MimicLaw("", 0.0, 0.0)
 
 
 class Load(Record):
@@ -190,16 +198,16 @@ class GravityModel:
             moment: of all that it carries.
         """
         body, mass = self.bodies[number], self.carried[number]
-        return cross(body.axis, moment) if body.turns else _times(body.axis, mass)
+        return cross(body.axis, moment) if body.turns else times(body.axis, mass)
 
     def hand_up(self, number: int, place: float, moments: dict[int, Vector]) -> None:
         """Add the moment of a body, at a position of its joint, to that of the one below it."""
         body, mass = self.bodies[number], self.carried[number]
         moved = _turned(body, moments[number], place)
         if not body.turns:
-            moved = _plus(moved, _times(body.axis, place * mass))
+            moved = plus(moved, times(body.axis, place * mass))
         moved = rotate(body.at.rotation, moved)
-        whole = _plus(moments[body.parent], _plus(moved, _times(body.at.position, mass)))
+        whole = plus(moments[body.parent], plus(moved, times(body.at.position, mass)))
         moments[body.parent] = whole
 
 
@@ -292,8 +300,8 @@ class _Climb:
         befores, up = self._ups(way)
         moment = body.moment
         if body.turns:
-            moment = self._moment(target, _times(cross(up, body.axis), self._sign))
-        wanted = _times(self._model.lever(target, moment), self._sign)
+            moment = self._moment(target, times(cross(up, body.axis), self._sign))
+        wanted = times(self._model.lever(target, moment), self._sign)
         for number, before in zip(reversed(way), reversed(befores), strict=True):
             one = self._bodies[number]
             if one.turns:
@@ -446,11 +454,11 @@ def _bodies(
             placed[link.name] = (len(found), frame)
             own = 0.0 if link.name in weightless else link.mass
             if link.inertial:
-                moment = _plus(moment, _times((frame @ link.inertial.origin).position, own))
+                moment = plus(moment, times((frame @ link.inertial.origin).position, own))
             extra = payload.get(link.name, 0.0)
-            moment = _plus(moment, _times(frame.position, extra))
+            moment = plus(moment, times(frame.position, extra))
             mass += own + extra
-        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), _STILL, _UP, False
+        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), STILL, _UP, False
         if joint is not None and joint.parent is not None:
             parent, frame = placed[joint.parent.value]
             at, axis, turns = frame @ joint.origin, direction(joint), joint.kind in TURNING
@@ -479,11 +487,3 @@ def _turned(body: _Body, vector: Vector, angle: float) -> Vector:
         vector[1] * c + y * s + k[1] * along,
         vector[2] * c + z * s + k[2] * along,
     )
-
-
-def _plus(a: Vector, b: Vector) -> Vector:
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
-
-
-def _times(vector: Vector, factor: float) -> Vector:
-    return (vector[0] * factor, vector[1] * factor, vector[2] * factor)

@@ -7,7 +7,6 @@ import os
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.measures import Measures
-from urdfkit.robot.inertia import MassProperties, rotated
 from urdfkit.robot.inertials.shape_mass import stretched
 from urdfkit.robot.model import Body, Link, Placed, Shape
 from urdfkit.robot.shapes import BoundingBox, MeshSolid
@@ -81,11 +80,8 @@ class MeshUse(Record):
         around = stretched(hull, self.shape, measures.unit)
         if whole is None or around is None:
             return None
-        mass, center, tensor = whole
-        origin = self.body.origin
-        shape_mass = MassProperties(mass, origin.apply(center), rotated(tensor, origin.rotation))
-        name = os.path.basename(self.path)
-        return MeshSolid(name, shape_mass, around.mass, measures.solid is not None, self.points)
+        name, is_closed = os.path.basename(self.path), measures.solid is not None
+        return MeshSolid(name, whole.moved(self.body.origin), around.mass, is_closed, self.points)
 
     @property
     def scale_at(self) -> Attribute | None:
