@@ -87,24 +87,3 @@ class MeshUse(Record):
     def scale_at(self) -> Attribute | None:
         """The attribute ``scale``, if there is one."""
         return self.shape.at.attributes.get("scale")
-
-
-class UnmeasuredMesh(Record):
-    """A mesh file without a defect that gives no triangles.
-
-    Attributes:
-        at: the file name as it is after expansion.
-        link: name of the link.
-        role: ``visual`` or ``collision``.
-        reason: a predicate whose subject is the file.
-    """
-
-    at: Placed[str]
-    link: str
-    role: str
-    reason: str
-
-    @property
-    def who(self) -> str:
-        """The subject of a message."""
-        return f"link '{self.link}': the {self.role} mesh '{self.at.value}'"
