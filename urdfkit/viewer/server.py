@@ -161,13 +161,12 @@ async def _aside(work: Callable[[T], T], thing: T) -> T:
     return await made
 
 
-def application(viewer: Viewer, token: str, host: str = HOST) -> Starlette:
+def application(viewer: Viewer, token: str) -> Starlette:
     """The server of a viewer, as an ASGI application.
 
     Args:
         viewer: what is shown.
         token: the first part of every address.
-        host: the only name under which it answers.
 
     Raises:
         UrdfkitError: Starlette is not installed.
@@ -208,7 +207,7 @@ def application(viewer: Viewer, token: str, host: str = HOST) -> Starlette:
             Route(f"/{token}/events", events),
             Route(f"/{token}/arguments", arguments, methods=["POST"]),
         ],
-        middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=[host])],
+        middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=[HOST])],
     )
 
 
