@@ -18,15 +18,6 @@ def test_codes_are_sorted_and_each_has_one_name() -> None:
     assert sorted(chain(*rule_index.names().values())) == rule_index.codes()
 
 
-@pytest.mark.parametrize("code", rule_index.codes())
-def test_the_file_name_is_code_and_name(code: str) -> None:
-    rule = rule_index.get(code)
-    assert rule.code == code
-    name = rule.name.replace("-", "_")
-    assert rule.module == f"urdfkit.checks.{rule_index.family_of(code)}.{code.lower()}_{name}"
-    assert code in rule_index.names()[rule.name]
-
-
 @pytest.mark.parametrize("word", ["XML001", "xml001", "not-well-formed", "NOT-well-formed"])
 def test_find_rule(word: str) -> None:
     assert rule_index.find_rule(word).code == "XML001"

@@ -21,6 +21,7 @@ from urdfkit.text.comments import comments, without_comments
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.folders import walk
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
@@ -39,7 +40,6 @@ _NO_ROBOTS = frozenset(
 )
 #: Bytes of a file in which its root is looked for.
 _HEAD = 4096
-_PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
 #: A macro without an end goes on to that of the file.
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
@@ -108,7 +108,7 @@ def _graph(folder: str, config: Config, resolver: Resolver) -> IncludeGraph:
 
 def _lookalikes(folder: str, config: Config) -> Iterator[str]:
     """The files with the root ``<robot>`` whose suffix is not that of a description."""
-    for path in islice(_below(folder), MAX_FILES):
+    for path in islice(walk(folder), MAX_FILES):
         suffix = os.path.splitext(path)[1].lower()
         if suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path):
             continue
@@ -119,7 +119,7 @@ def _lookalikes(folder: str, config: Config) -> Iterator[str]:
 
 def launch_files(folder: str, config: Config) -> Iterator[str]:
     """The launch files below a folder that can be read, sorted."""
-    for path in islice(_below(folder), MAX_FILES):
+    for path in islice(walk(folder), MAX_FILES):
         is_chosen = is_launch(path) and not matches(config.relative(path), config.exclude)
         if is_chosen and disk.is_file(path) and os.access(path, os.R_OK):
             yield path
@@ -186,7 +186,7 @@ def descriptions(folder: str, config: Config) -> Iterator[str]:
     if not disk.is_folder(folder):
         raise UnreadableFile(f"{folder}: no such directory")
     count = 0
-    for path in _below(folder):
+    for path in walk(folder):
         is_part = path.lower().endswith(_INCLUDED)
         is_chosen = is_part and not matches(config.relative(path), config.exclude)
         # A broken link is reported; a pipe or a device may never end.
@@ -195,15 +195,6 @@ def descriptions(folder: str, config: Config) -> Iterator[str]:
             if count > MAX_FILES:
                 raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
             yield path
-
-
-def _below(folder: str) -> Iterator[str]:
-    """The files below a folder, apart from hidden ones and from what a build makes."""
-    for parent, folders, files in disk.walk(folder):
-        folders[:] = sorted(
-            name for name in folders if not name.startswith(".") and name not in _PASSED_OVER
-        )
-        yield from (os.path.join(parent, name) for name in sorted(files))
 
 
 def _is_description(name: str) -> bool:

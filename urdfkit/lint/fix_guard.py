@@ -14,7 +14,6 @@ from urdfkit.core import disk
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Subject
-from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check_with, subjects
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
@@ -251,6 +250,8 @@ class RegressionGuard:
         """Robots that changed files are part of, and that were not asked for."""
         files = frozenset(changed)
         if files not in self._found:
+            from urdfkit.lint.discovery import affected  # not needed to count fixes
+
             try:
                 found = affected(files, self._checker.config, self._checker.resolver).robots
             except UnreadableFile:  # a directory with too many files to look at

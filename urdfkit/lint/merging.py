@@ -29,7 +29,7 @@ def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnos
     files = Counter(job.source.path for job in plan.jobs)
     return Report(
         tuple(files),
-        tuple(sorted((*_distinct(checked), *unopened), key=_reading_order)),
+        _in_reading_order((*_distinct(checked), *unopened)),
         (*plan.skipped, *(skip for result in results for skip in result.skipped)),
         (*plan.crashed, *(crash for result in results for crash in result.crashed)),
         tuple(sorted({code for result in results for code in result.ran})),
@@ -115,6 +115,12 @@ def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, .
     return tuple(dict.fromkeys(name for own in names.values() for name in own))
 
 
-def _reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
-    span = diagnostic.span
-    return (shown(span.source.path), span.start, diagnostic.code, diagnostic.message)
+def _in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """By file, place, code and message."""
+    found = tuple(diagnostics)
+    names = {path: shown(path) for path in {one.span.source.path for one in found}}
+
+    def order(one: Diagnostic) -> tuple[str, int, str, str]:
+        return (names[one.span.source.path], one.span.start, one.code, one.message)
+
+    return tuple(sorted(found, key=order))

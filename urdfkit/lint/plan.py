@@ -208,7 +208,7 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         read: makes the description of a job.
     """
     subject = read(job)
-    if is_launch(job.source.path) or not (names := missing_arguments(subject)):
+    if is_launch(job.source.path) or not (names := subject.missing_arguments):
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
@@ -219,7 +219,7 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         arguments = {**one.arguments, **job.arguments}
         now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
         pair = (now, read(now))
-        if missing_arguments(pair[1]):
+        if pair[1].missing_arguments:
             failed[tuple(one.arguments[name] for name in names)] = pair[1]
         else:
             found.append(pair)
@@ -250,7 +250,7 @@ def _as_found(
             found.append(pair)
         else:
             failed[tuple(given.values())] = pair[1]
-        more += missing_arguments(pair[1])
+        more += pair[1].missing_arguments
     if found:
         _note_unchecked(found, offered, failed)
     if found or set(more) <= set(names):
@@ -296,16 +296,6 @@ def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched
     for name, (value, origin) in values.items():
         origins.setdefault(origin, {})[name] = value
     return tuple(Launched(job.source.path, *one) for one in origins.items())
-
-
-def missing_arguments(subject: Subject) -> tuple[str, ...]:
-    """The arguments without which a xacro cannot be expanded."""
-    problems = subject.problems("XAC010")
-    if not problems:
-        return ()
-    from urdfkit.lint.argument_values import missing_argument
-
-    return tuple(dict.fromkeys(map(missing_argument, problems)))
 
 
 def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:

@@ -3,8 +3,21 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 
 from urdfkit.core import disk
+
+#: Directories that a build makes.
+_BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
+
+
+def walk(folder: str) -> Iterator[str]:
+    """The files below a folder, sorted, apart from hidden ones and from what a build makes."""
+    for parent, folders, files in disk.walk(folder):
+        folders[:] = sorted(
+            name for name in folders if not name.startswith(".") and name not in _BUILT
+        )
+        yield from (os.path.join(parent, name) for name in sorted(files))
 
 
 class Folders:

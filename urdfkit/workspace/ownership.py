@@ -9,8 +9,8 @@ from collections.abc import Iterable
 from urdfkit.core import disk
 from urdfkit.text.comments import blank_comments, comments
 from urdfkit.text.source import Source
+from urdfkit.workspace.gitignore import Ignored
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.revisions import is_ignored
 
 OUTSIDE = "the file is outside the workspace"
 READ_ONLY = "the file is read-only"
@@ -52,6 +52,7 @@ class Ownership:
             disk.real(resolver.packages.workspace(disk.real(file))) for file in files
         }
         self._refusals: dict[str, str] = {}
+        self._ignored = Ignored()
 
     def refusal(self, source: Source) -> str:
         """Why the file of a source is left alone; empty if it need not be."""
@@ -70,7 +71,7 @@ class Ownership:
             return OUTSIDE
         if is_generated(source):
             return "the file is generated: fix what it is made from"
-        if is_ignored(path):
+        if path in self._ignored:
             return "git ignores the file, as it does what programs make"
         if not _may_be_written(path):
             return READ_ONLY

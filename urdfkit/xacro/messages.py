@@ -14,7 +14,7 @@ from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Span, shown
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.errors import BrokenYaml
+from urdfkit.xacro.errors import UNBUILT, BrokenYaml
 
 if TYPE_CHECKING:
     from urdfkit.xacro.definitions import Definitions
@@ -34,10 +34,6 @@ _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
 _BARE_PROPERTY = rb"""<property\s[^<>]*?\bname\s*=\s*["']%s["'][^<>]*>"""
 _DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w:]+)["']""")
 _OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
-
-
-#: Begins the message about a file that CMake's ``configure_file`` writes.
-UNBUILT = "the build has not made the file"
 
 
 class MessageText(Record):

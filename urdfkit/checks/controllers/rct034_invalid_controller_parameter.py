@@ -129,11 +129,11 @@ def _misspelt(controller: Controller) -> Iterator[_Problem]:
             yield controller.type_at, message, f"write {suggested}"
         return
     names = parameters(controller.type)
-    for name in controller.parameters:
+    for name in controller.section.given:
         suggested = nearest(name, names, _PARAMETER_TYPO) if name not in names else None
-        if suggested and suggested not in controller.parameters and len(suggested) > 4:
+        if suggested and suggested not in controller.section.given and len(suggested) > 4:
             message = f"unknown parameter '{name}'; did you mean '{suggested}'?"
-            yield controller.places[name], message, f"write {suggested}"
+            yield controller.section.places[name], message, f"write {suggested}"
 
 
 def _missing(

@@ -26,9 +26,9 @@ from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.plugins import Drive
     from urdfkit.ros.catalog.ros_control import Measure
     from urdfkit.ros.controllers import Controller
-    from urdfkit.ros.gazebo.drives import DriveKind
     from urdfkit.ros.gazebo.plugins import PluginUse
 
 #: Relative difference; real robots are calibrated within this.
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Findings:
                 yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, kind: DriveKind, subject: Subject) -> Findings:
+def _of_plugin(use: PluginUse, kind: Drive, subject: Subject) -> Findings:
     driven = list(wheels(use, subject.tree))
     size = "diameter" if kind.diameter else "radius"
     radius = _radius([wheel.rolling for wheel in driven])

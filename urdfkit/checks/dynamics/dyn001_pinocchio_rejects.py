@@ -24,7 +24,7 @@ TARGETS = ("pinocchio",)
 BAD = arm_xml("revolute", '<limit lower="-1" upper="1" velocity="2"/>')
 GOOD = BAD.replace("velocity", 'effort="10" velocity')
 
-_NAME = re.compile(r"[\[']([^\]']+)[\]']")
+_NAME = r"[\[']([^\]']+)[\]']"
 
 
 @rule(
@@ -45,7 +45,7 @@ def check(subject: Subject) -> Findings:
 
 def _place(model: RobotModel, refusal: str) -> Element:
     """What the reason names, else the robot."""
-    for name in _NAME.findall(refusal):
+    for name in re.findall(_NAME, refusal):
         thing = model.joints_by_name.get(name) or model.links_by_name.get(name)
         if thing:
             return thing.at

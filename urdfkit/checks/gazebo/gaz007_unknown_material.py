@@ -47,7 +47,7 @@ def check(subject: Subject) -> Findings:
                 if is_fortress:
                     message = f"material '{name}' has no effect in Gazebo Fortress"
                     yield Finding(child, message, severity=Severity.INFO)
-                elif is_gz and known[name].textured:
+                elif is_gz and known[name].is_textured:
                     message = f"gz-sim does not draw the texture of material '{name}'"
                     yield Finding(child, message, severity=Severity.INFO)
             # Another prefix is that of a vendor's own scripts.

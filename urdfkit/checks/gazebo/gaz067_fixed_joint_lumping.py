@@ -40,7 +40,7 @@ from urdfkit.robot.samples import collision_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import rename_element, replace_value
+from urdfkit.text.editing.edits import fix_value, rename_element
 
 BAD = robot_xml(
     solid_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
@@ -164,12 +164,11 @@ def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
     if name is None:
         message = f"{lost} has no effect: the name begins with '{top}', the link it is merged into"
         return Finding(tags[0], message, "rename the link")
-    edits = replace_value(name, f"{link}_{name.value}") if link == top else None
     return Finding(
         name,
         f"{lost} does not apply to <{shape.tag}> '{name.value}', because of its name",
         "remove the name, or begin it with the name of the link",
-        Fix.of(f"rename it to '{link}_{name.value}'", edits),
+        fix_value(name, f"{link}_{name.value}") if link == top else None,
         (Related(tags[0].span, "set here"),),
         alike="name",
     )

@@ -64,9 +64,11 @@ def _named(element: Element) -> str:
 def _color(element: Element, *, in_gz: bool) -> tuple[float, ...] | None:
     """Red, green and blue that Gazebo draws; None for a texture and an unknown name."""
     material = materials().get(_named(element))
-    if material is None or material.textured:
+    if material is None or material.is_textured:
         return None
-    return (material.gz_rgb if in_gz and material.gz_rgb else material.rgba or ())[:3] or None
+    return (material.gz_diffuse if in_gz and material.gz_diffuse else material.rgba or ())[
+        :3
+    ] or None
 
 
 def _alike(element: Element, rgb: tuple[float, ...], look: Material) -> bool:

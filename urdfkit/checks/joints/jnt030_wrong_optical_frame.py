@@ -24,7 +24,7 @@ from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Sub
 from urdfkit.robot.model import Joint, numbers
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 
 _RPY = '<origin rpy="1.5707963 0 -1.5707963"/>'
 BAD = robot_xml(
@@ -164,5 +164,4 @@ def _forward(rotation: Rotation) -> str:
 def _fix(joint: Joint) -> Fix | None:
     origin = joint.at.child("origin")
     rpy = origin.attributes.get("rpy") if origin else None
-    edits = replace_value(rpy, "-1.5707963 0 -1.5707963") if rpy else None
-    return Fix.of("rotate it as an optical frame", edits)
+    return fix_value(rpy, "-1.5707963 0 -1.5707963") if rpy else None

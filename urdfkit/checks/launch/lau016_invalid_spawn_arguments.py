@@ -21,7 +21,7 @@ from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawning import SPAWNERS, Spawner, options
+from urdfkit.ros.launch.spawning import Spawner, options, spawner_of
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -47,7 +47,7 @@ _TOPIC = "robot_description"
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Findings:
     for started in subject.launch.started:
-        spawner = SPAWNERS.get((started.package, started.executable))
+        spawner = spawner_of(started)
         if spawner is None:
             continue
         given, is_known = options(started, spawner)

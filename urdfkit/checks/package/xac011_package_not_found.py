@@ -18,7 +18,6 @@ Sources:
 from __future__ import annotations
 
 import re
-from string import digits
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.context import Unavailable
@@ -32,7 +31,7 @@ from urdfkit.workspace.manifest import is_known_dependency, manifest_of
 BAD = xacro_xml('<xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>')
 GOOD = xacro_xml('<link name="base"/>')
 
-_NAME = re.compile(r"^package '([^']+)'")
+_NAME = r"^package '([^']+)'"
 
 
 @rule(
@@ -43,10 +42,10 @@ _NAME = re.compile(r"^package '([^']+)'")
 def check(subject: Subject) -> Findings:
     problems = subject.problems("XAC011")
     for problem, finding in zip(problems, reported(subject, "XAC011"), strict=True):
-        (name,) = _NAME.findall(problem.message)
+        (name,) = re.findall(_NAME, problem.message)
         severity = _severity(subject, name, problem.span)
         known = subject.resolver.packages.known(subject.source.path)
-        alike = [one for one in known if is_typo(name, one) or one.rstrip(digits) == name]
+        alike = [one for one in known if is_typo(name, one) or one.rstrip("0123456789") == name]
         help = finding.help + ("" if severity else did_you_mean(name, alike))
         yield finding._replace(help=help, alike=help, severity=severity)  # it names the package
     if is_launch(subject.source.path):

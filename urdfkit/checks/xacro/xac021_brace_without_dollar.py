@@ -13,10 +13,10 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.rules import NAMES, Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.lint.rules import NAMES, Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import element_xml, joint_xml, xacro_xml
 from urdfkit.text.document import Attribute, Element
-from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.xacro import Xacro
 
 NAME = "example.urdf.xacro"
@@ -41,15 +41,15 @@ def check(subject: Subject) -> Findings:
         values: list[tuple[Element | Attribute, str]] = [(element, element.text.strip())]
         values += [(attribute, attribute.value) for attribute in element.attributes.values()]
         for at, value in values:
-            named = [name for name in re.findall(_BRACES, value) if name in known]
+            braced = re.findall(_BRACES, value) if "{" in value else ()
+            named = [name for name in braced if name in known]
             if named:
                 right = re.sub(_BRACES, r"${\1}", value)
-                edits = rewrite(at, right)
                 yield Finding(
                     at,
                     f"xacro does not replace {{{named[0]}}}: the dollar before it is missing",
                     f"write ${{{named[0]}}}",
-                    Fix.of(f"write {right}", edits),
+                    fix_value(at, right),
                 )
 
 

@@ -21,13 +21,13 @@ import re
 
 from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
 from urdfkit.robot.samples import xacro_xml
-from urdfkit.xacro.messages import UNBUILT
+from urdfkit.xacro.errors import UNBUILT
 
 BAD = xacro_xml('<link name="${prefix}base"/>')
 GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
 
 #: All uses of a name lack one definition, and all definitions without prefix the prefix.
-_UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro ignores .*)?")
+_UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
 
 
 @rule(
@@ -40,5 +40,5 @@ def check(subject: Subject) -> Findings:
         if finding.message.startswith(UNBUILT):  # which is no defect of the robot
             yield finding._replace(severity=Severity.WARNING)
             continue
-        lacking = _UNDEFINED.match(finding.message)
+        lacking = re.match(_UNDEFINED, finding.message)
         yield finding._replace(alike=lacking[1] or lacking[0]) if lacking else finding
