@@ -81,7 +81,8 @@ def run_rules(
     run.ignores = run.guarded(lambda: subject.ignores, ())
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
-        wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
+        lacking = subject.without_arguments
+        wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
         is_unexplained = wants_arguments or not run.says_why()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:

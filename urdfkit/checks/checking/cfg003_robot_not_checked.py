@@ -40,16 +40,15 @@ def check(subject: Subject) -> Findings:
     # A part of a robot is checked through the file that includes it, which XAC001 names.
     if subject.reading.document is not None or subject.is_fragment:
         return
-    from urdfkit.lint.argument_values import missing_argument
     from urdfkit.lint.unchecked import why_unchecked
 
     why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
-    wanting = [one for one in subject.reading.problems if missing_argument(one)]
+    wanting = [one for one in subject.reading.problems if one.argument]
     yield Finding(
         Location(_top(subject)),
         f"robot not checked: {why}",
         help,
-        related=tuple(Related(one.span, f"argument '{missing_argument(one)}'") for one in wanting),
+        related=tuple(Related(one.span, f"argument '{one.argument}'") for one in wanting),
     )
 
 

@@ -46,6 +46,7 @@ _HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE NEW.dae"
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
     help="export the mesh again, or copy it from where the robot comes from",
+    about_files=True,
 )
 def check(subject: Subject) -> Findings:
     for mesh in subject.files.meshes:
