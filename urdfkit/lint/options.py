@@ -73,6 +73,12 @@ class Options(Record):
             trust=self.trust or config.trust,
         )
 
+    def for_one(self, arguments: Mapping[str, str]) -> Options:
+        """Those for one robot with all of its arguments; of options with the configuration."""
+        return self._replace(
+            arguments=arguments, config=self.config._replace(robots=()), variant=""
+        )
+
     def resolved(self) -> Options:
         """The options with codes for words: ``select`` has those of all rules that run.
 
