@@ -76,6 +76,7 @@ SLOW = (
     "tests/cli/test_project.py",
     "tests/cli/test_render.py",
     "tests/cli/test_report.py",
+    "tests/cli/test_result_cache.py",
     "tests/core/test_disk.py::test_nothing_is_read_past",
     "tests/false_alarms/",
     "tests/integration/",
