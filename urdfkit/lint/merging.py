@@ -16,20 +16,20 @@ from urdfkit.text.source import shown
 Checked = tuple[Job, FileResult]
 
 
-def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnostic]) -> Report:
+def merged_report(plan: Plan, checked: list[Checked], unchecked: Iterable[Diagnostic]) -> Report:
     """The report on all descriptions of a plan.
 
     Args:
         plan: of the check.
         checked: the descriptions with their results, in the order of the plan.
-        unopened: findings about files that cannot be opened.
+        unchecked: findings about what nothing was checked of.
     """
     checked = _launched_once(checked)
     results = [result for _, result in checked]
     files = Counter(job.source.path for job in plan.jobs)
     return Report(
         tuple(files),
-        tuple(sorted((*_distinct(checked), *unopened), key=_reading_order)),
+        tuple(sorted((*_distinct(checked), *unchecked), key=reading_order)),
         (*plan.skipped, *(skip for result in results for skip in result.skipped)),
         (*plan.crashed, *(crash for result in results for crash in result.crashed)),
         tuple(sorted({code for result in results for code in result.ran})),
@@ -42,7 +42,7 @@ def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnos
         errors=tuple(
             tuple(
                 one
-                for one in (*result.diagnostics, *result.consequences)
+                for one in (*result.diagnostics, *result.silenced.findings)
                 if one.severity is Severity.ERROR
             )
             for result in results
@@ -57,6 +57,7 @@ def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnos
             for one in (results[0].unknown_arguments.items() if results else ())
             if all(one[0] in result.unknown_arguments for result in results)
         ),
+        silenced=tuple(result.silenced for result in results if result.silenced.findings),
     )
 
 
@@ -115,6 +116,7 @@ def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, .
     return tuple(dict.fromkeys(name for own in names.values() for name in own))
 
 
-def _reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
+def reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
+    """The key by which the findings of a report are sorted: file, place, code."""
     span = diagnostic.span
     return (shown(span.source.path), span.start, diagnostic.code, diagnostic.message)
