@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import importlib
 import json
 import os
 import sys
@@ -65,22 +66,32 @@ def model_id(entry: object) -> str | None:
 #: Folders and files of tests that check whole robots, write documents or start other programs:
 #: minutes, where the rest takes seconds. ``pytest -m "not slow"`` leaves them out.
 SLOW = (
+    "tests/checks/checking/test_cfg003_robot_not_checked.py::test_the_gate_fails_for_an_arm",
     "tests/cli/mesh/test_shaping.py",
+    "tests/cli/test_collisions.py",
+    "tests/cli/test_main.py::test_ctrl_c_ends",
     "tests/cli/test_pages.py",
+    "tests/cli/test_project.py",
     "tests/cli/test_render.py",
+    "tests/cli/test_report.py",
     "tests/false_alarms/",
     "tests/integration/",
     "tests/lint/test_engine.py",
     "tests/lint/test_fix.py",
     "tests/lint/test_formatting.py",
     "tests/lint/test_rule_packages.py",
+    "tests/lsp/test_server.py",
     "tests/mesh/parts/",
     "tests/mesh/test_",
     "tests/output/report/",
+    "tests/output/test_exchange.py",
+    "tests/output/test_overview.py",
     "tests/physics/",
     "tests/pytest_plugin/",
     "tests/render/",
     "tests/ros/gazebo/test_conversion.py",
+    "tests/ros/launch/test_corpus.py",
+    "tests/scan/test_scan.py",
     "tests/test_against_check_urdf.py",
     "tests/test_bad_input.py",
     "tests/test_corpus",
@@ -93,6 +104,7 @@ SLOW = (
     "tests/test_pages.py",
     "tests/test_planted.py",
     "tests/test_site.py",
+    "tests/test_testing.py",
     "tests/text/editing/test_formatter.py",
     "tests/text/test_xml_errors.py",
     "tests/viewer/",
@@ -121,7 +133,7 @@ SAMPLED = {
     "tests/xacro/test_budget.py": 4,
     "tests/xacro/test_identity.py": 6,
     "tests/xacro/test_places.py::test_every_element": 0,
-    "tests/physics/collision/test_sampling.py::test_three_seeds": 3,
+    "tests/physics/collision/test_sampling.py::test_two_seeds": 2,
 }
 #: The same of tests with a parameter for each robot of the corpus.
 SAMPLED_ROBOTS = 10
@@ -143,6 +155,12 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
     """Processes for a whole run only: a file of tests is run sooner than they start."""
     return None if config.args_source is pytest.Config.ArgsSource.TESTPATHS else 0
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Files that are left out need not be imported."""
+    is_left_out = config.getoption("markexpr") == "not slow"
+    return (is_left_out and collection_path.relative_to(ROOT).as_posix().startswith(SLOW)) or None
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
@@ -189,6 +207,20 @@ def corpus() -> Path:
     if not CORPUS.is_dir():
         pytest.skip("the corpus of real robots is not beside this checkout")
     return CORPUS
+
+
+@pytest.fixture
+def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Few points of surfaces, few voxels: for tests that do not depend on how exact meshes are."""
+    pytest.importorskip("numpy")
+    numbers = {
+        "distance": ("MAX_VERTICES", "SAMPLES", "FARTHEST", "_MANY_SAMPLES", "_GUIDES"),
+        "convex_decomposition": ("_VOXELS",),
+    }
+    for name, constants in numbers.items():
+        module = importlib.import_module(f"urdfkit.mesh.{name}")
+        for constant in constants:
+            monkeypatch.setattr(module, constant, getattr(module, constant) // 20)
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -9,7 +9,6 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit import Diagnostic, Report, check
-from urdfkit.core.libraries import missing_for_meshes
 from urdfkit.lint import rule_index
 
 PACKAGE = MODELS / "gazebo_pkg"
@@ -89,8 +88,6 @@ def placed(report: Report) -> list[tuple[str, str, int, int, int]]:
 def test_every_finding_is_at_its_place_and_there_is_no_other(report: Report) -> None:
     assert placed(report) == FINDINGS
     skipped = set() if HAS_COAL else rule_index.of_family("collision")
-    if missing_for_meshes():
-        skipped |= rule_index.of_family("meshes")
     assert {skip.code for skip in report.skipped} == skipped
     assert report.crashed == ()
     assert {d.span.source.path for d in report.diagnostics} == {str(MODEL)}

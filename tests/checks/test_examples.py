@@ -1,7 +1,5 @@
 """What every rule promises, tried on the examples that it carries."""
 
-from __future__ import annotations
-
 import re
 import sys
 from pathlib import Path
@@ -59,27 +57,21 @@ def example(rule: Rule, which: str) -> str:
     return text
 
 
-def test_the_file_is_named_after_the_rule(code: str) -> None:
+def test_the_file_is_named_after_the_rule_and_has_tests(code: str) -> None:
     rule = rule_index.get(code)
     assert rule.code == code
-    name = f"{code.lower()}_{rule.name.replace('-', '_')}"
-    assert rule.module == f"urdfkit.checks.{rule_index.family_of(code)}.{name}"
+    assert code in rule_index.names()[rule.name]
+    family, name = rule_index.family_of(code), f"{code.lower()}_{rule.name.replace('-', '_')}"
+    assert rule.module == f"urdfkit.checks.{family}.{name}"
+    assert (HERE / family / f"test_{name}.py").is_file()
 
 
-def test_the_rule_has_tests_of_its_own(code: str) -> None:
-    family, _, file = rule_index.get(code).module.removeprefix("urdfkit.checks.").rpartition(".")
-    assert (HERE / family / f"test_{file}.py").is_file()
-
-
-def test_the_explanation_begins_with_one_sentence(code: str) -> None:
+def test_the_explanation_begins_with_one_sentence_and_names_its_sources(code: str) -> None:
     first, blank, *rest = rule_index.get(code).explanation.split("\n")
     assert re.fullmatch(r"[A-Z`$].*[^.]\.", first)
     assert ". " not in first.replace("e.g. ", ""), "one sentence"
     assert blank == ""
     assert " ".join(rest).strip(), "what happens, in which program, and what to do"
-
-
-def test_the_sources_of_a_rule_are_named(code: str) -> None:
     sources = rule_index.get(code).sources
     assert bool(sources) is (code not in OUR_OWN)
     for source in sources:
@@ -88,16 +80,12 @@ def test_the_sources_of_a_rule_are_named(code: str) -> None:
 
 
 def test_bad_is_found(code: str) -> None:
-    rule = rule_index.get(code)
-    found = rule_examples.diagnose_example(rule, example(rule, "BAD"))
-    assert found
-    assert {(one.code, one.name) for one in found} == {(code, rule.name)}
-    assert all(one.message and one.help for one in found), "a message and what to do"
-
-
-def test_the_engine_does_not_pass_over_bad(code: str) -> None:
+    """By the rule alone, and among all others."""
     rule = rule_index.get(code)
     alone = rule_examples.diagnose_example(rule, example(rule, "BAD"))
+    assert alone
+    assert {(one.code, one.name) for one in alone} == {(code, rule.name)}
+    assert all(one.message and one.help for one in alone), "a message and what to do"
     with rule_examples.laid_out(rule, example(rule, "BAD")) as source:
         report = engine.check(source, targets=rule_examples.targets_of(rule))
     among_others = [found for found in report.diagnostics if found.code == code]

@@ -1,7 +1,5 @@
 """Fixes that copy, lift, keep or delete elements: GEO004, TRE008, URD007, URD003, XAC004."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.reported import fixed, reported

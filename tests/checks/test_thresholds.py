@@ -1,7 +1,5 @@
 """Thresholds of rules: what is just within is not reported, and what is just beyond is."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

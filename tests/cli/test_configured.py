@@ -1,7 +1,5 @@
 """The arguments and variants of the configuration hold for every command that reads a robot."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 from types import SimpleNamespace

@@ -1,7 +1,5 @@
 """The diff command: options, formats by suffix, exit codes."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

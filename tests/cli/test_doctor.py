@@ -1,7 +1,5 @@
 """``urdfkit doctor``: what a check works with, and why."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import sys

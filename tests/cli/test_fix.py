@@ -1,7 +1,5 @@
 """``urdfkit fix`` and ``urdfkit check --fix``: what they write, print and exit with."""
 
-from __future__ import annotations
-
 import shutil
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """``urdfkit format``: what it writes, says and exits with."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 

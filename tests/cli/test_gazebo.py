@@ -1,7 +1,5 @@
 """The gazebo command: a table for people, JSON for programs."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The inertia command: a table, proposals, files, JSON."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from pathlib import Path

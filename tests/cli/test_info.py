@@ -1,7 +1,5 @@
 """The info command: one page, or JSON."""
 
-from __future__ import annotations
-
 import json
 import os
 from pathlib import Path

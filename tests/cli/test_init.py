@@ -1,7 +1,5 @@
 """``urdfkit init``: a first configuration that can be used as it is."""
 
-from __future__ import annotations
-
 import shutil
 from pathlib import Path
 

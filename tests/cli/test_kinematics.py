@@ -1,7 +1,5 @@
 """The kinematics command: frames for all, matrices with Pinocchio."""
 
-from __future__ import annotations
-
 import io
 import itertools
 import json

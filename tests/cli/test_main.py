@@ -1,7 +1,5 @@
 """The command line as a whole: exit codes, errors, and where what is written."""
 
-from __future__ import annotations
-
 import errno
 import os
 import signal
@@ -78,8 +76,12 @@ def test_without_a_command_there_is_help(capsys: pytest.CaptureFixture[str]) -> 
 
 
 @pytest.mark.parametrize("group", [[], MESH])
-def test_what_each_command_does_is_told_on_one_line_of_80_columns(group: list[str]) -> None:
-    commands = run(*group, "--help").stdout.decode().partition("Commands:")[2].splitlines()
+def test_what_each_command_does_is_told_on_one_line_of_80_columns(
+    group: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    assert main([*group, "--help"]) == 0
+    commands = capsys.readouterr().out.partition("Commands:")[2].splitlines()
     assert len(commands) > 5
     assert [line for line in commands if line.endswith("...")] == []
 

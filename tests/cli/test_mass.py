@@ -1,7 +1,5 @@
 """The mass command: text, JSON, CSV, Markdown."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """The table of options, the two parsers that read it, and what the values mean."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

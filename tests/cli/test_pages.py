@@ -1,7 +1,5 @@
 """Every command has a page that names all its options and shows what it really prints."""
 
-from __future__ import annotations
-
 import ast
 import importlib
 import os

@@ -1,7 +1,5 @@
 """The progress line: late, on terminals only, and gone in the end."""
 
-from __future__ import annotations
-
 import io
 import os
 import subprocess

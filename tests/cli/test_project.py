@@ -1,7 +1,5 @@
 """``urdfkit check`` in a project: folders, configuration, baseline, changed files, processes."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import NoReturn

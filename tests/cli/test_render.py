@@ -1,7 +1,5 @@
 """The render command: a picture in a file, and what cannot be drawn by name."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The report command: forms by suffix, exit codes."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A description that comes in through standard input."""
 
-from __future__ import annotations
-
 import io
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The trace command: from a value back to the number that somebody wrote."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

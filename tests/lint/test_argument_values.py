@@ -1,7 +1,5 @@
 """Values for arguments that a robot lacks, from the files around it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """check(): which descriptions are checked, and what becomes of their verdicts."""
 
-from __future__ import annotations
-
 import gc
 import os
 from pathlib import Path

@@ -1,7 +1,5 @@
 """fix(): what is applied, what is refused or dropped, and how files are written."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 from functools import partial

@@ -1,7 +1,5 @@
 """What forbids a fix, by hand-made reports of a check before it and one after it."""
 
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.lint.context import Subject

@@ -1,7 +1,5 @@
 """format_files(): which files are laid out, and the robots that they make."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 from pathlib import Path

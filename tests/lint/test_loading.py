@@ -1,7 +1,5 @@
 """load() and expand() of files, paths and Sources; and what they raise."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Callable

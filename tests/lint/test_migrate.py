@@ -1,7 +1,5 @@
 """From one Gazebo to another: the diff applies, and what is left is said."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 from pathlib import Path

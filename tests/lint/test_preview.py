@@ -1,7 +1,5 @@
 """Rules in preview, and findings that are less sure than was asked for."""
 
-from __future__ import annotations
-
 import pytest
 
 from urdfkit import check

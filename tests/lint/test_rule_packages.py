@@ -1,7 +1,5 @@
 """Rules of other packages: installed ones, modules, and those that cannot be used."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

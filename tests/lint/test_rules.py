@@ -1,7 +1,5 @@
 """Finding rules by what a user types."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from itertools import chain
@@ -18,15 +16,6 @@ from urdfkit.lint.options import choose
 def test_codes_are_sorted_and_each_has_one_name() -> None:
     assert rule_index.codes() == sorted(set(rule_index.codes()))
     assert sorted(chain(*rule_index.names().values())) == rule_index.codes()
-
-
-@pytest.mark.parametrize("code", rule_index.codes())
-def test_the_file_name_is_code_and_name(code: str) -> None:
-    rule = rule_index.get(code)
-    assert rule.code == code
-    name = rule.name.replace("-", "_")
-    assert rule.module == f"urdfkit.checks.{rule_index.family_of(code)}.{code.lower()}_{name}"
-    assert code in rule_index.names()[rule.name]
 
 
 @pytest.mark.parametrize("word", ["XML001", "xml001", "not-well-formed", "NOT-well-formed"])

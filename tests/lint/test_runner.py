@@ -1,7 +1,5 @@
 """From what rules say to diagnostics: folding, weighing, and rules that could not look."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -316,8 +314,8 @@ def test_packages_may_be_named_in_either_way(mesh: str) -> None:
     )
     one = Subject(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()), Resolver())
     none = Subject(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>'), Resolver())
-    assert rule_index.applies("package", one)
-    assert not rule_index.applies("package", none)
+    assert rule_index.applicable("package", ["PKG001"], one)
+    assert not rule_index.applicable("package", ["PKG001"], none)
 
 
 #: Findings that are worse for a target than otherwise.

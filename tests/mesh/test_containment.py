@@ -18,7 +18,7 @@ from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
 
-TORUS = trimesh.creation.torus(0.1, 0.03)
+TORUS = trimesh.creation.torus(0.1, 0.03, 24, 12)
 #: Half of it, without its ends: no engine knows what is inside of an open surface.
 GUTTER = TORUS.submesh([np.flatnonzero(TORUS.triangles_center[:, 2] > 0)], append=True)
 BRACKET = trimesh.util.concatenate(
@@ -37,8 +37,11 @@ def outside(pieces: Mesh, shape: trimesh.Trimesh) -> float:
     return float(np.min(beyond, axis=0).max())
 
 
-@pytest.mark.parametrize("scale", [1.0, 1000.0])
-@pytest.mark.parametrize("shape", [TORUS, GUTTER, BRACKET], ids=["torus", "gutter", "bracket"])
+@pytest.mark.parametrize(
+    ("shape", "scale"),
+    [(TORUS, 1.0), (GUTTER, 1.0), (BRACKET, 1000.0)],
+    ids=["torus", "gutter", "bracket"],
+)
 def test_pieces_contain_the_mesh(shape: trimesh.Trimesh, scale: float) -> None:
     shape = shape.copy().apply_scale(scale).apply_translation((5 * scale, 0, 0))
     found = decompose(as_mesh(shape), most=6)
@@ -49,7 +52,7 @@ def test_pieces_contain_the_mesh(shape: trimesh.Trimesh, scale: float) -> None:
     assert protrusion(found, as_mesh(shape)) < protrusion(whole, as_mesh(shape))
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(3))
 def test_pieces_grow_around_any_surface(seed: int) -> None:
     random = np.random.default_rng(seed)
     shape = trimesh.Trimesh(random.random((30, 3)), random.integers(0, 30, (40, 3)))

@@ -26,6 +26,7 @@ from urdfkit.mesh.repair import repair
 from urdfkit.mesh.simplify import to_budget, to_error
 from urdfkit.mesh.writers import SUFFIXES, encode
 
+pytestmark = pytest.mark.usefixtures("rough_meshes")
 RNG = np.random.default_rng(0)
 
 

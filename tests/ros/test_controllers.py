@@ -33,7 +33,8 @@ def of(text: str | bytes) -> list[Controller]:
 
 
 def plain(controller: Controller) -> dict[str, list[str]]:
-    return {name: [v.text for v in vs] for name, vs in controller.parameters.items()}
+    section = controller.section
+    return {name: [value.text for value in section.values(name)] for name in section.given}
 
 
 def test_a_controller_and_its_parameters() -> None:
@@ -78,7 +79,7 @@ def test_the_ways_to_write_it(text: str) -> None:
 def test_namespaces_are_kept_apart() -> None:
     text = "a:\n  controller_manager:\n    ros__parameters:\n      drive: {type: T}\n"
     (drive,) = of(text + "b:\n  drive:\n    ros__parameters: {wheel_radius: 0.1}\n")
-    assert drive.parameters == {}
+    assert drive.section.given == {}
 
 
 @pytest.mark.parametrize(

@@ -102,7 +102,7 @@ def test_who_reads_the_transmissions_of_ros1(targets: list[str], read: bool) -> 
 
 def is_about_control(text: str) -> bool:
     return any(
-        rule_index.applies(family, subject(text))
+        rule_index.applicable(family, ["RCT001"], subject(text))
         for family in ("ros2_control", "controllers", "transmissions")
     )
 

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.text.comments import blank_comments, comments, without_comments

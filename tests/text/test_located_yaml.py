@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import pytest
 
 from urdfkit.text.located_yaml import MAX_BYTES, MAX_LEVELS, Value, load

@@ -1,7 +1,5 @@
 """Files that cannot be read: the reason and the remedy."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

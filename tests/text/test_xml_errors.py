@@ -1,7 +1,5 @@
 """Slips of XML: what is said, where, and how often."""
 
-from __future__ import annotations
-
 from xml.parsers import expat
 
 import pytest

@@ -1,7 +1,5 @@
 """No file of a workspace keeps us waiting, whatever it is."""
 
-from __future__ import annotations
-
 import os
 import signal
 from collections.abc import Iterator

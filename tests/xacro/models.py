@@ -1,7 +1,5 @@
 """Small xacro models, each for one thing that xacro does."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 #: Files that the models below include and load.

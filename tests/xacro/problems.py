@@ -1,7 +1,5 @@
 """Small xacro models with errors, and what is told of them, in short."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.xacro import models

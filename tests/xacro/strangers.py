@@ -1,7 +1,5 @@
 """Expanding what a stranger wrote."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.xacro import models

@@ -1,7 +1,5 @@
 """Small files that would be immense end in a report, within bounds of memory and time."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """No value of a model is so large, so deep or so slow that it uses up the machine."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """All errors of a file, in words that help; and nothing that only follows from them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

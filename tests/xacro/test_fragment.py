@@ -1,7 +1,5 @@
 """Parts of a robot that are checked alone."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.xacros import told_of, write

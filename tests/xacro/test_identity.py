@@ -1,7 +1,5 @@
 """The output is that of stock xacro byte for byte, and the first error is the same."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Each error is told at its very expression, with the calls and includes that led there."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

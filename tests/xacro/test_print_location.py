@@ -1,7 +1,5 @@
 """What a model prints by ``xacro.print_location()``, word for word as stock xacro does."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A model that nobody vouches for can neither run code nor read files."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable
 from pathlib import Path

@@ -4,8 +4,6 @@ The suite is not part of this project. XACRO_SDIST names the folder of xacro's u
 distribution, which ``.ci/run`` downloads.
 """
 
-from __future__ import annotations
-
 import os
 import shlex
 import shutil

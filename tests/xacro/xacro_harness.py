@@ -4,8 +4,6 @@ Loaded with ``-p xacro_harness`` where xacro's ``test_xacro.py`` runs; SUBJECT i
 is the command, such as ``xacro``, as a shell takes it.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import shlex

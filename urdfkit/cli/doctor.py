@@ -42,7 +42,6 @@ _PACKAGES = (
     ("pin", "dynamics", "urdfkit[dynamics]"),
     ("coal", "collisions", "urdfkit[dynamics]"),
     ("Pillow", "pictures", "urdfkit[render]"),
-    ("embreex", "true shadows in render --quality high", "embreex"),
     ("Jinja2", "report pages", "urdfkit[report]"),
     ("starlette", "the viewer", "urdfkit[report]"),
     ("uvicorn", "the viewer", "urdfkit[report]"),

@@ -14,6 +14,7 @@ from urdfkit.cli.options import UsageError
 #: exit code.
 COMMANDS = (
     "check",
+    "scan",
     "fix",
     "format",
     "expand",

@@ -12,6 +12,7 @@ import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.output import formats
@@ -138,7 +139,7 @@ def files(values: Mapping[str, Any]) -> list[str]:
         raise UsageError("'-' stands for standard input, which can be read only once")
     for file in found:
         name, equals, value = file.partition("=")
-        if equals and not os.path.exists(file):
+        if equals and not disk.exists(file):
             raise UsageError(
                 f"{file}: file not found; a xacro argument has the form {name}:={value}"
             )
@@ -200,7 +201,7 @@ def packages(values: Mapping[str, Any]) -> dict[str, str]:
         name, equals, folder = word.partition("=")
         if not (name and equals):
             raise UsageError(f"--package {word}: expected NAME=DIR: the package and its directory")
-        if not os.path.isdir(folder):
+        if not disk.is_folder(folder):
             raise UsageError(f"--package {word}: no such directory '{folder}'")
         found[name] = folder
     return found

@@ -24,10 +24,12 @@ class Progress:
     Args:
         stream: that it is drawn on.
         things: that are counted, where that is not plain to see.
+        rated: show how many there are in a second, and the time that is left.
     """
 
-    def __init__(self, stream: TextIO, things: str = "") -> None:
+    def __init__(self, stream: TextIO, things: str = "", *, rated: bool = False) -> None:
         self._stream = stream
+        self._rated = rated
         self._things = f" {things}" if things else ""
         self._start = time.monotonic()
         self._state = (0, 1)
@@ -35,7 +37,7 @@ class Progress:
         self._is_drawn = False
 
     def __call__(self, done: int, total: int) -> None:
-        """Draw it, once the job has lasted for a while."""
+        """Draw it, once the job has lasted for a while; of 0 while nobody knows how many."""
         self._state = (done, total)
         left = DELAY - (time.monotonic() - self._start)
         if left <= 0:
@@ -59,9 +61,20 @@ class Progress:
 
     def _show(self) -> None:
         done, total = self._state
-        bar = "#" * (_WIDTH * done // total)
-        self._draw(f"\r[{bar:<{_WIDTH}}] {done} of {total}{self._things}")
+        bar = "#" * (_WIDTH * done // total) if total else ""
+        of_total = f" of {total}" if total else ""
+        self._draw(f"\r[{bar:<{_WIDTH}}] {done}{of_total}{self._things}{self._rate()}")
         self._is_drawn = True
+
+    def _rate(self) -> str:
+        """Such as ``, 85.2/s, 0:03:20 left``, with what wipes a longer text."""
+        done, total = self._state
+        rate = done / max(time.monotonic() - self._start, 1e-9)
+        if not self._rated or not done:
+            return ""
+        left = round((total - done) / rate)
+        clock = f", {left // 3600}:{left // 60 % 60:02}:{left % 60:02} left" if total else ""
+        return f", {rate:.3g}/s{clock}\x1b[K"
 
     def _draw(self, text: str) -> None:
         try:
@@ -71,17 +84,17 @@ class Progress:
             pass  # the terminal is gone; the check matters more
 
 
-def on_terminal(things: str = "") -> Progress | None:
+def on_terminal(things: str = "", *, rated: bool = False) -> Progress | None:
     """Progress on standard error; None where no person looks at it, or no line can be wiped."""
     if sys.stderr is None or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
         return None
-    return Progress(sys.stderr, things)
+    return Progress(sys.stderr, things, rated=rated)
 
 
 @contextmanager
-def shown(things: str = "") -> Iterator[Progress | None]:
+def shown(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]:
     """Progress on standard error while a job lasts, if a person looks at it."""
-    bar = on_terminal(things)
+    bar = on_terminal(things, rated=rated)
     try:
         yield bar
     finally:

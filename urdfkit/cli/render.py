@@ -20,7 +20,7 @@ from urdfkit.text.terminal import printable
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.render import Background, Scene
+    from urdfkit.render import Background, CameraOptions, DrawingOptions, Scene
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
 #: Pixels of an image, of an animation, of two states side by side, and of a thumbnail.
@@ -126,11 +126,9 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
             scene,
             VIEWS if named == ["all"] else named,
             size=_size(values["size"] or SIZE),
-            floor=not values["no_ground"],
-            background=_background(values["background"]),
-            quality=values["quality"],
+            look=_camera(values),
             progress=bar,
-            **_camera(values),
+            **_drawing(values),
         )
     render.save(image, values["output"])
 
@@ -151,13 +149,7 @@ def _animation(
         scenes = render.sweep(scene, robot, values["sweep"], pose)
         shots = render.followed(list(scenes), view, size=size, **_camera(values))
     with progress.shown() as bar:
-        images = render.animated(
-            shots,
-            floor=not values["no_ground"],
-            background=_background(values["background"]),
-            quality=values["quality"],
-            progress=bar,
-        )
+        images = render.animated(shots, progress=bar, **_drawing(values))
     render.save_animation(images, path)
 
 
@@ -187,16 +179,28 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
             after,
             _one_view(values),
             size=_size(values["size"] or DIFFERENCE),
-            background=_background(values["background"]),
-            quality=values["quality"],
-            **_camera(values),
+            look=_camera(values),
+            **_drawing(values),
         )
     render.save(image, values["output"])
     return after
 
 
-def _camera(values: dict[str, Any]) -> dict[str, Any]:
-    return {name: values[name] for name in ("azimuth", "elevation", "distance", "orthographic")}
+def _camera(values: dict[str, Any]) -> CameraOptions:
+    return {
+        "azimuth": values["azimuth"],
+        "elevation": values["elevation"],
+        "distance": values["distance"],
+        "orthographic": values["orthographic"],
+    }
+
+
+def _drawing(values: dict[str, Any]) -> DrawingOptions:
+    return {
+        "quality": values["quality"],
+        "background": _background(values["background"]),
+        "floor": not values["no_ground"],
+    }
 
 
 def _one_view(values: dict[str, Any]) -> str:

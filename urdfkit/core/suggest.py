@@ -6,6 +6,8 @@ import os
 import re
 from collections.abc import Collection, Iterable
 
+from urdfkit.core import disk
+
 #: Least ratios of common letters, from 0 to 1: of a word that is worth offering, of the name of a
 #: file, and of a word that is taken for the same, misspelt.
 SIMILAR, SIMILAR_FILE, TYPO = 0.6, 0.7, 0.8
@@ -62,7 +64,7 @@ def nearest_file(path: str) -> str | None:
     """The file in the directory of a missing file whose name is most like it, with its suffix."""
     folder, name = os.path.split(path)
     stem, suffix = os.path.splitext(name)
-    siblings = map(os.path.splitext, os.listdir(folder) if os.path.isdir(folder) else ())
+    siblings = map(os.path.splitext, disk.names(folder) if disk.is_folder(folder) else ())
     suggested = nearest(stem, [other for other, kind in siblings if kind == suffix])
     return suggested and suggested + suffix
 

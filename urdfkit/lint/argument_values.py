@@ -13,6 +13,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.launch.robot_arguments import declared, given
@@ -58,21 +59,16 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
         resolver: finds packages, and reads files.
     """
     for problem in problems:
-        name = missing_argument(problem)
+        name = problem.argument
         found = found_values(name, xacro, resolver) if name else None
         yield problem._replace(help=f"{problem.help}; {reported(found)}") if found else problem
-
-
-def missing_argument(problem: Problem) -> str:
-    """The argument without which a xacro cannot be expanded; empty if that is not the problem."""
-    return problem.message.split("'")[1] if problem.code == "XAC010" else ""
 
 
 def reported(found: Values) -> str:
     """Values of an argument, and where they are from."""
     few = ", ".join(found.values[:_FEW])
     more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
-    verb = "has" if os.path.isdir(found.origin) else "gives"
+    verb = "has" if disk.is_folder(found.origin) else "gives"
     return f"{shown(found.origin)} {verb} {few}{more}"
 
 
@@ -112,11 +108,11 @@ def combinations(
 
 def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
     """The default in an included file to which the expansion does not come."""
-    read = {os.path.realpath(source.path) for source in xacro.sources}
+    read = {disk.real(source.path) for source in xacro.sources}
     for source in xacro.sources:
         for file in _INCLUDE.findall(without_comments(source.data)):
             path = _plain_path(file.decode("utf-8", "replace"), source, resolver)
-            if not path or os.path.realpath(path) in read or not resolver.allows(path, source.path):
+            if not path or disk.real(path) in read or not resolver.allows(path, source.path):
                 continue
             default = _default(name, path, resolver)
             if default is not None:

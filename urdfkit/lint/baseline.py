@@ -13,9 +13,10 @@ import os
 from collections import Counter
 from collections.abc import Iterable
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.merging import reading_order
+from urdfkit.lint.merging import in_reading_order
 from urdfkit.lint.report import Report
 from urdfkit.lint.rule_index import redirect
 from urdfkit.text.diagnostic import Diagnostic
@@ -85,8 +86,7 @@ def load(path: str) -> Counter[Fingerprint]:
         BaselineError: it cannot be read, or is no baseline.
     """
     try:
-        with open(path, encoding="utf-8") as file:
-            document = json.load(file)
+        document = json.loads(disk.read(path))
         if document["version"] != VERSION:
             raise BaselineError(f"{path}: a baseline of version {document['version']!r}")
         found: Counter[Fingerprint] = Counter()
@@ -116,15 +116,13 @@ def sift(report: Report, known: Counter[Fingerprint], folder: str) -> Report:
         for one in group.findings
     }
     new += [one for one in found.values() if not tolerated.takes(one)]
-    return report._replace(
-        diagnostics=tuple(sorted(new, key=reading_order)), tolerated=tolerated.count
-    )
+    return report._replace(diagnostics=in_reading_order(new), tolerated=tolerated.count)
 
 
 def _identity(diagnostic: Diagnostic) -> tuple[object, ...]:
     """The same for a finding of several robots, which merging makes one."""
     span = diagnostic.span
-    return (diagnostic.code, os.path.realpath(span.source.path), *span[1:], diagnostic.message)
+    return (diagnostic.code, disk.real(span.source.path), *span[1:], diagnostic.message)
 
 
 class _Tolerated:
@@ -139,7 +137,7 @@ class _Tolerated:
         self.count = 0
         self._folder = folder
         paths = {key.path for key in known}
-        gone = {path for path in paths if not os.path.lexists(os.path.join(folder, path))}
+        gone = {path for path in paths if not disk.has_name(os.path.join(folder, path))}
         self._left: Counter[Fingerprint] = Counter()
         for key, count in known.items():
             self._left[key._replace(path="") if key.path in gone else key] += count

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.diagnostic import Confidence, Severity
@@ -111,8 +112,8 @@ class Config(Record):
         Raises:
             ConfigError: there is no variant of this name.
         """
-        real = os.path.realpath(path)
-        own = [robot for robot in self.robots if os.path.realpath(robot.file) == real]
+        real = disk.real(path)
+        own = [robot for robot in self.robots if disk.real(robot.file) == real]
         if variant:
             names = [robot.name for robot in own if robot.name]
             own = [robot for robot in own if robot.name == variant]

@@ -11,6 +11,7 @@ import sys
 from math import inf
 from typing import Any, TypeVar
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.lint import rule_index
@@ -41,8 +42,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
 def _table(path: str) -> dict[str, Any] | None:
     """urdfkit's settings in a file; None if a pyproject.toml has none."""
     try:
-        with open(path, "rb") as file:
-            data = file.read()
+        data = disk.read(path)
     except OSError as error:
         raise ConfigError(f"{path}: {why_unreadable(path, error)}") from error
     own_file = os.path.basename(path) != "pyproject.toml"
@@ -107,7 +107,7 @@ def _file_ignore(reader: _Reader) -> FileIgnore:
 def _robots(reader: _Reader, folder: str) -> list[RobotEntry]:
     """The variants of one entry point; every one with the common arguments too."""
     file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
-    if not os.path.isfile(file):
+    if not disk.is_file(file):
         raise reader.error(f"file not found: '{file}'")
     common = reader.arguments("arguments")
     variants = reader.take("variants", dict, {})
@@ -283,7 +283,7 @@ class _Reader:
         table = self.take("packages", dict, {})
         folders = {name: os.path.join(self.folder, str(value)) for name, value in table.items()}
         for name, folder in folders.items():
-            if not os.path.isdir(folder):
+            if not disk.is_folder(folder):
                 raise self.error(f"'packages.{name}': no such directory '{folder}'")
         return {name: os.path.normpath(folder) for name, folder in folders.items()}
 

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
 from itertools import islice
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
@@ -20,6 +21,7 @@ from urdfkit.text.comments import comments, without_comments
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.folders import walk
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
@@ -38,7 +40,6 @@ _NO_ROBOTS = frozenset(
 )
 #: Bytes of a file in which its root is looked for.
 _HEAD = 4096
-_PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
 #: A macro without an end goes on to that of the file.
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
@@ -88,9 +89,9 @@ def discover(folder: str, config: Config, resolver: Resolver) -> FolderContents:
     found = graph.entry_points()
     configured = tuple(robot for robot in config.robots if _is_within(robot.file, folder))
     if configured:
-        named = {os.path.realpath(robot.file) for robot in configured}
+        named = {disk.real(robot.file) for robot in configured}
         reached = {path for robot in named for path in graph.closure(robot)}
-        left = [one.file for one in found.robots if os.path.realpath(one.file) not in reached]
+        left = [one.file for one in found.robots if disk.real(one.file) not in reached]
         return FolderContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
     if not any(found):
         raise UnreadableFile(
@@ -107,7 +108,7 @@ def _graph(folder: str, config: Config, resolver: Resolver) -> IncludeGraph:
 
 def _lookalikes(folder: str, config: Config) -> Iterator[str]:
     """The files with the root ``<robot>`` whose suffix is not that of a description."""
-    for path in islice(_below(folder), MAX_FILES):
+    for path in islice(walk(folder), MAX_FILES):
         suffix = os.path.splitext(path)[1].lower()
         if suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path):
             continue
@@ -118,9 +119,9 @@ def _lookalikes(folder: str, config: Config) -> Iterator[str]:
 
 def launch_files(folder: str, config: Config) -> Iterator[str]:
     """The launch files below a folder that can be read, sorted."""
-    for path in islice(_below(folder), MAX_FILES):
+    for path in islice(walk(folder), MAX_FILES):
         is_chosen = is_launch(path) and not matches(config.relative(path), config.exclude)
-        if is_chosen and os.path.isfile(path) and os.access(path, os.R_OK):
+        if is_chosen and disk.is_file(path) and os.access(path, os.R_OK):
             yield path
 
 
@@ -160,10 +161,10 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Folder
 def _repository(file: str, resolver: Resolver) -> str:
     """The folder in which a file is shared: its repository, else its package, else its own."""
     folder = os.path.dirname(file)
-    while not os.path.isdir(folder):  # the file is gone, with its folder
+    while not disk.is_folder(folder):  # the file is gone, with its folder
         folder = os.path.dirname(folder)
     above = own = folder
-    while not os.path.exists(os.path.join(above, ".git")):
+    while not disk.exists(os.path.join(above, ".git")):
         above, below = os.path.dirname(above), above
         if above == below:
             package = resolver.packages.enclosing(os.path.join(own, "x"))
@@ -182,27 +183,18 @@ def _package_folder(file: str, resolver: Resolver) -> str:
 
 def descriptions(folder: str, config: Config) -> Iterator[str]:
     """The files below a folder that may be descriptions or parts of them, sorted."""
-    if not os.path.isdir(folder):
+    if not disk.is_folder(folder):
         raise UnreadableFile(f"{folder}: no such directory")
     count = 0
-    for path in _below(folder):
+    for path in walk(folder):
         is_part = path.lower().endswith(_INCLUDED)
         is_chosen = is_part and not matches(config.relative(path), config.exclude)
         # A broken link is reported; a pipe or a device may never end.
-        if is_chosen and (os.path.isfile(path) or not os.path.exists(path)):
+        if is_chosen and (disk.is_file(path) or not disk.exists(path)):
             count += 1
             if count > MAX_FILES:
                 raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
             yield path
-
-
-def _below(folder: str) -> Iterator[str]:
-    """The files below a folder, apart from hidden ones and from what a build makes."""
-    for parent, folders, files in os.walk(folder):
-        folders[:] = sorted(
-            name for name in folders if not name.startswith(".") and name not in _PASSED_OVER
-        )
-        yield from (os.path.join(parent, name) for name in sorted(files))
 
 
 def _is_description(name: str) -> bool:
@@ -235,7 +227,7 @@ class IncludeGraph:
                 continue
             # A .urdf counts whatever is in it: nothing, a pointer of Git LFS.
             if _ROBOT.search(source.data) or path.lower().endswith(".urdf"):
-                real = os.path.realpath(path)
+                real = disk.real(path)
                 self._sources[real] = source
                 self._names[real] = path
         self.includes = {path: self._includes(path) for path in self._sources}
@@ -269,7 +261,7 @@ class IncludeGraph:
         if "$" not in text and not set("*?[") & set(text):
             path = os.path.join(os.path.dirname(os.path.abspath(near)), text)
             if "\0" not in path:  # which no file has in its name
-                yield os.path.realpath(self._existing(path))
+                yield disk.real(self._existing(path))
             return
         yield from self._alike(os.path.basename(_EXPRESSION.sub("*", text)), near)
 
@@ -277,13 +269,13 @@ class IncludeGraph:
         """The files of a package that a pattern may mean; ``*`` stands for expressions, too."""
         if not any(os.path.splitext(word)[0].strip(".") for word in pattern.split("*")):
             return  # nothing but an expression: it may mean any file
-        folder = os.path.join(os.path.realpath(_package_folder(near, self.resolver)), "")
+        folder = os.path.join(disk.real(_package_folder(near, self.resolver)), "")
         for path in self._sources:
             if path.startswith(folder) and fnmatchcase(os.path.basename(path), pattern):
                 yield path
 
     def _existing(self, path: str) -> str:
-        return path if os.path.exists(path) else self.resolver.installed(path) or path
+        return path if disk.exists(path) else self.resolver.installed(path) or path
 
     def _package(self, name: str, near: str) -> str:
         from urdfkit.errors import PackageNotFound
@@ -330,19 +322,19 @@ class IncludeGraph:
             path
             for path in roots
             if path.lower().endswith(".xacro")
-            and (os.path.realpath(path) in disabled or self._is_nameless(path))
+            and (disk.real(path) in disabled or self._is_nameless(path))
             and self._lacks_parent(path)
         ]
 
     def _is_nameless(self, path: str) -> bool:
-        return bool(_NAMELESS.search(without_comments(self._sources[os.path.realpath(path)].data)))
+        return bool(_NAMELESS.search(without_comments(self._sources[disk.real(path)].data)))
 
     def _lacks_parent(self, path: str) -> bool:
         """True for a file with a joint whose parent link is certainly in no file it includes.
 
         Not certain: a link whose name is an expression, and an include that is not found.
         """
-        files = self.closure(os.path.realpath(path))
+        files = self.closure(disk.real(path))
         if not files <= self._sources.keys():
             return False
         texts = [without_comments(self._sources[file].data) for file in files]
@@ -370,7 +362,7 @@ class IncludeGraph:
 
     def _in_rings(self, roots: Iterable[str]) -> Iterator[str]:
         """One file of each ring of includes that no root leads to; its check reports the ring."""
-        reached = {path for root in roots for path in self.closure(os.path.realpath(root))}
+        reached = {path for root in roots for path in self.closure(disk.real(root))}
         for path, name in sorted(self._names.items()):
             if path not in reached and _is_description(name):
                 reached |= self.closure(path)
@@ -378,7 +370,7 @@ class IncludeGraph:
 
     def _within(self, robots: Iterable[str]) -> Iterator[str]:
         """Whole robots that are included by such as cannot be expanded for want of arguments."""
-        for robot in map(os.path.realpath, robots):
+        for robot in map(disk.real, robots):
             closure = self.closure(robot)
             if not self._lacking(closure):
                 continue
@@ -400,8 +392,8 @@ class IncludeGraph:
 
     def concerns(self, root: str, file: str) -> bool:
         """True if a changed file may be part of a robot."""
-        closure = self.closure(os.path.realpath(root))
-        if os.path.realpath(file) in closure:
+        closure = self.closure(disk.real(root))
+        if disk.real(file) in closure:
             return True
         if file.lower().endswith(SUFFIXES):
             return False
@@ -425,8 +417,8 @@ class IncludeGraph:
 
     def is_library(self, path: str) -> bool:
         """True if a file only defines things: outside of macros it makes no link and calls none."""
-        if not _ROBOT.search(self._sources[os.path.realpath(path)].data):
+        if not _ROBOT.search(self._sources[disk.real(path)].data):
             return False
-        data = without_comments(self._sources[os.path.realpath(path)].data)
+        data = without_comments(self._sources[disk.real(path)].data)
         outside = _MACRO.sub(b"", data)
         return not _CONTENT.search(outside) and not _INCLUDE.search(outside)

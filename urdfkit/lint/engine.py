@@ -13,7 +13,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.merging import Checked, merged_report
 from urdfkit.lint.options import Options
-from urdfkit.lint.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
+from urdfkit.lint.plan import Job, Plan, as_launched, planned, unknown_arguments
 from urdfkit.lint.report import Report, Skipped, crash
 from urdfkit.lint.runner import FileResult, diagnose, run_rules
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -96,6 +96,25 @@ def check_with(
         resolver = resolver.with_texts(options.texts)
     plan = planned(files, resolver, options)
     return merged_report(plan, _checked(plan.jobs, options, resolver), _unchecked(plan, options))
+
+
+def check_robots(
+    options: Options, file: str | os.PathLike[str] | Source, resolver: Resolver
+) -> tuple[Report, list[Subject]]:
+    """Check the robots of one file, which are returned with the report.
+
+    Args:
+        options: how; resolved.
+        file: as of ``check``.
+        resolver: as of ``check_with``.
+
+    Raises:
+        UrdfkitError: as of ``check``.
+    """
+    plan, read = planned([file], resolver, options), _reader(options, resolver)
+    robots = [pair for job in plan.jobs for pair in as_launched(job, read)]
+    checked = [(job, _result(job, subject, options)) for job, subject in robots]
+    return merged_report(plan, checked, ()), [subject for _, subject in robots]
 
 
 def subjects(
@@ -229,8 +248,8 @@ def _failed(job: Job, error: Exception) -> FileResult:
 def _result(job: Job, subject: Subject, options: Options) -> FileResult:
     chosen = [code for code in options.select if not job.codes or code in job.codes]
     # That a robot of a folder cannot be expanded by itself is no defect of it.
-    wants = job.found and missing_arguments(subject)
-    codes = [code for code in chosen if code != "XAC010"] if wants else chosen
+    lacking = subject.without_arguments if job.found else ()
+    codes = [code for code in chosen if code not in lacking]
     result = _skipped_as_one(run_rules(subject, codes, options), subject)
     return result._replace(unknown_arguments=unknown_arguments(subject, options.arguments))
 

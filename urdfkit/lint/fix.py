@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
@@ -46,9 +47,6 @@ _DISPUTED = "skipped: another robot uses this text and is correct as it is"
 
 #: First and last byte of an edit, and its text.
 _Piece = tuple[int, int, str]
-
-#: Rules about files of meshes, which a mesh made anew answers.
-_OF_FILES = ("MSH001", "MSH009")
 
 
 class UnappliedFix(Record):
@@ -192,18 +190,18 @@ def _with_meshes(
         ours = Ownership([robot.source.path], robot.resolver)
         stand_ins = generate_missing(robot)
         for undone in stand_ins.undone:
-            found[os.path.realpath(undone.path)] = undone
+            found[disk.real(undone.path)] = undone
         for made in stand_ins.made:
             foreign = not (force or ours.owns(made.path))
             refusal = NotGenerated(made.path, made.references, made.defect, OUTSIDE)
-            found[os.path.realpath(made.path)] = refusal if foreign else made
+            found[disk.real(made.path)] = refusal if foreign else made
     meshes = tuple(one for one in found.values() if isinstance(one, GeneratedMesh))
     replaced = {reference.at.span for one in meshes for reference in one.references}
     places = {(real_path(span.source), *span[1:]) for span in replaced}
     left = tuple(
         one
         for one in fixes.left
-        if one.diagnostic.code not in _OF_FILES
+        if not rule_index.get(one.diagnostic.code).about_files
         or (real_path(one.diagnostic.span.source), *one.diagnostic.span[1:]) not in places
     )
     not_generated = tuple(one for one in found.values() if isinstance(one, NotGenerated))

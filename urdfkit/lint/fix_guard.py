@@ -10,10 +10,10 @@ from functools import cached_property
 from itertools import chain, zip_longest
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Subject
-from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check_with, subjects
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
@@ -250,13 +250,15 @@ class RegressionGuard:
         """Robots that changed files are part of, and that were not asked for."""
         files = frozenset(changed)
         if files not in self._found:
+            from urdfkit.lint.discovery import affected  # not needed to count fixes
+
             try:
                 found = affected(files, self._checker.config, self._checker.resolver).robots
             except UnreadableFile:  # a directory with too many files to look at
                 found = ()
-            asked = set(map(os.path.realpath, known))
+            asked = set(map(disk.real, known))
             others = dict.fromkeys(os.path.relpath(robot.file) for robot in found)
-            self._found[files] = [f for f in others if os.path.realpath(f) not in asked]
+            self._found[files] = [f for f in others if disk.real(f) not in asked]
         return self._found[files]
 
 
@@ -264,7 +266,7 @@ def _tags(subject: Subject, files: set[str]) -> dict[str, list[tuple[int, int]]]
     """First and last byte of the start tags that a robot uses of some files, in their order."""
     if subject.reading.document is None:
         return {}
-    real = {source.path: os.path.realpath(source.path) for source in subject.document.sources}
+    real = {source.path: disk.real(source.path) for source in subject.document.sources}
     found: dict[str, set[tuple[int, int]]] = {}
     for element in subject.document.root.walk():
         path = real.get(element.tag_at.source.path, "")
@@ -296,4 +298,4 @@ def place_of(edit: Edit) -> Place:
 
 def real_path(source: Source) -> str:
     """The path of the file of a source, whatever it is called."""
-    return os.path.realpath(source.path)
+    return disk.real(source.path)

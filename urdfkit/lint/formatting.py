@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.lint.config import Config
@@ -97,9 +98,9 @@ def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterato
     seen: set[str] = set()
     for given in files:
         file = os.fspath(given)
-        is_folder = os.path.isdir(file)
+        is_folder = disk.is_folder(file)
         for path in _below(file, config) if is_folder else (file,):
-            real = os.path.realpath(path)
+            real = disk.real(path)
             if real not in seen:
                 seen.add(real)
                 yield path, not is_folder

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
+from urdfkit.core import disk
 from urdfkit.lint.plan import Job, Plan
 from urdfkit.lint.report import Report
 from urdfkit.lint.runner import FileResult
@@ -29,7 +29,7 @@ def merged_report(plan: Plan, checked: list[Checked], unchecked: Iterable[Diagno
     files = Counter(job.source.path for job in plan.jobs)
     return Report(
         tuple(files),
-        tuple(sorted((*_distinct(checked), *unchecked), key=reading_order)),
+        in_reading_order((*_distinct(checked), *unchecked)),
         (*plan.skipped, *(skip for result in results for skip in result.skipped)),
         (*plan.crashed, *(crash for result in results for crash in result.crashed)),
         tuple(sorted({code for result in results for code in result.ran})),
@@ -68,7 +68,7 @@ def _launched_once(checked: list[Checked]) -> list[Checked]:
     robot is checked otherwise.
     """
     read = {
-        os.path.realpath(job.source.path)
+        disk.real(job.source.path)
         for job, result in checked
         if all(skip.code for skip in result.skipped)
     }
@@ -76,7 +76,7 @@ def _launched_once(checked: list[Checked]) -> list[Checked]:
         (job, result._replace(diagnostics=(), skipped=()))
         if job.frame
         and any(not skip.code for skip in result.skipped)
-        and os.path.realpath(job.source.path) in read
+        and disk.real(job.source.path) in read
         else (job, result)
         for job, result in checked
     ]
@@ -94,7 +94,7 @@ def _distinct(checked: list[Checked]) -> Iterator[Diagnostic]:
     for job, result in checked:
         for diagnostic in result.diagnostics:
             path = diagnostic.span.source.path
-            file = files_of.get(path) or files_of.setdefault(path, os.path.realpath(path))
+            file = files_of.get(path) or files_of.setdefault(path, disk.real(path))
             key = (diagnostic.code, file, *diagnostic.span[1:], diagnostic.message)
             once.setdefault(key, diagnostic)
             found_in.setdefault(key, []).append(job)
@@ -116,7 +116,12 @@ def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, .
     return tuple(dict.fromkeys(name for own in names.values() for name in own))
 
 
-def reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
-    """The key by which the findings of a report are sorted: file, place, code."""
-    span = diagnostic.span
-    return (shown(span.source.path), span.start, diagnostic.code, diagnostic.message)
+def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """By file, place, code and message."""
+    found = tuple(diagnostics)
+    names = {path: shown(path) for path in {one.span.source.path for one in found}}
+
+    def order(one: Diagnostic) -> tuple[str, int, str, str]:
+        return (names[one.span.source.path], one.span.start, one.code, one.message)
+
+    return tuple(sorted(found, key=order))

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile, UrdfkitError
@@ -101,7 +102,7 @@ class Plan:
         """A file, with its variants if the configuration has some, or a folder."""
         if isinstance(file, Source):
             self._add_source(file)
-        elif os.path.isdir(file):
+        elif disk.is_folder(os.fspath(file)):
             from urdfkit.lint.discovery import discover, launch_files
 
             folder, config = os.fspath(file), self.config
@@ -146,7 +147,7 @@ class Plan:
 
     def note_without_robot(self, given: Iterable[str]) -> None:
         """Leave a note if directories hold no robot: a report on launch files is no verdict."""
-        folders = list(filter(os.path.isdir, given))
+        folders = list(filter(disk.is_folder, given))
         launches = [job.source.path for job in self.jobs if is_launch(job.source.path)]
         if not folders or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
             return
@@ -199,7 +200,7 @@ class Plan:
 
     def _is_other(self, description: LaunchedDescription) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""
-        sets = self._launched.setdefault(os.path.realpath(description.path), [{}])
+        sets = self._launched.setdefault(disk.real(description.path), [{}])
         if description.arguments in sets or len(sets) > MAX_LAUNCHED:
             return False
         sets.append(description.arguments)
@@ -222,7 +223,7 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         read: makes the description of a job.
     """
     subject = read(job)
-    if is_launch(job.source.path) or not (names := missing_arguments(subject)):
+    if is_launch(job.source.path) or not (names := subject.missing_arguments):
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
@@ -233,7 +234,7 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         arguments = {**one.arguments, **job.arguments}
         now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
         pair = (now, read(now))
-        if missing_arguments(pair[1]):
+        if pair[1].missing_arguments:
             failed[tuple(one.arguments[name] for name in names)] = pair[1]
         else:
             found.append(pair)
@@ -264,7 +265,7 @@ def _as_found(
             found.append(pair)
         else:
             failed[tuple(given.values())] = pair[1]
-        more += missing_arguments(pair[1])
+        more += pair[1].missing_arguments
     if found:
         _note_unchecked(found, offered, failed)
     if found or set(more) <= set(names):
@@ -310,16 +311,6 @@ def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched
     for name, (value, origin) in values.items():
         origins.setdefault(origin, {})[name] = value
     return tuple(Launched(job.source.path, *one) for one in origins.items())
-
-
-def missing_arguments(subject: Subject) -> tuple[str, ...]:
-    """The arguments without which a xacro cannot be expanded."""
-    problems = subject.problems("XAC010")
-    if not problems:
-        return ()
-    from urdfkit.lint.argument_values import missing_argument
-
-    return tuple(dict.fromkeys(map(missing_argument, problems)))
 
 
 def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:

@@ -85,9 +85,19 @@ def of_family(family: str) -> frozenset[str]:
     return frozenset(code for code in codes() if family_of(code) == family)
 
 
-def applies(family: str, subject: Subject) -> bool:
-    """True if the rules of a family may have something to report of a description."""
-    return not family or bool(import_module(f"urdfkit.checks.{family}").applies(subject))
+def applicable(family: str, codes: list[str], subject: Subject) -> list[str]:
+    """Those rules of a family that may have something to report of a description.
+
+    The ``__init__.py`` of the family has ``applies(subject)``, and where something names the rules
+    that report it, ``codes(subject)``: those that have something to report.
+    """
+    if not family:
+        return codes
+    module = import_module(f"urdfkit.checks.{family}")
+    if not module.applies(subject):
+        return []
+    found = module.codes(subject) if hasattr(module, "codes") else codes
+    return [code for code in codes if code in found]
 
 
 def register(modules: Mapping[str, str]) -> None:
@@ -203,8 +213,11 @@ def redirect(word: str) -> str | None:
 def redirects() -> dict[str, str]:
     """The codes that former codes and names stand for; empty for rules that were removed."""
     if not _redirects:
-        for family in sorted({family_of(code) for code in codes()}):
-            _redirects.update(getattr(import_module(f"urdfkit.checks.{family}"), "REDIRECTS", {}))
+        from json import load  # configurations name few rules that are no more
+
+        with open(os.path.join(_CHECKS, "redirects.json"), encoding="utf-8") as file:
+            former = load(file)
+        _redirects.update((word, code) for code, words in former.items() for word in words)
     return _redirects
 
 

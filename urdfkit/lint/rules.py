@@ -15,13 +15,19 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import RuleError
+from urdfkit.lint.context import Subject
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.robot.model import Placed
+
+#: All that the file of a rule needs, but what its subject matter is.
+__all__ = [
+    "FIRST_VERSION", "NAMES", "Check", "Confidence", "Finding", "Findings", "Fix", "Location",
+    "Need", "Related", "Rule", "Severity", "Subject", "code_of", "name_of", "reported", "rule",
+]  # fmt: skip
 
 #: The version of urdfkit that brought every rule that names no other.
 FIRST_VERSION = "0.1"
@@ -97,7 +103,7 @@ def reported(subject: Subject, code: str) -> Findings:
         )
 
 
-Check = Callable[["Subject"], Findings]
+Check = Callable[[Subject], Findings]
 
 #: The attributes that name links and joints.
 NAMES = ("name", "link", "joint", "reference")
@@ -131,6 +137,8 @@ class Rule(Record):
             parts has found the cause, its findings are consequences.
         computes_fix: True for fixes that compute from other values of the robot; they wait until
             those are fixed.
+        migrates: True for a rule that reports what another generation of Gazebo does not have.
+        about_files: True for a rule about mesh files, which a generated mesh answers.
     """
 
     code: str
@@ -148,6 +156,8 @@ class Rule(Record):
     hides_parts: tuple[str, ...] = ()
     reports_missing: bool = False
     computes_fix: bool = False
+    migrates: bool = False
+    about_files: bool = False
 
     def option(self, subject: Subject, name: str) -> float:
         """The value of an option: as configured, else its default."""
@@ -230,6 +240,8 @@ def rule(
     hides_parts: tuple[str, ...] = (),
     reports_missing: bool = False,
     computes_fix: bool = False,
+    migrates: bool = False,
+    about_files: bool = False,
 ) -> Callable[[Check], Rule]:
     """Declare a rule; the decorated function becomes its Rule.
 
@@ -262,6 +274,8 @@ def rule(
             hides_parts,
             reports_missing,
             computes_fix,
+            migrates,
+            about_files,
         )
 
     return declare

@@ -81,7 +81,8 @@ def run_rules(
     run.ignores = run.guarded(lambda: subject.ignores, ())
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
-        wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
+        lacking = subject.without_arguments
+        wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
         is_unexplained = wants_arguments or not run.says_why()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
@@ -120,9 +121,9 @@ class _Run:
         for code in chosen:
             families.setdefault(rule_index.family_of(code), []).append(code)
         for family, codes in families.items():
-            if self._applies(family, codes):
-                for rule in filter(self._is_chosen, map(rule_index.get, codes)):
-                    self._rule(rule)
+            applicable = self._applicable(family, codes)
+            for rule in filter(self._is_chosen, map(rule_index.get, applicable)):
+                self._rule(rule)
 
     def _is_chosen(self, rule: Rule) -> bool:
         """False for a preview rule that nobody asked for, and for one that takes too long."""
@@ -135,6 +136,8 @@ class _Run:
     def _rule(self, rule: Rule) -> None:
         self._asked[rule.code] = rule
         findings = self._findings(rule)
+        if not findings:
+            return
         try:
             findings = self._undisputed(findings)
             targets = _targets(rule, findings, self.subject)
@@ -143,20 +146,20 @@ class _Run:
             self.ran.discard(rule.code)
             self.crashed.append(crash(rule.code, self.subject.source.path, error))
 
-    def _applies(self, family: str, codes: list[str]) -> bool:
-        """True if rules of a family may have something to report."""
+    def _applicable(self, family: str, codes: list[str]) -> list[str]:
+        """Those rules of a family that may have something to report."""
         path = self.subject.source.path
         if is_launch(path) and family not in LAUNCH_FAMILIES:
-            return False
+            return []
         try:
-            return rule_index.applies(family, self.subject)
+            return rule_index.applicable(family, codes, self.subject)
         except NotApplicable:
-            return False
+            pass
         except Unavailable as reason:
             self.skipped += [Skipped(code, path, str(reason)) for code in codes]
         except Exception as error:
             self.crashed += [crash(code, path, error) for code in codes]
-        return False
+        return []
 
     def _findings(self, rule: Rule) -> list[Finding]:
         path = self.subject.source.path

@@ -11,7 +11,7 @@ import os
 import re
 from functools import lru_cache
 
-from urdfkit.core import atomic
+from urdfkit.core import atomic, disk
 from urdfkit.errors import UnwritableFile
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MAX_BYTES
@@ -65,7 +65,7 @@ class Store:
             form: its format, by content.
         """
         try:
-            state = os.stat(path)
+            state = disk.state(path)
         except (OSError, ValueError) as error:
             return f"cannot be read: {error}"
         key = (path, state.st_dev, state.st_ino, state.st_size, state.st_mtime_ns)
@@ -75,8 +75,7 @@ class Store:
 
     def _measures(self, path: str, form: str) -> Measures | str:
         try:
-            with open(path, "rb") as file:
-                data = file.read(MAX_BYTES)
+            data = disk.read(path, MAX_BYTES)
         except OSError as error:
             return f"cannot be read: {error.strerror or error}"
         if self._folder is None:

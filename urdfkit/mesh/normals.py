@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from urdfkit.mesh.geometry import Floats, Integers, MeshPart
-from urdfkit.mesh.grouping import distinct
+from urdfkit.mesh.grouping import components, distinct
 from urdfkit.mesh.welding import weld
 
 #: Faces that meet at a larger angle, in degrees, meet at a visible edge.
@@ -94,8 +92,5 @@ def _corner_groups(faces: Integers, normals: Floats, crease: float) -> Integers:
     same = (low[one] == low[other]) & (high[one] == high[other])
     flat = (normals[one // 3] * normals[other // 3]).sum(axis=1) >= np.cos(np.radians(crease))
     one, other = one[same & flat], other[same & flat]
-    rows = np.concatenate([at_low[one], at_high[one]])
-    columns = np.concatenate([at_low[other], at_high[other]])
-    links = coo_array((np.ones(len(rows)), (rows, columns)), shape=(3 * number, 3 * number))
-    _, groups = connected_components(links, directed=False)
-    return np.asarray(groups, dtype=np.int64)
+    links = [np.concatenate([at_low[side], at_high[side]]) for side in (one, other)]
+    return components(3 * number, np.column_stack(links))

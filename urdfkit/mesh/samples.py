@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from struct import pack
 
 from urdfkit.core.spatial import Vector
 
@@ -38,6 +37,8 @@ def stl(
     triangles: Iterable[list[Vector]], header: bytes = b"", colour: int = 0, copies: int = 1
 ) -> bytes:
     """A binary STL, with some copies of every triangle."""
+    from struct import pack
+
     body = [
         pack("<12fH", 0, 0, 0, *(value for corner in triangle for value in corner), colour)
         for triangle in triangles
@@ -49,6 +50,7 @@ def gltf() -> bytes:
     """A glTF file with one triangle, its numbers inside."""
     from base64 import b64encode
     from json import dumps
+    from struct import pack
 
     numbers = pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
     uri = f"data:application/octet-stream;base64,{b64encode(numbers).decode()}"

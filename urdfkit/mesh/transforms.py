@@ -30,14 +30,15 @@ def scaled(mesh: Mesh, factors: Vector) -> Mesh:
         factors: none of them zero.
     """
     stretch = np.asarray(factors, dtype=float)
-    mirrored = bool(np.prod(np.sign(stretch)) < 0)
-    return mesh._replace(parts=tuple(_scaled(part, stretch, mirrored) for part in mesh.parts))
+    return mesh._replace(parts=tuple(scaled_part(part, stretch) for part in mesh.parts))
 
 
-def _scaled(part: MeshPart, stretch: Floats, mirrored: bool) -> MeshPart:
-    normals = part.normals
+def scaled_part(part: MeshPart, stretch: Floats) -> MeshPart:
+    """A part stretched along x, y and z, (3,); a factor may be zero."""
+    normals, mirrored = part.normals, np.prod(np.sign(stretch)) < 0
     if normals is not None:
-        normals = normals / (stretch / np.abs(stretch).max())  # so that no square overflows
+        # About 1 large first, so that no square overflows.
+        normals = normals / np.where(stretch == 0, 1.0, stretch / (np.abs(stretch).max() or 1.0))
         lengths = np.linalg.norm(normals, axis=1, keepdims=True)
         normals = normals / np.where(lengths > 0, lengths, 1.0)
     faces = part.faces[:, ::-1].copy() if mirrored else part.faces

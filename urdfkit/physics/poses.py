@@ -6,12 +6,11 @@ an angle in degrees. A group state in the SRDF of the robot's package is a named
 
 from __future__ import annotations
 
-import json
-import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.joints import bounds, unit
@@ -28,6 +27,8 @@ if TYPE_CHECKING:
 MAX_BYTES = 1024 * 1024
 
 _DEGREES = ("deg", "°")
+#: Characters of a wrong value in a message.
+_LONGEST = 40
 
 
 class PoseError(UrdfkitError):
@@ -74,10 +75,10 @@ def outside_limits(tree: KinematicTree, given: Mapping[str, float]) -> list[str]
 
 
 def _named(description: RosDescription, name: str) -> dict[str, float]:
-    if os.path.exists(name):
+    if disk.exists(name):
         return _positions(description.tree, _read(name))
     path, _, state = name.rpartition(":")
-    srdf = _srdf(description, path) if os.path.exists(path) else description.srdf
+    srdf = _srdf(description, path) if disk.exists(path) else description.srdf
     if srdf is None:
         raise PoseError(f"no pose file '{name}', and no SRDF with this group state")
     states = _states(srdf)
@@ -120,49 +121,34 @@ def _is_posable(tree: KinematicTree, name: str) -> bool:
     return joint is not None and joint.kind in (*TURNING, *SLIDING) and joint.mimic is None
 
 
-def _read(path: str) -> Mapping[str, Any]:
-    """The mapping in a pose file."""
+def _read(path: str) -> dict[str, str]:
+    """The positions in a pose file, as they are written."""
     source = Source.read(path)
     if len(source.data) > MAX_BYTES:
         raise PoseError(f"{path}: larger than {MAX_BYTES // 2**20} MiB")
-    found = _parse(path, source.data.decode("utf-8", "replace"))
-    if not isinstance(found, dict):
-        raise PoseError(f"{path}: it must hold one 'joint: position' a line, as YAML or JSON")
-    return {str(name): value for name, value in found.items()}
-
-
-def _parse(path: str, text: str) -> object:
-    def checked(pairs: list[tuple[str, object]]) -> dict[str, object]:
-        _refuse_twins(path, (name for name, _ in pairs))
-        return dict(pairs)
-
-    try:
-        return json.loads(text, object_pairs_hook=checked)
-    except (ValueError, RecursionError):
-        pass  # most are YAML, which cannot hold the tabs that JSON may
     import yaml
 
+    text = source.data.decode("utf-8", "replace").replace("\t", " ")  # which JSON may hold
     try:
         root = yaml.compose(text, yaml.SafeLoader)
-        if isinstance(root, yaml.MappingNode):
-            _refuse_twins(path, (key.value for key, _ in root.value))
-        return yaml.safe_load(text)
     except RecursionError as error:
         raise PoseError(f"{path}: nested too deeply to be a pose") from error
     except (yaml.YAMLError, ValueError) as error:
         raise PoseError(f"{path}: neither YAML nor JSON: {' '.join(str(error).split())}") from error
-
-
-def _refuse_twins(path: str, names: Iterable[object]) -> None:
-    """YAML and JSON let the last of them win, without a word."""
-    known: set[object] = set()
-    for name in map(str, names):
-        if name in known:
+    if not isinstance(root, yaml.MappingNode) or any(
+        not isinstance(key, yaml.ScalarNode) for key, _ in root.value
+    ):
+        raise PoseError(f"{path}: it must hold one 'joint: position' a line, as YAML or JSON")
+    found: dict[str, str] = {}
+    for key, value in root.value:
+        name = key.value
+        if name in found:
             raise PoseError(f"{path}: joint '{name}' is given twice")
-        known.add(name)
+        found[name] = value.value if isinstance(value, yaml.ScalarNode) else f"a {value.id}"
+    return found
 
 
-def _positions(tree: KinematicTree, given: Mapping[str, Any]) -> dict[str, float]:
+def _positions(tree: KinematicTree, given: Mapping[str, str | float]) -> dict[str, float]:
     """Positions in rad or m of joints that can take them.
 
     Raises:
@@ -185,22 +171,13 @@ def _positions(tree: KinematicTree, given: Mapping[str, Any]) -> dict[str, float
     return found
 
 
-def _position(name: str, value: object, *, turns: bool) -> float:
-    text = _text(value)
+def _position(name: str, value: str | float, *, turns: bool) -> float:
+    text = str(value).strip()
     degrees = next((suffix for suffix in _DEGREES if text.endswith(suffix)), "")
     position = number(text.removesuffix(degrees))
-    if position is None or isinstance(value, bool):
+    if position is None:
+        text = text if len(text) < _LONGEST else f"{text[:_LONGEST]}..."
         raise PoseError(f"joint '{name}': '{text}' is not a position; write 1.57, 90deg or 0.1")
     if degrees and not turns:
         raise PoseError(f"joint '{name}' slides; write its position in m, not in degrees")
     return position * pi / 180 if degrees else position
-
-
-def _text(value: object) -> str:
-    """A value as it was written; its type where that is longer than anybody reads."""
-    if isinstance(value, (list, dict)):  # which aliases may make of any size
-        return type(value).__name__
-    try:
-        return str(value).strip()
-    except ValueError:  # an integer of more digits than Python writes
-        return type(value).__name__

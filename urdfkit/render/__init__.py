@@ -24,9 +24,9 @@ try:
         sweep,
         swept_circle,
     )
-    from urdfkit.render.camera import VIEWS, Camera, looking
+    from urdfkit.render.camera import VIEWS, Camera, CameraOptions, looking
     from urdfkit.render.difference import difference
-    from urdfkit.render.draw import draw
+    from urdfkit.render.draw import DrawingOptions, draw
     from urdfkit.render.findings import marked
     from urdfkit.render.fonts import unwritable
     from urdfkit.render.layers import LAYERS, explained
@@ -47,6 +47,8 @@ __all__ = [
     "VIEWS",
     "Background",
     "Camera",
+    "CameraOptions",
+    "DrawingOptions",
     "Label",
     "MissingMesh",
     "PictureError",

@@ -6,6 +6,7 @@ import io
 import os
 from collections.abc import Callable, Iterator, Sequence
 from math import cos, pi, sin
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PIL import Image
@@ -15,13 +16,16 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject
 from urdfkit.render.arrays import Floats
-from urdfkit.render.camera import Camera, looking
-from urdfkit.render.draw import draw
+from urdfkit.render.camera import Camera, CameraOptions, looking
+from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import opaque, write
-from urdfkit.render.pixels import STUDIO, Background
+from urdfkit.render.pixels import STUDIO
 from urdfkit.render.scene import Scene
 from urdfkit.robot import kinematics
 from urdfkit.robot.joints import bounds
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 #: What an animation is saved as, by suffix.
 FORMATS = {".gif": "GIF", ".webp": "WEBP", ".png": "PNG", ".apng": "PNG"}
@@ -114,38 +118,24 @@ def sweep(
 def animated(
     shots: Sequence[Shot],
     *,
-    quality: str = "default",
-    background: Background | None = STUDIO,
-    floor: bool = True,
-    threads: int | None = None,
     progress: Callable[[int, int], None] | None = None,
+    **drawing: Unpack[DrawingOptions],
 ) -> list[Image.Image]:
     """The pictures of an animation, on one floor.
 
     Args:
         shots: what is to be seen, and by which camera.
-        quality: ``draft``, ``default`` or ``high``.
-        background: colours above and below, sRGB from 0 to 1; None for a transparent one.
-        floor: whether there is a ground that catches shadows.
-        threads: that work on it; the bytes do not depend on it.
         progress: called with the number of pictures done and of all.
+        drawing: as `draw` takes it.
     """
     level = min((float(s.points()[:, 2].min()) for s, _ in shots if len(s.points())), default=None)
+    has_background = drawing.get("background", STUDIO) is not None
     images = []
     for number, (scene, camera) in enumerate(shots):
-        pixels = draw(
-            scene,
-            camera,
-            quality=quality,
-            background=background,
-            floor=floor,
-            level=level,
-            threads=threads,
-        )
-        image = Image.fromarray(pixels)
+        image = Image.fromarray(draw(scene, camera, level=level, **drawing))
         if scene.labels:
             write(image, scene, camera)
-        images.append(image if background is None else image.convert("RGB"))
+        images.append(image.convert("RGB") if has_background else image)
         if progress is not None:
             progress(number + 1, len(shots))
     return images
@@ -156,22 +146,11 @@ def followed(
     view: str = "iso",
     *,
     size: tuple[int, int],
-    azimuth: float | None = None,
-    elevation: float | None = None,
-    distance: float | None = None,
-    orthographic: bool = False,
+    **look: Unpack[CameraOptions],
 ) -> list[Shot]:
     """Scenes with one camera that has all of them in view; the arguments are those of `looking`."""
     points = np.concatenate([scene.points() for scene, _ in scenes])
-    camera = looking(
-        points,
-        view,
-        azimuth=azimuth,
-        elevation=elevation,
-        distance=distance,
-        size=size,
-        orthographic=orthographic,
-    )
+    camera = looking(points, view, size=size, **look)
     return [(scene, camera) for scene, _ in scenes]
 
 

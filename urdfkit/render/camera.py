@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import cos, isfinite, radians, sin, tan
-from typing import NamedTuple
+from typing import NamedTuple, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -122,6 +122,15 @@ class Camera(NamedTuple):
         down = row.astype(np.float32)
         down -= np.float32(height / 2 - 0.5)
         return across * factor, -down * factor, -depth
+
+
+class CameraOptions(TypedDict, total=False):
+    """What `looking` takes by name, but for the size."""
+
+    azimuth: float | None
+    elevation: float | None
+    distance: float | None
+    orthographic: bool
 
 
 def _far(camera: Camera) -> float:

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from PIL import Image
 
 from urdfkit.render.arrays import Bytes
-from urdfkit.render.camera import looking
-from urdfkit.render.draw import draw
+from urdfkit.render.camera import CameraOptions, looking
+from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import caption
-from urdfkit.render.pixels import STUDIO, Background
+from urdfkit.render.pixels import STUDIO
 from urdfkit.render.scene import Scene
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 GONE, NEW, CHANGED = (214, 48, 49), (22, 150, 76), (240, 160, 20)
 #: Differences of colour up to this, of 255, are none.
@@ -23,13 +28,8 @@ def difference(
     view: str = "iso",
     *,
     size: tuple[int, int] = (1920, 480),
-    azimuth: float | None = None,
-    elevation: float | None = None,
-    distance: float | None = None,
-    orthographic: bool = False,
-    quality: str = "default",
-    background: Background | None = STUDIO,
-    threads: int | None = None,
+    look: CameraOptions | None = None,
+    **drawing: Unpack[DrawingOptions],
 ) -> Image.Image:
     """Before, after and the difference, seen by one camera that has both in view.
 
@@ -41,45 +41,27 @@ def difference(
         after: the second one.
         view: name of a view.
         size: of all three pictures together, in pixels.
-        azimuth: of the camera instead of the view's, in degrees from the front to the left.
-        elevation: of the camera instead of the view's, in degrees above the horizon.
-        distance: of the camera, in m; None to have both states in view.
-        orthographic: without perspective.
-        quality: ``draft``, ``default`` or ``high``.
-        background: colours above and below, sRGB from 0 to 1; None for a transparent one.
-        threads: that work on it; the bytes do not depend on it.
+        look: of the camera, as `looking` takes it.
+        drawing: as `draw` takes it.
 
     Raises:
         NoSuchView: the view has no name, or a number is out of bounds.
     """
     cell = (max(size[0] // 3, 16), max(size[1], 16))
     points = np.concatenate((before.points(), after.points()))
-    camera = looking(
-        points,
-        view,
-        azimuth=azimuth,
-        elevation=elevation,
-        distance=distance,
-        size=cell,
-        orthographic=orthographic,
-    )
+    camera = looking(points, view, size=cell, **(look or {}))
     level = float(points[:, 2].min()) if len(points) else None
     bare, whole = [], Image.new("RGBA", (cell[0] * 3, cell[1]))
     for number, (scene, name) in enumerate(((before, "before"), (after, "after"))):
-        bare.append(
-            draw(scene, camera, quality="draft", background=None, floor=False, threads=threads)
-        )
-        image = Image.fromarray(
-            draw(
-                scene, camera, quality=quality, background=background, level=level, threads=threads
-            )
-        )
+        bare.append(draw(scene, camera, quality="draft", background=None, floor=False))
+        image = Image.fromarray(draw(scene, camera, level=level, **drawing))
         caption(image, name)
         whole.paste(image, (number * cell[0], 0))
     image = Image.fromarray(_compared(*bare))
     caption(image, "difference")
     whole.paste(image, (2 * cell[0], 0))
-    return whole if background is None else whole.convert("RGB")
+    has_background = drawing.get("background", STUDIO) is not None
+    return whole.convert("RGB") if has_background else whole
 
 
 def _compared(before: Bytes, after: Bytes) -> Bytes:

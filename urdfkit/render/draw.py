@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, TypedDict
 
 import numpy as np
 
@@ -23,7 +23,6 @@ from urdfkit.render.occlusion import openness
 from urdfkit.render.pixels import STUDIO, Background, encoded, gradient, matching, means, summed
 from urdfkit.render.quality import QUALITIES, Quality
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
-from urdfkit.render.rays import RayTracer
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Illumination, shaded
 from urdfkit.render.soup import CameraTriangles, cut, extent, rows, soup
@@ -47,6 +46,15 @@ NEAR = 0.012
 
 
 _OPAQUE, _CLEAR, _SIGN = range(3)
+
+
+class DrawingOptions(TypedDict, total=False):
+    """What `draw` takes by name, but for the level of the ground."""
+
+    quality: str
+    background: Background | None
+    floor: bool
+    threads: int | None
 
 
 class _Band(NamedTuple):
@@ -75,10 +83,10 @@ def draw(
         scene: what there is to see.
         camera: that sees it.
         quality: a name of `QUALITIES`.
-        background: colours; None for a transparent one.
+        background: colours above and below, sRGB from 0 to 1; None for a transparent one.
         floor: whether there is a ground that catches shadows.
         level: height of the ground in m; that of the robot's lowest point if None.
-        threads: how many work on it; the picture does not depend on it.
+        threads: how many work on it, as many as processors if None; the bytes do not depend on it.
         progress: called with the number of steps done and of all.
 
     Returns:
@@ -116,9 +124,6 @@ class _Drawing:
         lowest, highest = extent(world, robot)
         self.size = float((highest - lowest).max()) or 1.0
         self.sun: ShadowMap = shadow_map(everything, casts, solid, self.rig, workers)
-        self.tracer: RayTracer | None = None
-        if quality.rays:
-            self.tracer = _tracer(everything.points, casts, self.size)
         self.floor: Ground | None = None
         if floor and len(casts):
             self.floor = ground(world, casts, solid, self.sun, camera, level, workers)
@@ -212,7 +217,7 @@ class _Drawing:
         """The surfaces of a band; their depth goes to the picture's."""
         grid = Grid(self.camera.size[0], first, last, self.offsets)
         opaque = nearest(self.screen, self.opaque, grid)
-        found = self._surfaces(fragments(opaque, grid, self.soup, self.camera))
+        found = self._surfaces(fragments(opaque, grid))
         dark = np.zeros((0,), dtype=np.float32)
         if self.floor is not None:
             depth[first:last], dark = self.floor.seen(self.camera, first, last)
@@ -231,7 +236,7 @@ class _Drawing:
             below = nearest(self.screen, numbers, grid, above=above, below=below)
             if not below.any():
                 break
-            layers.append(self._surfaces(fragments(below, grid, self.soup, self.camera)))
+            layers.append(self._surfaces(fragments(below, grid)))
         return tuple(layers)
 
     def _surfaces(self, some: Fragments) -> tuple[Fragments, FragmentSurface]:
@@ -252,15 +257,6 @@ class _Drawing:
         shown = np.flatnonzero(depth.reshape(-1)[some.pixel] == -there.position[:, 2])
         pixel, position = some.pixel[shown], there.position[shown]
         width = self.camera.size[0]
-        if self.tracer is not None:
-            normal, reach = there.flat[shown], REACH * self.size
-            sky.reshape(-1)[pixel] = self.tracer.sky(
-                position, normal, pixel, width, 2 * reach, self.quality.sky
-            )
-            sun.reshape(-1)[pixel] = self.tracer.sun(
-                position, normal, pixel, width, self.rig.sun, self.quality.sun
-            )
-            return
         if self.quality.sky:
             sky.reshape(-1)[pixel] = openness(
                 depth,
@@ -374,14 +370,6 @@ def _kind(look: SurfaceMaterial) -> int:
     if look.sign:
         return _SIGN
     return _OPAQUE if look.rgba[3] > SOLID else _CLEAR
-
-
-def _tracer(points: Floats, faces: Integers, size: float) -> RayTracer | None:
-    """Rays among some triangles; None where Embree is not installed."""
-    try:
-        return RayTracer(points, faces, size) if len(faces) else None
-    except ImportError:
-        return None
 
 
 def _area(a: Floats, b: Floats, c: Floats) -> Floats:

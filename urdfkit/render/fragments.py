@@ -1,4 +1,4 @@
-"""From samples to fragments: what is shaded is a piece of one surface in one pixel."""
+"""From samples to fragments: what is shaded is a piece of one triangle in one pixel."""
 
 from __future__ import annotations
 
@@ -6,21 +6,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Integers, Keys, dot, unit
+from urdfkit.render.arrays import Floats, Integers, Keys, dot, unit
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, Projected, split
 from urdfkit.render.soup import CameraTriangles
 
-#: Faces that meet at a smaller angle are shaded as one in a pixel (the cosine).
-_ALIKE = 0.94
-#: Samples further apart in depth than so many times what the slope explains are two surfaces.
-_STEP = 3.0
 #: Barycentric weights beyond which a point is far outside of a triangle.
 _FAR = np.float32(4)
 
 
 class Fragments(NamedTuple):
-    """Pieces of surfaces, in the order of the pixels.
+    """Pieces of triangles, in the order of the pixels.
 
     Attributes:
         pixel: (k,), row times width plus column.
@@ -56,116 +52,38 @@ class FragmentSurface(NamedTuple):
     color: Floats | None
 
 
-def fragments(keys: Keys, grid: Grid, whole: CameraTriangles, camera: Camera) -> Fragments:
+def fragments(keys: Keys, grid: Grid) -> Fragments:
     """The fragments of a band.
 
-    Consecutive samples of a pixel that see one surface make one fragment, which is shaded once.
+    Consecutive samples of a pixel that see one triangle make one fragment, which is shaded once.
 
     Args:
         keys: of the samples of the band.
         grid: that they lie on.
-        whole: the triangles.
-        camera: that sees them.
     """
     samples, rows = len(grid.offsets), grid.last - grid.first
-    numbers, nearness = split(keys)
-    numbers = numbers.reshape(rows, samples, grid.width)
-    first = numbers[:, 0]
-    same = np.ones_like(first, dtype=bool)
-    for sample in range(1, samples):
-        same &= numbers[:, sample] == first
-    plain = np.flatnonzero(same & (first >= 0))
-    mixed = np.flatnonzero(~same)
-    row, column = np.divmod(plain, grid.width)
-    one = Fragments(
-        plain,
-        first.reshape(-1)[plain],
-        np.ones(len(plain), dtype=np.float32),
-        column.astype(np.float32) + np.float32(0.5),
-        (row + grid.first).astype(np.float32) + np.float32(0.5),
-        nearness.reshape(rows, samples, grid.width)[:, 0].reshape(-1)[plain],
-    )
-    row, column = np.divmod(mixed, grid.width)
-    place = (row * samples * grid.width + column)[:, None] + np.arange(samples) * grid.width
-    several = _runs(
-        mixed,
-        numbers.reshape(-1)[place],
-        nearness.reshape(-1)[place],
-        grid,
-        whole,
-        camera,
-    )
-    order = np.argsort(np.concatenate((one.pixel, several.pixel)), kind="stable")
-    pixel, number, weight, x, y, near = (
-        np.concatenate((left, right))[order] for left, right in zip(one, several, strict=True)
-    )
-    return Fragments(pixel + grid.first * grid.width, number, weight, x, y, near)
-
-
-def _runs(
-    pixels: Integers,
-    numbers: Integers,
-    nearness: Floats,
-    grid: Grid,
-    whole: CameraTriangles,
-    camera: Camera,
-) -> Fragments:
-    """The fragments of pixels whose samples see several triangles.
-
-    Args:
-        pixels: (p,), in the band.
-        numbers: (p, s), of the triangles.
-        nearness: (p, s).
-        grid: of the samples.
-        whole: the triangles.
-        camera: that sees them.
-    """
-    count, samples = numbers.shape
-    starts = np.ones((count, samples), dtype=bool)
-    starts[:, 1:] = _differ(numbers, nearness, whole, camera)
+    by_pixel = keys.reshape(rows, samples, grid.width).swapaxes(1, 2).reshape(-1, samples)
+    numbers, nearness = split(by_pixel)
+    starts = np.ones(numbers.shape, dtype=bool)
+    starts[:, 1:] = numbers[:, 1:] != numbers[:, :-1]
     begin = np.flatnonzero(starts)
-    length = np.diff(begin, append=count * samples)
-    full = numbers.reshape(-1)[begin] >= 0
-    begin, length = begin[full], length[full]
+    length = np.diff(begin, append=numbers.size)
+    seen = numbers.reshape(-1)[begin] >= 0
+    begin, length = begin[seen], length[seen]
     middle = begin + length // 2
     pixel, sample = np.divmod(middle, samples)
-    row, column = np.divmod(pixels[pixel], grid.width)
-    whole_pixel = length == samples
-    half = np.float32(0.5)
-    across = np.where(whole_pixel, half, grid.offsets[sample])
-    down = np.where(whole_pixel, half, (sample + half) / np.float32(samples))
+    row, column = np.divmod(pixel, grid.width)
+    is_whole, half = length == samples, np.float32(0.5)
+    across = np.where(is_whole, half, grid.offsets[sample])
+    down = np.where(is_whole, half, (sample.astype(np.float32) + half) / np.float32(samples))
     return Fragments(
-        pixels[pixel],
+        pixel + grid.first * grid.width,
         numbers.reshape(-1)[middle],
-        (length / samples).astype(np.float32),
-        column.astype(np.float32) + across.astype(np.float32),
-        (row + grid.first).astype(np.float32) + down.astype(np.float32),
+        length.astype(np.float32) / np.float32(samples),
+        column.astype(np.float32) + across,
+        (row + grid.first).astype(np.float32) + down,
         nearness.reshape(-1)[middle],
     )
-
-
-def _differ(numbers: Integers, nearness: Floats, whole: CameraTriangles, camera: Camera) -> Bools:
-    """Where a sample sees another surface than the sample before it in the pixel, (p, s - 1)."""
-    left, right = numbers[:, :-1].reshape(-1), numbers[:, 1:].reshape(-1)
-    result = (left < 0) != (right < 0)
-    uneven = np.flatnonzero((left != right) & (left >= 0) & (right >= 0))
-    left, right = left[uneven], right[uneven]
-    near = nearness[:, :-1].reshape(-1)[uneven], nearness[:, 1:].reshape(-1)[uneven]
-    here, there = whole.flat[left], whole.flat[right]
-    if camera.is_orthographic:
-        depths, footprint = near, np.float32(1 / camera.scale)
-        gap = np.abs(depths[0] - depths[1])
-    else:
-        gap = np.abs(1 / near[0] - 1 / near[1])
-        footprint = np.float32(1 / camera.scale) / near[0]
-    facing = np.maximum(np.minimum(np.abs(here[:, 2]), np.abs(there[:, 2])), np.float32(0.1))
-    result[uneven] = (
-        (whole.item[left] != whole.item[right])
-        | (np.abs(dot(here, there)) < _ALIKE)
-        | (gap > _STEP * footprint / facing)
-    )
-    differ: Bools = result.reshape(numbers[:, 1:].shape)
-    return differ
 
 
 def surface(

@@ -15,16 +15,17 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject
 from urdfkit.render import primitives
-from urdfkit.render.arrays import Floats, single
 from urdfkit.render.arrays import bounds as bounds_of
+from urdfkit.render.arrays import single
 from urdfkit.render.contacts import overlaps
 from urdfkit.render.materials import Colour, SurfaceMaterial
 from urdfkit.render.primitives import Triangles
-from urdfkit.render.scene import Label, Scene, SceneItem, build, placed, turned
+from urdfkit.render.scene import Label, Scene, SceneItem, build, placed
 from urdfkit.robot.composite_body import composite_body
+from urdfkit.robot.inertia import uniform_solid
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, positions
-from urdfkit.robot.model import Joint, Link, Tensor
+from urdfkit.robot.model import Joint, Link
 
 RED, GREEN, BLUE = (0.90, 0.16, 0.16, 1.0), (0.13, 0.68, 0.25, 1.0), (0.15, 0.40, 0.95, 1.0)
 AXIS, RANGE, NOW = (0.62, 0.18, 0.85, 1.0), (0.62, 0.18, 0.85, 0.35), (1.0, 0.62, 0.0, 1.0)
@@ -213,8 +214,6 @@ def _equivalent(
 ) -> Drawn:
     """Solids of even density with the moments of the links.
 
-    A second moment of mass along an axis is half of the other two moments less its own; the edge
-    of a box, or the half axis of an ellipsoid, is the root of a factor times it over the mass.
     One larger than the robot, or of a light link than half of it, hides what there is to see, and
     is written in words.
     """
@@ -225,31 +224,19 @@ def _equivalent(
         assert inertial is not None
         if inertial.tensor is None:
             continue
-        moments, axes = _principal(inertial.tensor.value)
-        seconds = np.maximum(moments.sum() / 2 - moments, 0)
-        edges = np.sqrt(factor * seconds / link.mass)
-        most = size if link.mass > total / 10 else size / 2
-        if scene.items and edges.max() > most:
-            text = f"{link.name}: inertia of {edges.max():.3g} m"
+        edges, axes = uniform_solid(inertial.tensor.value, link.mass, factor)
+        longest, most = max(edges), size if link.mass > total / 10 else size / 2
+        if scene.items and longest > most:
+            text = f"{link.name}: inertia of {longest:.3g} m"
             large.append(Label(text, link.name, inertial.origin.position))
-        elif edges.max() > 0:
+        elif longest > 0:
             frame = inertial.origin @ Transform(axes)
-            x, y, z = (float(edge) for edge in np.maximum(edges, edges.max() * 1e-3))
+            x, y, z = (max(edge, longest * 1e-3) for edge in edges)
             yield _sign(link.name, "inertia", solid(x, y, z), frame, INERTIA)
     yield from large[:_MOST]
     if len(large) > _MOST:
         *_, last = large
         yield last._replace(text=f"and of {len(large) - _MOST} more, too large to be drawn")
-
-
-def _principal(tensor: Tensor) -> tuple[Floats, Rotation]:
-    """Principal moments, and axes as the columns of a rotation."""
-    ixx, ixy, ixz, iyy, iyz, izz = tensor
-    moments, axes = np.linalg.eigh(np.array(((ixx, ixy, ixz), (ixy, iyy, iyz), (ixz, iyz, izz))))
-    if np.linalg.det(axes) < 0:
-        axes[:, 0] = -axes[:, 0]
-    a, b, c = (tuple(float(part) for part in row) for row in axes)
-    return moments, ((a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2]))
 
 
 def _contacts(scene: Scene, subject: Subject, size: float, given: Mapping[str, float]) -> Drawn:
@@ -299,15 +286,8 @@ LAYERS: dict[
 
 def _sign(link: str, layer: str, shape: Triangles, frame: Transform, colour: Colour) -> SceneItem:
     vertices, faces, normals, _ = shape
-    return SceneItem(
-        link,
-        layer,
-        layer,
-        SurfaceMaterial(colour, sign=True),
-        placed(vertices, frame),
-        faces,
-        None if normals is None else turned(normals.astype(np.float32), frame),
-    )
+    look = SurfaceMaterial(colour, sign=True)
+    return SceneItem(link, layer, layer, look, vertices, faces, normals).moved(frame)
 
 
 def _arrow(length: float, *, both: bool = False) -> Triangles:

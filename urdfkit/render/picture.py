@@ -5,16 +5,20 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from PIL import Image, ImageColor
 
 from urdfkit.core import atomic
 from urdfkit.errors import UrdfkitError
-from urdfkit.render.camera import looking, unfit
-from urdfkit.render.draw import draw
+from urdfkit.render.camera import CameraOptions, looking, unfit
+from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import caption, opaque, write
-from urdfkit.render.pixels import STUDIO, Background
+from urdfkit.render.pixels import STUDIO
 from urdfkit.render.scene import Scene
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 #: Grey between the views of a sheet.
 _GAP = 2
@@ -28,70 +32,42 @@ def picture(
     scene: Scene,
     views: Sequence[str] = ("iso",),
     *,
-    azimuth: float | None = None,
-    elevation: float | None = None,
-    distance: float | None = None,
-    orthographic: bool = False,
     size: tuple[int, int] = (1280, 720),
-    quality: str = "default",
-    background: Background | None = STUDIO,
-    floor: bool = True,
-    threads: int | None = None,
+    look: CameraOptions | None = None,
     progress: Callable[[int, int], None] | None = None,
+    **drawing: Unpack[DrawingOptions],
 ) -> Image.Image:
     """Draw a robot.
 
     Args:
         scene: the robot, as `build` gives it.
         views: names of `camera.VIEWS`; several make a sheet.
-        azimuth: of the camera instead of the view's, in degrees from the front (+x) to the left.
-        elevation: of the camera instead of the view's, in degrees above the horizon.
-        distance: of the camera from the robot's middle, in m; None to have all of it in view.
-        orthographic: without perspective.
         size: of the picture, in pixels.
-        quality: ``draft``, ``default`` or ``high``.
-        background: colours above and below, sRGB from 0 to 1; None for a transparent one.
-        floor: whether there is a ground that catches shadows.
-        threads: that work on it, as many as processors if None; the bytes do not depend on it.
+        look: of the camera, as `looking` takes it.
         progress: called with the number of steps done and of all.
+        drawing: as `draw` takes it.
 
     Raises:
         NoSuchView: a view has no name, or a number is out of bounds.
         PictureError: the size is out of bounds.
     """
+    has_background = drawing.get("background", STUDIO) is not None
     columns, rows = _grid(len(views))
     cell = (size[0] // columns, size[1] // rows)
     gap = _GAP if len(views) > 1 else 0
     if reason := unfit(size) or unfit((cell[0] - gap, cell[1] - gap)):
         raise PictureError(reason)
-    whole = Image.new("RGBA", size, (0, 0, 0, 0) if background is None else (190, 195, 202, 255))
+    whole = Image.new("RGBA", size, (190, 195, 202, 255) if has_background else (0, 0, 0, 0))
     for number, view in enumerate(views):
-        camera = looking(
-            scene.points(),
-            view,
-            azimuth=azimuth,
-            elevation=elevation,
-            distance=distance,
-            size=(cell[0] - gap, cell[1] - gap),
-            orthographic=orthographic,
-        )
-        image = Image.fromarray(
-            draw(
-                scene,
-                camera,
-                quality=quality,
-                background=background,
-                floor=floor,
-                threads=threads,
-                progress=_part(progress, number, len(views)),
-            )
-        )
+        camera = looking(scene.points(), view, size=(cell[0] - gap, cell[1] - gap), **(look or {}))
+        part = _part(progress, number, len(views))
+        image = Image.fromarray(draw(scene, camera, progress=part, **drawing))
         if scene.labels:
             write(image, scene, camera)
         if len(views) > 1:
             caption(image, view)
         whole.paste(image, (number % columns * cell[0], number // columns * cell[1]))
-    return whole if background is None else whole.convert("RGB")
+    return whole.convert("RGB") if has_background else whole
 
 
 def _part(

@@ -11,17 +11,15 @@ class Quality(NamedTuple):
     Attributes:
         samples: of a pixel, for smooth edges.
         sky, sun: samples of what hides the sky and the sun; none are taken for 0.
-        rays: whether these are rays, where Embree is installed.
     """
 
     samples: int
     sky: int
     sun: int
-    rays: bool = False
 
 
 QUALITIES = {
     "draft": Quality(3, 0, 4),
     "default": Quality(6, 16, 10),
-    "high": Quality(16, 32, 16, rays=True),
+    "high": Quality(16, 32, 16),
 }

@@ -10,11 +10,13 @@ import numpy as np
 
 from urdfkit.core.spatial import Transform, Vector
 from urdfkit.lint.context import Subject
+from urdfkit.mesh import geometry
 from urdfkit.mesh.geometry import MeshPart
+from urdfkit.mesh.normals import shaded
+from urdfkit.mesh.transforms import scaled_part
 from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds
 from urdfkit.render.materials import PLACEHOLDER, ModelMaterials, SurfaceMaterial
-from urdfkit.render.normals import smooth
 from urdfkit.robot import kinematics
 from urdfkit.robot.model import Body, Link, Shape
 
@@ -23,6 +25,9 @@ PLACEHOLDER_SIZE = 0.045
 
 #: What is smaller than this part of that edge is not seen.
 SPECK = 0.05
+
+#: Above this number faces are as small as pixels, and flat ones look the same.
+MAX_SMOOTH = 250_000
 
 #: In m; what is further away than this, or larger, is a wrong value and not drawn.
 LIMIT = 1e6
@@ -52,6 +57,11 @@ class SceneItem(NamedTuple):
     normals: Floats | None = None
     uv: Floats | None = None
     colors: Floats | None = None
+
+    def moved(self, frame: Transform) -> SceneItem:
+        """The same from a frame to its parent."""
+        normals = None if self.normals is None else turned(self.normals, frame)
+        return self._replace(vertices=placed(self.vertices, frame), normals=normals)
 
 
 class MissingMesh(NamedTuple):
@@ -177,21 +187,13 @@ def _items(
         label = os.path.basename(_filename(shape))
         for part in mesh.parts:
             look = looks.of(link, role, body, part.material)
-            yield _part(link, role, label, look, part, body.origin, _scale(shape, mesh.unit))
+            scale = np.array(shape.scale, dtype=np.float64) * mesh.unit
+            yield _part(link, role, label, look, part, scale).moved(body.origin)
         return
     triangles = _primitive(shape)
     if triangles is not None:
-        vertices, faces, normals, uv = triangles
-        yield SceneItem(
-            link,
-            role,
-            shape.kind,
-            looks.of(link, role, body, None),
-            placed(vertices, body.origin),
-            faces,
-            None if normals is None else turned(normals, body.origin),
-            uv,
-        )
+        look = looks.of(link, role, body, None)
+        yield SceneItem(link, role, shape.kind, look, *triangles).moved(body.origin)
 
 
 def _is_near(frame: Transform) -> bool:
@@ -216,41 +218,20 @@ def _sound(item: SceneItem) -> SceneItem | None:
 
 
 def _part(
-    link: str,
-    role: str,
-    label: str,
-    look: SurfaceMaterial,
-    part: MeshPart,
-    origin: Transform,
-    scale: Floats,
+    link: str, role: str, label: str, look: SurfaceMaterial, part: MeshPart, scale: geometry.Floats
 ) -> SceneItem:
-    """A part of a mesh, scaled, in the frame of its link; its faces turned if it is mirrored."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        vertices = (part.vertices * scale).astype(np.float32)
-    faces = part.faces.astype(np.int32)
-    if np.prod(scale) < 0:
-        faces = faces[:, ::-1]
-    normals: Floats | None = part.normals
-    uv: Floats | None = part.uv
-    colors: Floats | None = part.colors
-    if normals is None:
-        corners = smooth(vertices, faces)
-        if corners is not None:
-            index = faces.reshape(-1)
-            vertices, normals = vertices[index], corners
-            uv = None if uv is None else uv[index]
-            colors = None if colors is None else colors[index]
-            faces = np.arange(len(index), dtype=np.int32).reshape(-1, 3)
-    else:
-        normals = normals / np.where(scale == 0, 1, scale)
+    """A part of a mesh, scaled; smooth where it has no normals and is not as fine as pixels."""
+    if len(part.faces) <= MAX_SMOOTH:
+        part = shaded(part)
+    vertices, faces, _, normals, uv, colors = scaled_part(part, scale)
     return SceneItem(
         link,
         role,
         label,
         look,
-        placed(vertices, origin),
-        faces,
-        None if normals is None else turned(normals.astype(np.float32), origin),
+        vertices.astype(np.float32),
+        faces.astype(np.int32),
+        None if normals is None else normals.astype(np.float32),
         None if uv is None else uv.astype(np.float32),
         None if colors is None else colors.astype(np.float32),
     )
@@ -284,7 +265,7 @@ def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: flo
     shown = np.stack((edges[(side + 1) % 3], edges[(side + 2) % 3]), axis=1)
     uv = (uv.reshape(6, 4, 2) * (shown / max(edges.max(), 1e-9))[:, None]).reshape(-1, 2)
     label = f"missing: {os.path.basename(_filename(body.shape))}"
-    return SceneItem(link.name, role, label, PLACEHOLDER, placed(vertices, frame), faces, None, uv)
+    return SceneItem(link.name, role, label, PLACEHOLDER, vertices, faces, None, uv).moved(frame)
 
 
 def _target_bounds(
@@ -327,10 +308,6 @@ def _reach(scene: Scene) -> float:
     points = np.concatenate((scene.points(), places))
     reach = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
     return reach or 1.0
-
-
-def _scale(shape: Shape, unit: float) -> Floats:
-    return np.array(shape.scale) * unit
 
 
 def _filename(shape: Shape | None) -> str:

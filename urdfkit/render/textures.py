@@ -8,6 +8,7 @@ from functools import cache, lru_cache
 import numpy as np
 from PIL import Image
 
+from urdfkit.core import disk
 from urdfkit.render.arrays import Bytes, Floats, Integers
 from urdfkit.render.materials import STRIPES
 
@@ -59,7 +60,8 @@ def texture(source: str | bytes) -> Texture | None:
     if source == STRIPES:
         source = stripes()
     try:
-        with Image.open(io.BytesIO(source) if isinstance(source, bytes) else source) as image:
+        data = source if isinstance(source, bytes) else disk.read(source)
+        with Image.open(io.BytesIO(data)) as image:
             image.draft("RGB", (MAX_EDGE, MAX_EDGE))  # which spares JPEG most of the work
             image.thumbnail((MAX_EDGE, MAX_EDGE), Image.Resampling.BOX)
             return Texture(image.convert("RGB"))

@@ -87,6 +87,23 @@ def principal_axes(tensor: Tensor) -> tuple[Vector, Rotation]:
     return moments, ((x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2]))
 
 
+def uniform_solid(tensor: Tensor, mass: float, factor: float) -> tuple[Vector, Rotation]:
+    """The lengths of a solid of uniform density, and a rotation whose columns are their axes.
+
+    A second moment of mass along an axis is half of all three moments less its own; a length is the
+    root of a factor times it over the mass, or 0 where a tensor belongs to no real body.
+
+    Args:
+        tensor: of the solid.
+        mass: of it; more than 0.
+        factor: 12 for the edges of a box, 5 for the half axes of an ellipsoid.
+    """
+    moments, axes = principal_axes(tensor)
+    half = sum(moments) / 2
+    x, y, z = (sqrt(max(0.0, factor * (half - moment) / mass)) for moment in moments)
+    return (x, y, z), axes
+
+
 def _clear(rows: list[list[float]], axes: list[list[float]], i: int, j: int) -> None:
     """Turn in the plane of two axes until their product of inertia is zero."""
     if abs(rows[i][j]) < 1e-18:

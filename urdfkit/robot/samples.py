@@ -10,6 +10,11 @@ def robot_xml(*parts: str) -> str:
     return "\n".join(parts)
 
 
+def xacro_xml(*parts: str) -> str:
+    """A xacro: a ``<robot>`` that declares the prefix, with some elements in it."""
+    return element_xml('robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"', *parts) + "\n"
+
+
 def element_xml(tag: str, *inside: str) -> str:
     """An element: its tag and attributes, and the elements in it."""
     if not inside:
@@ -62,16 +67,17 @@ def collision_xml(shape: str, *others: str) -> str:
     return element_xml("collision", f"<geometry>{shape}</geometry>", *others)
 
 
-def inertial_xml(mass: str, moments: str) -> str:
+def inertial_xml(mass: str, moments: str, *others: str) -> str:
     """An ``<inertial>``.
 
     Args:
         mass: in kg.
         moments: about x, y and z, in kg·m², such as ``0.1 0.1 0.2``.
+        others: elements before the mass, such as ``<origin xyz="0 0 1"/>``.
     """
     x, y, z = moments.split()
     tensor = f'<inertia ixx="{x}" ixy="0" ixz="0" iyy="{y}" iyz="0" izz="{z}"/>'
-    return element_xml("inertial", f'<mass value="{mass}"/>', tensor)
+    return element_xml("inertial", *others, f'<mass value="{mass}"/>', tensor)
 
 
 def mesh_xml(role: str, filename: str) -> str:

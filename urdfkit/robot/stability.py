@@ -6,6 +6,7 @@ The ground is a plane across z of the root, through the lowest point of the robo
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from itertools import product
 from math import atan2, cos, hypot, pi, sin
 from typing import TYPE_CHECKING
 
@@ -13,9 +14,9 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot.joints import BOUNDED
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import Body
+from urdfkit.robot.model import Body, Shape
 from urdfkit.robot.rigid_bodies import rigid_bodies
-from urdfkit.robot.shapes import Primitive, primitive
+from urdfkit.robot.shapes import primitive
 
 if TYPE_CHECKING:
     from urdfkit.robot import Robot
@@ -28,7 +29,7 @@ Point = tuple[float, float]
 TOLERANCE, LEAST = 0.02, 0.003
 
 #: Corners that stand for a circle.
-_CORNERS = 32
+_CIRCLE = tuple((cos(pi * number / 16), sin(pi * number / 16)) for number in range(32))
 
 #: What can be said of a robot on the ground, by the word for programs.
 VERDICTS = {
@@ -134,23 +135,24 @@ def standing(
     placed = frames(tree, pose or {})
     meshes = True
     try:
-        seen = _touching(_reaching(robot, placed, contacts, visuals=True, meshes=True))
+        seen = _touching(robot, placed, contacts, visuals=True, meshes=True)
     except ImportError:
         meshes = False
-        seen = _touching(_reaching(robot, placed, contacts, visuals=True, meshes=False))
+        seen = _touching(robot, placed, contacts, visuals=True, meshes=False)
+    touching = _touching(robot, placed, contacts, visuals=visuals, meshes=meshes)
     by_name = tree.model.links_by_name
-    links = tuple(_touching(_reaching(robot, placed, contacts, visuals=visuals, meshes=meshes)))
     visual_only = tuple(name for name in seen if not by_name[name].collisions)
-    found = stand(robot, pose, contacts, payload=payload, meshes=meshes, visuals=visuals)
+    loads = _loads(robot, placed, payload or {})
+    found = _stability(loads, touching)
     if found is not None:
-        bolted = "-unless-bolted" if {link.name for link, _ in root.links} >= set(links) else ""
+        fixed = {link.name for link, _ in root.links}
+        bolted = "-unless-bolted" if fixed.issuperset(touching) else ""
         verdict = f"tips{bolted}" if found.tips else "stands"
-    elif not links:
+    elif not touching:
         verdict = "no-contact"
     else:
-        has_mass = sum(link.mass for link in tree.model.links) + sum((payload or {}).values()) > 0
-        verdict = "no-area" if has_mass else "no-mass"
-    return Standing(verdict, links, found, visual_only, visuals)
+        verdict = "no-area" if sum(mass for mass, _ in loads) > 0 else "no-mass"
+    return Standing(verdict, tuple(touching), found, visual_only, visuals)
 
 
 def stand(
@@ -179,18 +181,29 @@ def stand(
         ImportError: meshes are to be read, and the libraries are not installed.
     """
     placed = frames(robot.tree, pose or {})
-    links = robot.model.links_by_name
-    loads = [(mass, placed[name].position) for name, mass in (payload or {}).items()]
+    touching = _touching(robot, placed, contacts, visuals=visuals, meshes=meshes)
+    return _stability(_loads(robot, placed, payload or {}), touching)
+
+
+def _loads(
+    robot: Robot, placed: Mapping[str, Transform], payload: Mapping[str, float]
+) -> list[tuple[float, Vector]]:
+    """The masses of links and payload, and where they are."""
+    loads = [(mass, placed[name].position) for name, mass in payload.items()]
     for name, frame in placed.items():
-        if inertial := links[name].inertial:
-            loads.append((links[name].mass, frame.apply(inertial.origin.position)))
+        link = robot.model.links_by_name[name]
+        if link.inertial:
+            loads.append((link.mass, frame.apply(link.inertial.origin.position)))
+    return loads
+
+
+def _stability(
+    loads: list[tuple[float, Vector]], touching: Mapping[str, list[Vector]]
+) -> Stability | None:
+    """How loads stand on points of links."""
     mass = sum(load for load, _ in loads)
-    reaching = _reaching(robot, placed, contacts, visuals=visuals, meshes=meshes)
-    if mass <= 0 or not reaching:
-        return None
-    touching = _touching(reaching)
     polygon = hull((x, y) for found in touching.values() for x, y, _ in found)
-    if len(polygon) < 3:
+    if mass <= 0 or len(polygon) < 3:
         return None
     ground = min(z for found in touching.values() for _, _, z in found)
     x, y, z = (sum(load * place[axis] for load, place in loads) / mass for axis in range(3))
@@ -216,13 +229,7 @@ def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
 
 def _is_leg(tree: KinematicTree, link: str) -> bool:
     """True for the end of a leg; a wheel may be steered and sprung, and then turn."""
-    bends = 0
-    above = tree.parents[link]
-    while above:
-        bends += above[0].kind in BOUNDED
-        assert above[0].parent is not None
-        above = tree.parents[above[0].parent.value]
-    return bends > 2
+    return sum(joint.kind in BOUNDED for joint in tree.path(link)) > 2
 
 
 def _edges(polygon: tuple[Point, ...], over: Point, height: float) -> tuple[float, float, Point]:
@@ -265,7 +272,7 @@ def _turn(a: Point, b: Point, c: Point) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def _reaching(
+def _touching(
     robot: Robot,
     placed: Mapping[str, Transform],
     contacts: Collection[str] | None,
@@ -273,21 +280,14 @@ def _reaching(
     visuals: bool,
     meshes: bool,
 ) -> dict[str, list[Vector]]:
-    """Points of each link that may touch the ground, in the frame of the root."""
-    found: dict[str, list[Vector]] = {}
+    """The points of each link that touch the ground, in the frame of the root."""
+    reaching: dict[str, list[Vector]] = {}
     for name, link in robot.model.links_by_name.items():
-        bodies = link.collisions or (link.visuals if visuals else ())
         if name in placed and (contacts is None or name in contacts):
-            points = [
-                point for body in bodies for point in _points(robot, body, placed[name], meshes)
+            bodies = link.collisions or (link.visuals if visuals else ())
+            reaching[name] = [
+                point for body in bodies for point in _lowest(robot, body, placed[name], meshes)
             ]
-            if points:
-                found[name] = points
-    return found
-
-
-def _touching(reaching: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
-    """Those of them that touch it, in the order of the model."""
     points = [point for found in reaching.values() for point in found]
     if not points:
         return {}
@@ -297,63 +297,34 @@ def _touching(reaching: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
     return {name: found for name, found in touching.items() if found}
 
 
-def _points(robot: Robot, body: Body, frame: Transform, meshes: bool) -> list[Vector]:
-    """What of a shape may touch the ground.
-
-    Args:
-        robot: the robot.
-        body: a collision or visual.
-        frame: of its link.
-        meshes: take meshes into account.
-    """
+def _lowest(robot: Robot, body: Body, link: Transform, meshes: bool) -> list[Vector]:
+    """What of a shape may touch the ground, given the frame of its link."""
     if body.shape is None:
         return []
+    at = link @ body.origin
     if body.shape.filename is not None:
-        return _of_mesh(robot, body, frame) if meshes else []
+        return _of_mesh(robot, body.shape, at) if meshes else []
     part = primitive(body)
-    return [*map(frame.apply, _of(part)), *_lowest(part, frame)] if part else []
-
-
-def _of(part: Primitive) -> list[Vector]:
-    """Corners of a primitive in its link, as far as it has some."""
+    if part is None:
+        return []
     if part.kind == "box":
         x, y, z = (edge / 2 for edge in part.size)
-        corners = [(a * x, b * y, c * z) for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)]
-    elif part.kind == "cylinder":
-        angles = [2 * pi * number / _CORNERS for number in range(_CORNERS)]
-        corners = [
-            (part.radius * cos(angle), part.radius * sin(angle), end * part.length / 2)
-            for angle in angles
-            for end in (-1, 1)
-        ]
-    else:
-        corners = []
-    return [part.origin.apply(corner) for corner in corners]
-
-
-def _lowest(part: Primitive, frame: Transform) -> list[Vector]:
-    """The lowest points of what is round: of each end of a cylinder or capsule, and of a ball."""
-    if part.kind == "box":
-        return []
-    at = frame @ part.origin
-    ends = [(0.0, 0.0, end * part.length / 2) for end in ((-1, 1) if part.length else (0,))]
+        return [at.apply(corner) for corner in product((-x, x), (-y, y), (-z, z))]
+    ends = dict.fromkeys((-part.length / 2, part.length / 2))
     if part.kind != "cylinder":
-        return [(x, y, z - part.radius) for x, y, z in map(at.apply, ends)]
+        balls = (at.apply((0.0, 0.0, z)) for z in ends)
+        return [(x, y, z - part.radius) for x, y, z in balls]
     _, _, (gx, gy, _) = at.rotation  # how x and y of the cylinder rise
-    steep = hypot(gx, gy)
-    if steep < 1e-9:
-        return []  # it stands on its end, whose corners are there
-    down = (-gx / steep * part.radius, -gy / steep * part.radius)
-    return [at.apply((down[0], down[1], z)) for _, _, z in ends]
+    steep = hypot(gx, gy) or 1.0
+    rim = ((part.radius * x, part.radius * y) for x, y in (*_CIRCLE, (-gx / steep, -gy / steep)))
+    return [at.apply((x, y, z)) for x, y in rim for z in ends]
 
 
-def _of_mesh(robot: Robot, body: Body, frame: Transform) -> list[Vector]:
+def _of_mesh(robot: Robot, shape: Shape, at: Transform) -> list[Vector]:
     """The lowest vertices of a mesh."""
-    assert body.shape is not None
-    vertices = robot.meshes.vertices(body.shape)
+    vertices = robot.meshes.vertices(shape)
     if vertices is None or not len(vertices):
         return []
-    at = frame @ body.origin
     heights = vertices @ at.rotation[2]
     low, high = float(heights.min()), float(heights.max())
     chosen = vertices[heights <= low + max(LEAST, TOLERANCE * (high - low))]

@@ -126,6 +126,25 @@ class KinematicTree:
         return tuple(found)
 
     @cached_property
+    def _above(self) -> dict[str, Joint]:
+        return {joint.child.value: joint for joint in self.spanning if joint.child}
+
+    def path(self, link: str) -> list[Joint]:
+        """The joints from its root to a link."""
+        found: list[Joint] = []
+        while joint := self._above.get(link):
+            found.append(joint)
+            assert joint.parent is not None
+            link = joint.parent.value
+        return found[::-1]
+
+    def branches(self, first: str, second: str) -> tuple[list[Joint], list[Joint]]:
+        """The joints to two links from the last link above both, or from the root of each."""
+        paths = self.path(first), self.path(second)
+        shared = sum(one is other for one, other in zip(*paths, strict=False))
+        return paths[0][shared:], paths[1][shared:]
+
+    @cached_property
     def root_of(self) -> dict[str, str]:
         """The root that leads to each link; links in a closed loop that none leads to have none."""
         found = {root.name: root.name for root in self.roots}

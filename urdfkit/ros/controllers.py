@@ -8,10 +8,10 @@ Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_con
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
@@ -43,6 +43,32 @@ class Section(Record):
     places: dict[str, Span]
     at: Span | None
 
+    def add(self, node: dict[str, Node]) -> None:
+        """Take over the parameters in a mapping."""
+        stack: list[tuple[str, dict[str, Node]]] = [("", node)]
+        while stack:
+            above, mapping = stack.pop()
+            for key, value in mapping.items():
+                name = above + key
+                if isinstance(key, Key):
+                    self.places[name] = key.span
+                if isinstance(value, dict):
+                    stack.append((f"{name}.", value))
+                elif value is not None:
+                    self.given[name] = value
+
+    def values(self, name: str) -> list[Value]:
+        """What a parameter holds, a single value as a list of one."""
+        node = self.given.get(name, [])
+        several = node if isinstance(node, list) else [node]
+        return [one for one in several if isinstance(one, Value)]
+
+    @property
+    def types(self) -> dict[str, Value]:
+        """The values of parameters called ``type``, by what is before it in their names."""
+        names = (name for name in self.given if name == "type" or name.endswith(".type"))
+        return {name[: -len(".type")]: self.values(name)[0] for name in names if self.values(name)}
+
 
 class Controller(Record):
     """A controller with a type.
@@ -50,24 +76,20 @@ class Controller(Record):
     Attributes:
         name: of its node.
         type: its class, as the controller manager loads it.
-        parameters: by name, with dots between levels; a single value is a list of one.
         type_at: where the type is written.
-        places: of the names of parameters.
         ros: 1 or 2.
         section: its parameters as they are written.
     """
 
     name: str
     type: str
-    parameters: dict[str, list[Value]]
     type_at: Span
-    places: dict[str, Span]
     ros: int
     section: Section
 
     def values(self, names: Iterable[str]) -> list[Value]:
         """What some parameters hold, one after the other."""
-        return [value for name in names for value in self.parameters.get(name, ())]
+        return [value for name in names for value in self.section.values(name)]
 
 
 class ParameterFile(Record):
@@ -96,14 +118,14 @@ def parameter_files(description: RosDescription) -> list[ParameterFile]:
     files = {
         use.path: ParameterFile(use.span, use.path, use.path)
         for use in description.parameters
-        if os.path.isfile(use.path)
+        if disk.is_file(use.path)
     }
     for plugin in () if _runs_on_hardware(description) else control_plugins(description.model):
         for element in plugin.at.all("parameters"):
             path = element.text.strip()
             if not path.startswith("/") or is_expression(path) or "\0" in path:
                 continue
-            found = path if os.path.isfile(path) else description.resolver.installed(path)
+            found = path if disk.is_file(path) else description.resolver.installed(path)
             files.setdefault(path, ParameterFile(element.span, path, found, element))
     return list(files.values())
 
@@ -143,16 +165,12 @@ def read(source: Source) -> list[Controller]:
         return list(_of_ros1(root))
     types: dict[tuple[str, ...], Value] = {}
     for path, section in sections.items():
-        given = dict(_values(section.given))
-        prefixes = [("", path)]
-        if path[-1] == _MANAGER:
-            names = {name.rpartition(".")[0] for name in given if name.endswith(".type")}
-            prefixes = [(f"{name}.", (*path[:-1], name)) for name in names]
-        for prefix, owner in prefixes:
-            if value := given.get(f"{prefix}type"):
-                types[owner] = value[0]
+        for owner, kind in section.types.items():
+            node = (*path[:-1], owner) if path[-1] == _MANAGER else path
+            if bool(owner) is (path[-1] == _MANAGER):
+                types[node] = kind
     return [
-        _controller(path[-1], kind, sections.get(path, Section({}, {}, None)), 2)
+        Controller(path[-1], kind.text, kind.span, 2, sections.get(path, Section({}, {}, None)))
         for path, kind in types.items()
     ]
 
@@ -180,15 +198,8 @@ def _sections(root: Node) -> dict[tuple[str, ...], Section]:
     """The parameters of each ROS node, by namespace and name; none in a file of ROS 1."""
     sections: dict[tuple[str, ...], Section] = {}
     for path, node, key in _nodes(root):
-        section = sections.setdefault(path, Section({}, {}, getattr(key, "span", None)))
-        section.given.update(_leaves(node))
-        section.places.update(_places(node))
+        sections.setdefault(path, Section({}, {}, getattr(key, "span", None))).add(node)
     return sections
-
-
-def _controller(name: str, kind: Value, section: Section, ros: int) -> Controller:
-    parameters = dict(_values(section.given))
-    return Controller(name, kind.text, parameters, kind.span, section.places, ros, section)
 
 
 def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]:
@@ -219,8 +230,9 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
         kind = node.get("type")
         if isinstance(kind, Value) and "/" in kind.text:
             at = name.span if isinstance(name, Key) else kind.span
-            section = Section(dict(_leaves(node)), _places(node), at)
-            yield _controller(name, kind, section, 1)
+            section = Section({}, {}, at)
+            section.add(node)
+            yield Controller(name, kind.text, kind.span, 1, section)
         else:
             stack += node.items()
 
@@ -249,20 +261,15 @@ def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
             if isinstance(inner, Key) and inner != _PARAMETERS and _is_parameters(inner):
                 message = f"parameters of '{key}' are not read: '{inner}' is not '{_PARAMETERS}'"
                 yield inner.span, message, f"write {_PARAMETERS}"
-    managers = [
-        inside
-        for key, node in sections
-        if _node_of(key) == _MANAGER and isinstance(inside := node.get(_PARAMETERS), dict)
-    ]
-    for inside in managers:
-        yield from _without_type(inside)
-    declared = {
-        name.rpartition(".")[0]
-        for inside in managers
-        for name, _ in _flat(inside)
-        if name.endswith(".type")
-    }
-    yield from _unread_sections(sections, declared)
+    declared: set[str] = set()
+    for key, node in sections:
+        inside = node.get(_PARAMETERS)
+        if _node_of(key) == _MANAGER and isinstance(inside, dict):
+            yield from _without_type(inside)
+            section = Section({}, {}, None)
+            section.add(inside)
+            declared.update(section.types)
+    yield from _unread_sections(sections, declared - {""})
 
 
 def _unread_sections(
@@ -306,40 +313,3 @@ def _node_of(key: str) -> str:
 
 def _mistake_of(word: str, known: Iterable[str]) -> str | None:
     return nearest(word, known, TYPO)
-
-
-def _places(node: dict[str, Node]) -> dict[str, Span]:
-    """Where the names of parameters are written, with dots between levels."""
-    found: dict[str, Span] = {}
-    stack: list[tuple[str, Node]] = [("", node)]
-    while stack:
-        name, inner = stack.pop()
-        if isinstance(inner, dict):
-            for key, value in inner.items():
-                path = f"{name}.{key}" if name else key
-                stack.append((path, value))
-                if isinstance(key, Key):
-                    found[path] = key.span
-    return found
-
-
-def _flat(node: dict[str, Node]) -> Iterator[tuple[str, list[Value]]]:
-    return _values(dict(_leaves(node)))
-
-
-def _values(written: dict[str, Value | list[Node]]) -> Iterator[tuple[str, list[Value]]]:
-    """Parameters, each as a list of its values."""
-    for name, node in written.items():
-        several = node if isinstance(node, list) else [node]
-        yield name, [value for value in several if isinstance(value, Value)]
-
-
-def _leaves(node: dict[str, Node]) -> Iterator[tuple[str, Value | list[Node]]]:
-    """The single values and lists in a mapping, with dots between the levels of their names."""
-    stack: list[tuple[str, Node]] = [("", node)]
-    while stack:
-        name, inner = stack.pop()
-        if isinstance(inner, dict):
-            stack += [(f"{name}.{key}" if name else key, value) for key, value in inner.items()]
-        elif isinstance(inner, (Value, list)):
-            yield name, inner

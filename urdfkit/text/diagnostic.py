@@ -39,7 +39,10 @@ class Confidence(str, Enum):
     @property
     def rank(self) -> int:
         """0 for the surest."""
-        return list(Confidence).index(self)
+        return _CONFIDENCE_RANKS[self]
+
+
+_CONFIDENCE_RANKS = {one: rank for rank, one in enumerate(Confidence)}
 
 
 class Edit(Record):
@@ -81,6 +84,7 @@ class Problem(Record):
         related: other places that explain it.
         fix: as text edits.
         severity: if it is not that of the rule.
+        argument: the xacro argument that lacks a value, if that is the problem.
     """
 
     code: str
@@ -91,6 +95,7 @@ class Problem(Record):
     related: tuple[Related, ...] = ()
     fix: Fix | None = None
     severity: Severity | None = None
+    argument: str = ""
 
 
 class Call(Record):

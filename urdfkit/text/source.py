@@ -8,6 +8,7 @@ from bisect import bisect_right
 from errno import ELOOP
 from itertools import accumulate
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
@@ -67,8 +68,7 @@ class Source:
         """
         path = os.fspath(path)
         try:
-            with open(path, "rb") as file:
-                data = file.read(MAX_BYTES + 1)
+            data = disk.read(path, MAX_BYTES + 1)
         except OSError as error:
             raise UnreadableFile(f"{path}: {why_unreadable(path, error)}") from error
         except ValueError as error:  # a NUL in the name
@@ -151,7 +151,7 @@ class Source:
 
 def why_unreadable(path: str, error: OSError) -> str:
     """Why a file could not be opened, and what to do."""
-    if os.path.isdir(path):
+    if disk.is_folder(path):
         return "is a directory; pass the files in it"
     if isinstance(error, PermissionError):
         return "may not be read; see its permissions"
@@ -161,7 +161,7 @@ def why_unreadable(path: str, error: OSError) -> str:
         return error.strerror or str(error)
     folder, name = os.path.split(path)
     try:
-        siblings = os.listdir(folder or ".")
+        siblings = disk.names(folder or ".")
     except OSError:
         return f"no such directory '{folder}'"
     # By stems: what ends in '.urdf' is similar anyway.

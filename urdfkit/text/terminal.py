@@ -37,8 +37,9 @@ def columns(text: str) -> int:
         return len(text)
     from unicodedata import category, east_asian_width
 
-    wide = sum(east_asian_width(char) in "WF" for char in text)
-    return len(text) + wide - sum(category(char) in ("Mn", "Me") for char in text)
+    foreign = [char for char in text if char > "\x7f"]
+    wide = sum(east_asian_width(char) in "WF" for char in foreign)
+    return len(text) + wide - sum(category(char) in ("Mn", "Me") for char in foreign)
 
 
 def wrap(text: str, width: int, *, indent: int = 0, used: int = 0) -> str:
@@ -56,12 +57,16 @@ def wrap(text: str, width: int, *, indent: int = 0, used: int = 0) -> str:
         available = 0  # a lone word at the end of a long first line reads badly
     if columns(text) <= available:
         return text
+    taken = 0  # columns of the last line
     for word in text.split(" "):
-        line = f"{lines[-1]} {word}" if lines[-1] else word
-        if columns(line) <= available or not (lines[-1] or used):
-            lines[-1] = line
+        size = columns(word)
+        longer = taken + 1 + size if lines[-1] else size
+        if longer <= available or not (lines[-1] or used):
+            lines[-1] = f"{lines[-1]} {word}" if lines[-1] else word
+            taken = longer
         else:
             lines.append(word)
+            taken = size
             available = width - indent
             used = 0
     return f"\n{' ' * indent}".join(lines)

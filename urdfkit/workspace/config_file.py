@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.core import disk
+
 FILES = ("urdfkit.toml", "pyproject.toml")
 
 
@@ -13,7 +15,7 @@ def nearest(start: str) -> str | None:
     while True:
         for name in FILES:
             path = os.path.join(folder, name)
-            if os.path.isfile(path) and (name != "pyproject.toml" or _mentions_us(path)):
+            if disk.is_file(path) and (name != "pyproject.toml" or _mentions_us(path)):
                 return path
         folder, below = os.path.dirname(folder), folder
         if folder == below:
@@ -22,7 +24,6 @@ def nearest(start: str) -> str | None:
 
 def _mentions_us(path: str) -> bool:
     try:
-        with open(path, "rb") as file:
-            return b"[tool.urdfkit" in file.read()
+        return b"[tool.urdfkit" in disk.read(path)
     except OSError:
         return False

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import os
+from urdfkit.core import disk
 
 
 def read_head(path: str, most: int) -> bytes:
     """The first bytes of a file; none of what cannot be read, or is a pipe, which may never end."""
     try:
-        if not os.path.isfile(path):
+        if not disk.is_file(path):
             return b""
-        with open(path, "rb", buffering=0) as file:
-            return file.read(most)
+        return disk.read(path, most)
     except (OSError, ValueError):  # ValueError: a NUL in the name
         return b""

@@ -3,6 +3,21 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+
+from urdfkit.core import disk
+
+#: Directories that a build makes.
+_BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
+
+
+def walk(folder: str) -> Iterator[str]:
+    """The files below a folder, sorted, apart from hidden ones and from what a build makes."""
+    for parent, folders, files in disk.walk(folder):
+        folders[:] = sorted(
+            name for name in folders if not name.startswith(".") and name not in _BUILT
+        )
+        yield from (os.path.join(parent, name) for name in sorted(files))
 
 
 class Folders:
@@ -22,8 +37,8 @@ class Folders:
         """An absolute path without symbolic links on the way."""
         if path not in self._real:
             above, name = os.path.split(path)
-            is_plain = above != path and not os.path.islink(path)
-            at = os.path.join(self.real(above), name) if is_plain else os.path.realpath(path)
+            is_plain = above != path and not disk.is_link(path)
+            at = os.path.join(self.real(above), name) if is_plain else disk.real(path)
             self._real[path] = at
         return self._real[path]
 
@@ -35,10 +50,11 @@ class Folders:
         """What is in a folder: True for folders, False for the rest; None if it cannot be read."""
         if folder not in self._entries:
             try:
-                with os.scandir(folder) as found:
-                    self._entries[folder] = {
-                        entry.name: _is_folder(entry) for entry in found if self._counts(entry)
-                    }
+                self._entries[folder] = {
+                    entry.name: _is_folder(entry)
+                    for entry in disk.entries(folder)
+                    if self._counts(entry)
+                }
             except (OSError, ValueError):  # ValueError: a NUL in the name
                 self._entries[folder] = None
         return self._entries[folder]
@@ -48,7 +64,7 @@ class Folders:
         if not entry.is_symlink():
             return entry.is_file() or entry.is_dir()
         self._links.add(entry.path)
-        return os.path.isfile(entry.path) or os.path.isdir(entry.path)
+        return disk.is_file(entry.path) or disk.is_folder(entry.path)
 
     def find(self, folder: str, relative: str) -> str | None:
         """The file at a path below a directory, spelled exactly so; None if there is none."""
@@ -130,6 +146,6 @@ def _is_folder(entry: os.DirEntry[str]) -> bool:
 
 def _is_file(path: str) -> bool:
     try:
-        return os.path.isfile(path)
+        return disk.is_file(path)
     except ValueError:
         return False

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from fnmatch import fnmatchcase
 
+from urdfkit.core import disk
 from urdfkit.workspace.file_head import read_head
 
 #: Longer files are none that people write.
@@ -13,8 +15,8 @@ MAX_BYTES = 1024 * 1024
 class Ignored:
     """The files that git ignores, asked for by path with ``in``.
 
-    Starting git costs more than checking a robot, so it is asked only about a file that a line of
-    some .gitignore seems to be about.
+    Starting git takes time, so it is asked only about a file that a line of some .gitignore or of
+    the repository's own list seems to be about.
     """
 
     def __init__(self) -> None:
@@ -23,7 +25,7 @@ class Ignored:
     def __contains__(self, path: object) -> bool:
         if not isinstance(path, str):
             return False
-        words = self._above(os.path.dirname(os.path.realpath(path)))
+        words = self._above(os.path.dirname(disk.real(path)))
         if not words or not _may_mean(words, path):
             return False
         from urdfkit.workspace.revisions import is_ignored
@@ -37,24 +39,37 @@ class Ignored:
         """
         if folder not in self._words:
             above = os.path.dirname(folder)
-            if os.path.exists(os.path.join(folder, ".git")):
-                words: set[str] | None = set()
+            if disk.exists(os.path.join(folder, ".git")):
+                words: set[str] | None = _words(os.path.join(folder, ".git", "info", "exclude"))
             else:
                 words = None if above == folder else self._above(above)
-            self._words[folder] = None if words is None else words | _words(folder)
+            self._words[folder] = words
+            if words is not None:
+                self._words[folder] = words | _words(os.path.join(folder, ".gitignore"))
         return self._words[folder]
 
 
 def _may_mean(words: set[str], path: str) -> bool:
-    """True if a pattern may hit a path: it is a part of it, or its suffix, or says anything."""
+    """True if a pattern may hit a path: its last word is, or matches, a part of it."""
     parts = {part.lower() for part in path.replace(os.sep, "/").split("/")}
-    suffix = os.path.splitext(path)[1].lower()
-    return any(word in parts or "*" in word.strip("*") or word.endswith(suffix) for word in words)
+    return any(_may_match(word, parts) for word in words)
 
 
-def _words(folder: str) -> set[str]:
-    """The last words of the patterns in a folder's .gitignore, such as ``*.obj``."""
-    text = read_head(os.path.join(folder, ".gitignore"), MAX_BYTES).decode("utf-8", "replace")
+def _may_match(word: str, parts: set[str]) -> bool:
+    if "\\" in word:
+        return True
+    if word.startswith("*") and _is_literal(word[1:]):
+        return any(part.endswith(word[1:]) for part in parts)
+    return word in parts if _is_literal(word) else any(fnmatchcase(part, word) for part in parts)
+
+
+def _is_literal(word: str) -> bool:
+    return "*" not in word and "?" not in word and "[" not in word
+
+
+def _words(file: str) -> set[str]:
+    """The last words of the patterns in a list of ignored files, such as ``*.obj``."""
+    text = read_head(file, MAX_BYTES).decode("utf-8", "replace")
     lines = map(str.strip, text.split("\n"))
     patterns = [line.rstrip("/") for line in lines if line and not line.startswith(("#", "!"))]
     return {pattern.rpartition("/")[2].lower() for pattern in patterns}

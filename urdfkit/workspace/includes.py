@@ -6,6 +6,7 @@ import os
 import re
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.workspace.file_head import read_head
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def includer(path: str, packages: Packages) -> str | None:
     )
     found: list[str] = []
     entries = searched = 0
-    for parent, folders, files in os.walk(folder):
+    for parent, folders, files in disk.walk(folder):
         deep_enough = package is None and parent != folder  # nothing says where to stop
         folders[:] = [] if deep_enough else sorted(n for n in folders if not n.startswith("."))
         entries += len(folders) + len(files)

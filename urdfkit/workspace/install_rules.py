@@ -11,6 +11,7 @@ import re
 from fnmatch import fnmatch
 from functools import cached_property
 
+from urdfkit.core import disk
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
 
@@ -44,7 +45,7 @@ class InstallRules:
         """The build file; empty if there is none."""
         for name in ("CMakeLists.txt", "setup.py"):
             path = os.path.join(self._folder, name)
-            if os.path.isfile(path):
+            if disk.is_file(path):
                 return path
         return ""
 

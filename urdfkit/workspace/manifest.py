@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.comments import without_comments
@@ -80,8 +81,7 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
     data = resolver.text(file)
     if data is None:
         try:
-            with open(file, "rb") as opened:
-                data = opened.read(MAX_BYTES)
+            data = disk.read(file, MAX_BYTES)
         except OSError:
             return None  # a rosbuild package
     return Manifest(file, name, without_comments(data))
@@ -145,7 +145,7 @@ def nearest_manifest(path: str) -> str | None:
     folder = os.path.dirname(os.path.abspath(path))
     while True:
         file = os.path.join(folder, "package.xml")
-        if os.path.isfile(file):
+        if disk.is_file(file):
             return file
         folder, below = os.path.dirname(folder), folder
         if folder == below:

@@ -6,10 +6,11 @@ import os
 import re
 from collections.abc import Iterable
 
+from urdfkit.core import disk
 from urdfkit.text.comments import blank_comments, comments
 from urdfkit.text.source import Source
+from urdfkit.workspace.gitignore import Ignored
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.revisions import is_ignored
 
 OUTSIDE = "the file is outside the workspace"
 READ_ONLY = "the file is read-only"
@@ -48,20 +49,21 @@ class Ownership:
 
     def __init__(self, files: Iterable[str], resolver: Resolver) -> None:
         self._workspaces = {
-            os.path.realpath(resolver.packages.workspace(os.path.realpath(file))) for file in files
+            disk.real(resolver.packages.workspace(disk.real(file))) for file in files
         }
         self._refusals: dict[str, str] = {}
+        self._ignored = Ignored()
 
     def refusal(self, source: Source) -> str:
         """Why the file of a source is left alone; empty if it need not be."""
-        path = os.path.realpath(source.path)
+        path = disk.real(source.path)
         if path not in self._refusals:
             self._refusals[path] = self._judge(source, path)
         return self._refusals[path]
 
     def owns(self, path: str) -> bool:
         """True if a file lies in one of the workspaces; it need not exist."""
-        real = os.path.realpath(path)
+        real = disk.real(path)
         return any(real.startswith(os.path.join(folder, "")) for folder in self._workspaces)
 
     def _judge(self, source: Source, path: str) -> str:
@@ -69,7 +71,7 @@ class Ownership:
             return OUTSIDE
         if is_generated(source):
             return "the file is generated: fix what it is made from"
-        if is_ignored(path):
+        if path in self._ignored:
             return "git ignores the file, as it does what programs make"
         if not _may_be_written(path):
             return READ_ONLY
@@ -79,6 +81,6 @@ class Ownership:
 def _may_be_written(path: str) -> bool:
     """False for a file that nobody may write to; that its folder allows it is not enough."""
     try:
-        return bool(os.stat(path).st_mode & 0o222)
+        return bool(disk.state(path).st_mode & 0o222)
     except OSError:
         return True  # it is not there; writing it will fail

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import time
 
+from urdfkit.core import disk
 from urdfkit.workspace.package_folders import PackageFolders, is_searched
 
 #: A scan stops here and says so. Real workspaces have some thousand folders.
@@ -78,7 +79,7 @@ class PackageScan:
         """True if a symbolic link leads to where another led, or to a folder around it."""
         if not self._folders.listings.is_link(path):
             return False
-        real = os.path.realpath(path)
+        real = disk.real(path)
         if real in self._linked or (path + os.sep).startswith(real + os.sep):
             return True
         self._linked.add(real)

@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.package_folders import PackageFolders, is_within, read_marker, upwards
@@ -69,7 +70,7 @@ class Packages:
             near: path of the file that refers to it.
         """
         if name in self.explicit:
-            if os.path.isdir(self.explicit[name]):
+            if disk.is_folder(self.explicit[name]):
                 yield Candidate(self.explicit[name])
             return
         if name in ("", ".", "..") or "/" in name or "\\" in name:
@@ -166,7 +167,7 @@ class Packages:
     def _in_environment(self, name: str) -> Iterator[str]:
         for prefix in self.prefixes:
             folder = os.path.join(prefix, "share", name)
-            if os.path.isdir(folder):
+            if disk.is_folder(folder):
                 yield folder
         for path in self.ros1_paths:
             if self.name_of(path) == name:
@@ -192,7 +193,7 @@ class Packages:
         above = [at for at in upwards(self.folder_of(near)) if self.searches(at, near)]
         for folder in above:
             sibling = os.path.join(folder, name)
-            if sibling not in above and os.path.isdir(sibling):
+            if sibling not in above and disk.is_folder(sibling):
                 yield sibling
 
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from stat import S_ISDIR, S_ISREG
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.source import Source
@@ -76,7 +77,7 @@ class Resolver:
         environment: Mapping[str, str] | None = None,
         texts: Mapping[str, bytes] | None = None,
     ) -> None:
-        environment = os.environ if environment is None else environment
+        environment = disk.Environment() if environment is None else environment
         self.folders = Folders()
         self.packages = Packages(packages or {}, environment, self.folders)
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
@@ -94,7 +95,7 @@ class Resolver:
 
     def text(self, path: str) -> bytes | None:
         """The bytes that stand for those of a file on disk; None if nothing does."""
-        return self._texts.get(os.path.realpath(path)) if self._texts else None
+        return self._texts.get(disk.real(path)) if self._texts else None
 
     def read(self, path: str) -> Source:
         """A text file, by the bytes that stand for it if some do.
@@ -172,7 +173,7 @@ class Resolver:
         if "\0" in path:
             return False
         try:
-            mode = os.stat(path).st_mode
+            mode = disk.state(path).st_mode
             if not S_ISREG(mode) and not S_ISDIR(mode):
                 return False
         except OSError:
@@ -355,7 +356,7 @@ class Resolver:
 
 
 def _by_real_path(texts: Mapping[str, bytes]) -> dict[str, bytes]:
-    return {os.path.realpath(path): data for path, data in texts.items()}
+    return {disk.real(path): data for path, data in texts.items()}
 
 
 def _until_certain(candidates: Iterator[Candidate]) -> Iterator[Candidate]:

@@ -8,6 +8,7 @@ import re
 from types import FrameType
 from typing import Any
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
@@ -111,7 +112,9 @@ def _made(
     token = located.token if located.token.startswith("$") else ""
     if code in ("XAC001", "XAC009", "XAC013") and token and token[:60] not in message:
         message += f" in {token}"
-    return Problem(code, at.span, message, help, at.frame)
+    cause = root_cause(error)
+    argument = str(cause) if isinstance(cause, MissingArgument) else ""
+    return Problem(code, at.span, message, help, at.frame, argument=argument)
 
 
 def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
@@ -138,13 +141,14 @@ def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Prob
         if len(default) <= 2 or default not in parts or argument.name in defined.given:
             continue
         above = os.sep.join(parts[: parts.index(default)])
-        if os.path.isdir(above) and not os.path.exists(os.path.join(above, default)):
+        if disk.is_folder(above) and not disk.exists(os.path.join(above, default)):
             at = argument.tag.attribute_spans().get("default", argument.tag.span)
             message = (
                 f"argument '{argument.name}' must be given: with its default '{default}' "
                 "files are missing that the model needs"
             )
-            return Problem("XAC010", at, message, _pass(defined, argument.name))
+            help = _pass(defined, argument.name)
+            return Problem("XAC010", at, message, help, argument=argument.name)
     return None
 
 

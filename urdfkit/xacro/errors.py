@@ -17,6 +17,9 @@ class FailedValue(str):
     __slots__ = ()
 
 
+#: Begins the message about a file that CMake's ``configure_file`` writes.
+UNBUILT = "the build has not made the file"
+
 #: The only one; a private character of Unicode around its text.
 FAILED = FailedValue("\ue000failed\ue000")
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.document import CallFrame
 from urdfkit.text.xml_reader import DocumentTooLarge
@@ -188,7 +189,7 @@ class Run:
             lambda name: self.argument(name, symbols),
             os.path.dirname(xacro.filestack[-1] or ""),
             self.root_dir,
-            os.environ,
+            disk.Environment(),
             None if self.trust else self.sandbox,
             {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
         )

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.text.source import MAX_BYTES, Source
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 from urdfkit.xacro.errors import EscapesRoots
@@ -69,24 +70,23 @@ class Reader:
     def _read(self, path: str, most: int) -> bytes:
         data = self._resolver.text(path)
         if data is None:
-            with open(path, "rb") as file:
-                data = file.read(most + 1)
+            data = disk.read(path, most + 1)
         if len(data) > most:
             raise TooLarge(f"the file {path} of more than {most} bytes")
         return data
 
     def _admitted(self, path: str) -> str:
         """The path to open: as installed if it is not in the source tree, and not outside."""
-        if not os.path.exists(path):
+        if not disk.exists(path):
             path = self._resolver.installed(path) or path
-        if os.path.lexists(path):  # else opening it will say that there is no such file
+        if disk.has_name(path):  # else opening it will say that there is no such file
             self._refuse_outside(path)
         return path
 
     def _refuse_outside(self, path: str) -> None:
         if self._trust or self._resolver.allows(path, self._near):
             return
-        if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):
+        if disk.exists(path) and not disk.is_file(path) and not disk.is_folder(path):
             raise EscapesRoots(f"{path} is a device or a pipe, not a file")
         raise EscapesRoots(f"{path} is outside the workspace and the packages of this model")
 
@@ -103,7 +103,7 @@ class Reader:
         """
         folder, name = os.path.split(pattern)
         if not re.search(_WILDCARD, pattern):
-            if os.path.lexists(pattern) if name else os.path.isdir(folder):
+            if disk.has_name(pattern) if name else disk.is_folder(folder):
                 yield pattern
             return
         folders: Iterable[str] = [folder]
@@ -112,16 +112,16 @@ class Reader:
         for inside in folders:
             if re.search(_WILDCARD, name):
                 yield from self._matching(inside, name, budget)
-            elif os.path.lexists(path := os.path.join(inside, name)):
+            elif disk.has_name(path := os.path.join(inside, name)):
                 yield path
 
     def _matching(self, folder: str, pattern: str, budget: Budget) -> Iterator[str]:
         budget.charge(ELEMENT_SIZE)  # it takes as long
-        if not os.path.isdir(folder or os.curdir):
+        if not disk.is_folder(folder or os.curdir):
             return
         self._refuse_outside(folder or os.curdir)
         try:
-            names = os.listdir(folder or os.curdir)
+            names = disk.names(folder or os.curdir)
         except OSError:
             return
         budget.charge(len(names))

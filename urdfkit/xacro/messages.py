@@ -7,13 +7,14 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Span, shown
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.errors import BrokenYaml
+from urdfkit.xacro.errors import UNBUILT, BrokenYaml
 
 if TYPE_CHECKING:
     from urdfkit.xacro.definitions import Definitions
@@ -33,10 +34,6 @@ _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
 _BARE_PROPERTY = rb"""<property\s[^<>]*?\bname\s*=\s*["']%s["'][^<>]*>"""
 _DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w:]+)["']""")
 _OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
-
-
-#: Begins the message about a file that CMake's ``configure_file`` writes.
-UNBUILT = "the build has not made the file"
 
 
 class MessageText(Record):
@@ -212,7 +209,7 @@ def _missing_file(path: str) -> MessageText:
         package, _, rest = there.strip("/").partition("/")
         message = f"xacro does not resolve package://{package}/{rest}"
         return MessageText(message, f"write $(find {package})/{rest}")
-    if os.path.isfile(f"{path}.in"):
+    if disk.is_file(f"{path}.in"):
         made = f"{UNBUILT}: {shown(path)}, from {os.path.basename(path)}.in"
         return MessageText(made, "build the workspace, or make the file with CMake's values")
     return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
@@ -222,10 +219,10 @@ def _nearest_file(path: str) -> str:
     """What there is instead of a missing file: a folder that is missing, or a file like it."""
     folder, name = os.path.split(os.path.normpath(path))
     last = name
-    while folder and not os.path.isdir(folder) and folder != os.path.dirname(folder):
+    while folder and not disk.is_folder(folder) and folder != os.path.dirname(folder):
         folder, name = os.path.split(folder)
     try:
-        siblings = os.listdir(folder or os.curdir)
+        siblings = disk.names(folder or os.curdir)
     except OSError:
         return ""
     stem, dot, suffix = name.partition(".")
@@ -234,7 +231,7 @@ def _nearest_file(path: str) -> str:
     hint = f"did you mean '{suggested}{dot}{suffix}'?" if suggested else ""
     if name == last:
         return hint or "correct the path; a relative one starts at the file that it stands in"
-    there = sorted(one for one in siblings if os.path.isdir(os.path.join(folder, one)))
+    there = sorted(one for one in siblings if disk.is_folder(os.path.join(folder, one)))
     if not hint and 0 < len(there) <= _FEW:  # often the values that an argument may have
         hint = f"there {'is' if len(there) == 1 else 'are'} {', '.join(there)}"
     return f"directory '{name}' not found in {shown(folder)}" + (f"; {hint}" if hint else "")

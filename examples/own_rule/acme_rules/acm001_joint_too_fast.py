@@ -6,9 +6,8 @@ follows late, and the controller then stops it for its position error. Write the
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
 
 #: Of our drives, in rad/s.

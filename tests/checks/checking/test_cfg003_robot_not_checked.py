@@ -1,7 +1,5 @@
 """Green means checked: a robot that is found and cannot be checked is a finding of its own."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

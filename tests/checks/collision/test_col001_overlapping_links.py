@@ -1,7 +1,5 @@
 """COL001: see the rule."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """RCT034: see the rule."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import pytest
 
 from tests.gazebos import BASE, block
@@ -29,9 +27,9 @@ def test_one_finding_for_a_name_that_nothing_is_like() -> None:
     assert len(found.related) == 4
 
 
-@pytest.mark.parametrize("tag", [*extensions(), "gravity", "sensor", "plugin", "vendor:tag"])
-def test_known_tags(tag: str) -> None:
-    assert reported("GAZ003", BASE + block(f"<{tag}>1</{tag}>")) == []
+def test_known_tags() -> None:
+    known = [*extensions(), "gravity", "sensor", "plugin", "vendor:tag"]
+    assert reported("GAZ003", BASE + "".join(block(f"<{tag}>1</{tag}>") for tag in known)) == []
 
 
 def test_what_belongs_into_the_robot_is_reported() -> None:

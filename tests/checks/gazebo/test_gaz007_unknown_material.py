@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import pytest
 
 from tests.gazebos import BASE, block
@@ -32,10 +30,14 @@ def test_nothing_is_near(name: str) -> None:
     assert "did you mean" not in found.help
 
 
-@pytest.mark.parametrize("name", [*materials(), "PR2/Red"])
-def test_materials_of_gazebo_and_of_vendors(name: str) -> None:
-    assert reported("GAZ007", BASE + block(f"<material>{name}</material>")) == []
-    assert reported("GAZ007", BASE + block(f'<material value="{name}"/>')) == []
+def test_materials_of_gazebo_and_of_vendors() -> None:
+    known = [*materials(), "PR2/Red"]
+    assert (
+        reported("GAZ007", BASE + "".join(block(f"<material>{m}</material>") for m in known)) == []
+    )
+    assert (
+        reported("GAZ007", BASE + "".join(block(f'<material value="{m}"/>') for m in known)) == []
+    )
 
 
 ROBOT = BASE + block("<material>Gazebo/Red</material>") + block("<material>Gazebo/Wood</material>")

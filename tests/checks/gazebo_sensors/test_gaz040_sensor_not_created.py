@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import pytest
 
 from tests.gazebos import BASE, BODY, child, sensor
@@ -50,9 +48,7 @@ def test_a_sensor_without_a_type():
 )
 def test_only_a_type_that_the_gazebo_at_hand_makes_is_meant(target, suggested):
     (finding,) = findings("GAZ040", "sonarr", targets=(target,))
-    assert (finding.fix.title if finding.fix else None) == (
-        f"write {suggested}" if suggested else None
-    )
+    assert (finding.fix and finding.fix.title) == (suggested and f'write type="{suggested}"')
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,5 @@
 """GEO004, rotation: see the rule."""
 
-from __future__ import annotations
-
 from math import pi
 from pathlib import Path
 

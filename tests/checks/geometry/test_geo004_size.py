@@ -1,7 +1,5 @@
 """GEO004, size: see the rule."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

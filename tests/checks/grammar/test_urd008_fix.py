@@ -1,7 +1,5 @@
 """Where URD008 moves tags to."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.reported import fixed, reported

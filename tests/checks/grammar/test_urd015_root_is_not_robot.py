@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from tests.reported import fixed, messages, reported
 from urdfkit.lint import engine
 from urdfkit.text.source import Source

@@ -1,7 +1,5 @@
 """JNT041: see the rule."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.jointed import joint, limit, mimic, robot

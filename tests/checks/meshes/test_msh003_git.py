@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import shutil
 import subprocess
 from pathlib import Path
@@ -20,7 +18,17 @@ def repository(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize(
-    "pattern", ["*.obj", "*.OBJ\n*.obj", "meshes/", "/meshes/a.obj", "meshes/a*j"]
+    "pattern",
+    [
+        "*.obj",
+        "*.OBJ\n*.obj",
+        "meshes/",
+        "/meshes/a.obj",
+        "meshes/a*j",
+        "a*",
+        "?.[n-p]bj",
+        "a\\.obj",
+    ],
 )
 def test_what_git_ignores(repository: Path, pattern: str) -> None:
     files = {".gitignore": f"# of compilers\n{pattern}\n".encode(), "meshes/a.obj": OBJ}
@@ -36,6 +44,12 @@ def test_what_git_ignores(repository: Path, pattern: str) -> None:
 def test_what_git_takes(repository: Path, pattern: str) -> None:
     files = {".gitignore": f"{pattern}\n".encode(), "meshes/a.obj": OBJ}
     assert messages(repository, "MSH003", link(mesh("meshes/a.obj")), files) == []
+
+
+def test_the_list_of_the_repository_itself(repository: Path) -> None:
+    (repository / ".git" / "info").mkdir(exist_ok=True)
+    (repository / ".git" / "info" / "exclude").write_text("*.obj\n")
+    assert len(messages(repository, "MSH003", link(mesh("a.obj")), {"a.obj": OBJ})) == 1
 
 
 def test_what_was_added_all_the_same(repository: Path) -> None:

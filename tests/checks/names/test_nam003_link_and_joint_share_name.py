@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from tests.reported import reported
 from urdfkit.text.diagnostic import Severity
 

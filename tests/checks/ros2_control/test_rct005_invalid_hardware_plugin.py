@@ -1,7 +1,5 @@
 """RCT005: see the rule."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, plugin

@@ -1,7 +1,5 @@
 """RCT007: see the rule."""
 
-from __future__ import annotations
-
 from tests.controls import NEXT, ROBOT, control, driven
 from tests.reported import messages, places, reported
 

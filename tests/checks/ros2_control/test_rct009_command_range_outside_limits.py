@@ -1,7 +1,5 @@
 """RCT009: see the rule."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.controls import NEXT, ROBOT, control

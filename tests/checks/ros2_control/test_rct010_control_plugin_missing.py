@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, plugin, transmission

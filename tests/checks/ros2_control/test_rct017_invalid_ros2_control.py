@@ -1,7 +1,5 @@
 """RCT017: see the rule."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.controls import CLASSIC, GZ, NEXT, ROBOT, control, driven, plugin, transmission

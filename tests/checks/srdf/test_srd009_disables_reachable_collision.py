@@ -1,7 +1,5 @@
 """SRD009: see the rule."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """One SRDF serves the variants of a robot: for the others it is one info, not an error each."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

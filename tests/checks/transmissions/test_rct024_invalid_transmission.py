@@ -1,7 +1,5 @@
 """RCT024: see the rule."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.controls import NEXT, ROBOT, control, driven, plugin, transmission

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from tests.reported import messages, places, reported
 
 JOINT = '<joint name="{0}_{1}" type="fixed"><parent link="{0}"/>\n<child link="{1}"/></joint>\n'

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from tests.reported import messages, places, reported
 
 JOINT = '<joint name="{0}" type="fixed"><parent link="{1}"/><child link="{2}"/></joint>\n'

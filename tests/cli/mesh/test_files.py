@@ -1,7 +1,5 @@
 """mesh info, convert and repair: what is said, what is written, the exit codes."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

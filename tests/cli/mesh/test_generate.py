@@ -1,7 +1,5 @@
 """mesh generate: what is written and said, and the exit codes."""
 
-from __future__ import annotations
-
 import shutil
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """mesh simplify, hull and decompose: what is said, what is written, the exit codes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -10,9 +8,12 @@ pytest.importorskip("trimesh")
 
 import trimesh
 
-from tests.mesh.shapes_made import as_mesh
+from tests.mesh.shapes_made import as_mesh, as_part
 from urdfkit.cli import main
+from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.writers import write
+
+pytestmark = pytest.mark.usefixtures("rough_meshes")
 
 
 @pytest.fixture
@@ -40,24 +41,33 @@ def test_hull(ring: Path) -> None:
     assert main(["mesh", "hull", str(ring), "-o", str(out), "--force"]) == 0
 
 
-def test_decompose(ring: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    out = ring.with_name("piece.stl")
-    words = ["mesh", "decompose", str(ring), "--most", "2", "-o", str(out)]
+@pytest.fixture
+def angle(tmp_path: Path) -> Path:
+    """Two boards, which two convex pieces are enough for."""
+    boards = [trimesh.creation.box((1, 0.2, 0.2)), trimesh.creation.box((0.2, 0.2, 1))]
+    boards[1].apply_translation((-0.6, 0, 0.4))
+    write(Mesh(tuple(map(as_part, boards))), tmp_path / "angle.stl")
+    return tmp_path / "angle.stl"
+
+
+def test_decompose(angle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = angle.with_name("piece.stl")
+    words = ["mesh", "decompose", str(angle), "--most", "2", "-o", str(out)]
     assert main([*words, "--split"]) == 0
     assert "piece 2:" in capsys.readouterr().out
-    assert all(trimesh.load_mesh(ring.with_name(f"piece_{n}.stl")).is_convex for n in (1, 2))
+    assert all(trimesh.load_mesh(angle.with_name(f"piece_{n}.stl")).is_convex for n in (1, 2))
     assert not out.exists()
     assert main(words) == 0
     assert out.exists()
 
 
-def test_pieces_are_written_all_or_none(ring: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["mesh", "decompose", str(ring), "--most", "2", "-o", str(ring), "--split"]
+def test_pieces_are_written_all_or_none(angle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["mesh", "decompose", str(angle), "--most", "2", "-o", str(angle), "--split"]
     assert main(words) == 0  # nothing is written to the name itself
-    ring.with_name("ring_1.stl").unlink()
+    angle.with_name("angle_1.stl").unlink()
     assert main(words) == 2
-    assert "ring_2.stl is a good mesh already" in capsys.readouterr().err
-    assert not ring.with_name("ring_1.stl").exists()
+    assert "angle_2.stl is a good mesh already" in capsys.readouterr().err
+    assert not angle.with_name("angle_1.stl").exists()
 
 
 @pytest.mark.parametrize(

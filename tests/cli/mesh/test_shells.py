@@ -1,7 +1,5 @@
 """``mesh info`` and ``mesh repair`` of shells that overlap and of sheets with two sides."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -61,10 +61,9 @@ def test_broken_files(data: bytes, kind: DefectKind, reason: str) -> None:
     assert judged(data) == (Defect(kind, reason), "")
 
 
-@pytest.mark.parametrize("bad", [nan, inf, -inf])
-@pytest.mark.parametrize("triangle", range(4))
-@pytest.mark.parametrize("corner", range(3))
-@pytest.mark.parametrize("axis", range(3))
+@pytest.mark.parametrize(
+    ("bad", "triangle", "corner", "axis"), [(nan, 0, 0, 0), (inf, 3, 2, 2), (-inf, 1, 1, 0)]
+)
 def test_a_corner_that_is_not_finite(bad: float, triangle: int, corner: int, axis: int) -> None:
     data = bytearray(SOUND)
     struct.pack_into("<f", data, 84 + 50 * triangle + 12 + 12 * corner + 4 * axis, bad)

@@ -18,7 +18,6 @@ trimesh = pytest.importorskip("trimesh")
 from PIL import Image
 
 from urdfkit.output.report import gltf, scene
-from urdfkit.output.report.boxes import inertia_box
 from urdfkit.render import scene as pictured
 
 MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
@@ -154,26 +153,3 @@ def test_nothing_is_a_file_too() -> None:
     document, _ = opened(gltf.write([])[0])
     assert document["scenes"] == [{}]
     assert scene.nothing().robot["links"] == []
-
-
-def test_the_box_of_an_inertia_is_the_box_it_was_made_of(tmp_path: Path) -> None:
-    """A box of 2 kg, 0.1 x 0.2 x 0.3 m: moments m (y^2 + z^2) / 12; the frame is turned."""
-    robot = tmp_path / "box.urdf"
-    xx, yy, zz = ((0.2**2 + 0.3**2) / 6, (0.1**2 + 0.3**2) / 6, (0.1**2 + 0.2**2) / 6)
-    robot.write_text(
-        '<robot name="r"><link name="a"><inertial><origin xyz="1 2 3" rpy="0.3 -0.5 0.7"/>'
-        f'<mass value="2"/><inertia ixx="{xx}" ixy="0" ixz="0" iyy="{yy}" iyz="0" izz="{zz}"/>'
-        "</inertial></link></robot>"
-    )
-    inertial = read(str(robot)).model.links[0].inertial
-    assert inertial is not None
-    box = inertia_box(inertial, 2.0)
-    assert box is not None
-    edges, frame = box
-    assert sorted(edges) == pytest.approx([0.1, 0.2, 0.3])
-    assert frame.position == (1.0, 2.0, 3.0)
-    longest = edges.index(max(edges))
-    along = [row[longest] for row in frame.rotation]
-    expected = [row[2] for row in inertial.origin.rotation]
-    assert np.abs(np.dot(along, expected)) == pytest.approx(1)
-    assert np.linalg.det(frame.rotation) == pytest.approx(1)

@@ -17,7 +17,7 @@ from tests.physics.collision.robots import joint, link, revolute, robot
 from tests.update_corpus_findings import arguments_of
 from urdfkit.lint.context import Subject
 from urdfkit.lint.loading import read
-from urdfkit.physics.collision.batch_kinematics import Branch, chain, matrix
+from urdfkit.physics.collision.batch_kinematics import chain, matrix, slopes
 from urdfkit.robot import kinematics
 from urdfkit.robot.joints import FAR
 
@@ -157,24 +157,33 @@ def test_hostile_trees_are_arrays_too() -> None:
     assert list(long.frames(long.default[None], [7])) == [7]
 
 
-def test_slopes_of_a_branch_are_differences() -> None:
-    """Of a point fixed to its end, along a direction; a follower counts for its leader."""
-    subject = robot(
-        *(link(name) for name in "abcde"),
-        joint("a", "b", "revolute", "1 2 3", revolute(-1, 2, "1 1 0")),
-        joint("b", "c", "fixed", "0 1 0"),
-        joint("c", "d", "prismatic", "0 0 1", revolute(0, 0.3, "0 2 0")),
-        joint("d", "e", "revolute", "0 1 1", revolute(-1, 1) + MIMIC),
+def test_slopes_are_differences() -> None:
+    """Of points fixed to two links, along a direction; a follower counts for its leader."""
+    arrays = chain(
+        robot(
+            *(link(name) for name in "abcdef"),
+            joint("a", "b", "revolute", "1 2 3", revolute(-1, 2, "1 1 0")),
+            joint("b", "c", "fixed", "0 1 0"),
+            joint("c", "d", "prismatic", "0 0 1", revolute(0, 0.3, "0 2 0")),
+            joint("d", "e", "revolute", "0 1 1", revolute(-1, 1) + MIMIC),
+            joint("a", "f", "revolute", "1 0 1", revolute(-1, 1)),
+        ).tree
     )
-    arrays = chain(subject.tree)
-    branch = Branch(arrays.branches(0, 4)[1], columns := arrays.between(0, 4))
-    random = np.random.default_rng(3)
-    positions = arrays.samples(4, 1, 0)[:, columns]
-    points, directions = random.normal(size=(2, 4, 3))
-    way = branch.at(positions)
-    assert way.end == pytest.approx(arrays.frames(arrays.samples(4, 1, 0), [4])[4], abs=1e-12)
-    in_end = np.linalg.inv(way.end) @ np.append(points, np.ones((4, 1)), axis=1)[:, :, None]
+    pair, rows = (5, 4), arrays.samples(4, 1, 0)
+    columns, branches = arrays.between(*pair), arrays.branches(*pair)
+    points, along = np.random.default_rng(3).normal(size=(2, 4, 3))
+    frames = arrays.frames(rows, range(6))
+    found = slopes(branches, columns, frames, points, along)
+
+    def apart(rows: Any) -> Any:
+        """How far the second point is from the first along the direction."""
+        ends = arrays.frames(rows, range(6))
+        homogeneous = np.append(points, np.ones((4, 1)), axis=1)[:, :, None]
+        first, second = (
+            (ends[link] @ np.linalg.inv(frames[link]) @ homogeneous)[:, :3, 0] for link in pair
+        )
+        return np.einsum("ni,ni->n", second - first, along)
+
     for column, move in enumerate(1e-6 * np.eye(len(columns))):
-        there = branch.at(positions + move).end @ in_end - branch.at(positions - move).end @ in_end
-        change = np.einsum("ni,ni->n", there[:, :3, 0], directions) / 2e-6
-        assert branch.slopes(way, points, directions)[:, column] == pytest.approx(change, abs=1e-7)
+        change = (apart(rows + move) - apart(rows - move)) / 2e-6
+        assert found[:, column] == pytest.approx(change, abs=1e-7)

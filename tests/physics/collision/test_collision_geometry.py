@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import product
 from math import inf
 from pathlib import Path
 
@@ -15,7 +14,7 @@ from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robo
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.samples import stl
 from urdfkit.physics.collision.bodies import TOUCH
-from urdfkit.physics.collision.bounds import DistanceBound, apart, moved, poses
+from urdfkit.physics.collision.bounds import apart
 from urdfkit.physics.collision.collision_geometry import (
     CollisionGeometry,
     DistanceQuery,
@@ -112,30 +111,6 @@ def test_boxes_bound_the_distance_from_below_and_tell_parted_ones_apart() -> Non
     near = np.abs(true) > 1e-6
     assert ((bound > 0) <= (true > 0))[near].all()
     assert (bound[true > 1e-6] > 0).mean() == 1  # fifteen axes leave no doubt
-
-
-def test_no_point_of_a_body_moves_farther_than_told() -> None:
-    turns, offsets = rotations(200, 2), np.random.default_rng(3).normal(size=(200, 3))
-    points = np.array(list(product((-0.1, 0.1), (-0.2, 0.2), (-0.3, 0.3))))
-    radius = float(np.linalg.norm(points[0]))
-    some = poses(turns, offsets, radius)
-    placed = points @ turns.transpose(0, 2, 1) + offsets[:, None]
-    way = np.linalg.norm(placed - placed[0], axis=2).max(axis=1)
-    reported = moved(some, some[0])
-    assert (way <= reported + 1e-12).all()
-    assert reported[0] == 0
-
-
-def test_what_was_measured_bounds_what_is_around() -> None:
-    turns, offsets = rotations(300, 4), np.random.default_rng(5).normal(size=(300, 3)) * 0.4
-    gauge = DistanceQuery(*forms(box(0.3, 0.2, 0.1), sphere(0.1)))
-    some = poses(turns, offsets, gauge.second.radius)
-    true = np.array([gauge.distance(*pose, inf) for pose in zip(turns, offsets, strict=True)])
-    cover = DistanceBound()
-    assert (cover.bound(some) == -inf).all()
-    for known in range(200):
-        cover.add(some[known], max(0.0, true[known]))
-    assert (cover.bound(some) <= np.maximum(true, 0) + 1e-5).all()
 
 
 def test_a_vertex_with_more_edges_than_coal_can_count(tmp_path: Path) -> None:

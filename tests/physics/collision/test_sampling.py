@@ -17,12 +17,13 @@ from tests.physics.collision.robots import box, joint, link, revolute, robot, sp
 from urdfkit.lint.context import Subject
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
-from urdfkit.physics.collision import sampling
-from urdfkit.physics.collision import worker_pool as crews
+from urdfkit.physics.collision import worker_pool
+from urdfkit.physics.collision.batch_kinematics import chain
+from urdfkit.physics.collision.geometry_arrays import solids
 from urdfkit.physics.collision.matrix import Matrix, PairVerdict
 from urdfkit.physics.collision.pair_queries import Examiner
 from urdfkit.physics.collision.sampling import collisions
-from urdfkit.physics.collision.task import PairFindings, Pose, Task
+from urdfkit.physics.collision.task import COUNTED, PairFindings, Task
 from urdfkit.physics.collision.worker_pool import CollisionError, WorkerPool
 
 
@@ -52,7 +53,7 @@ def test_how_often_a_two_link_arm_hits_itself_is_what_geometry_says() -> None:
     }
     pair = found["base", "lower"]
     assert pair.verdict is PairVerdict.SOMETIMES
-    deviation = sqrt(expected * (1 - expected) / sampling.COUNTED)
+    deviation = sqrt(expected * (1 - expected) / COUNTED)
     assert pair.frequency == pytest.approx(expected, abs=4 * deviation)
     assert pair.nearest is not None
     assert pair.nearest.distance == pytest.approx(upper - lower - 2 * radius, abs=0.01)
@@ -177,7 +178,6 @@ def test_the_number_of_processes_changes_nothing_and_the_seed_does(corpus: Path)
 
 ARMS = {
     "panda": ("moveit_resources/panda_description/urdf/panda.urdf", {}),
-    "fanuc": ("moveit_resources/fanuc_description/urdf/fanuc.urdf", {}),
     "ur5e": (
         "Universal_Robots_ROS2_Description/urdf/ur.urdf.xacro",
         {"ur_type": "ur5e", "name": "ur"},
@@ -186,11 +186,11 @@ ARMS = {
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_three_seeds_give_the_same_matrix(corpus: Path, name: str) -> None:
+def test_two_seeds_give_the_same_matrix(corpus: Path, name: str) -> None:
     path, arguments = ARMS[name]
     arm = read(corpus / path, arguments=arguments)
-    first, second, third = (verdicts(collisions(arm, seed=seed)) for seed in range(3))
-    assert first == second == third
+    first, second = (verdicts(collisions(arm, seed=seed)) for seed in range(2))
+    assert first == second
 
 
 def test_progress_is_told_from_nothing_to_all() -> None:
@@ -237,55 +237,52 @@ def test_too_many_pairs_are_refused_at_once() -> None:
         collisions(robot(*links, *joints), jobs=1)
 
 
-class Crash(Pose):
-    """A pose that ends the process for one pair."""
+class Crash(Task):
+    """A task that ends the process for one pair."""
 
     def run(self, examiner: Examiner) -> list[PairFindings]:
         if (0, 2) in self.pairs:
             os.abort()
         return super().run(examiner)
 
-    def parts(self) -> list[Task]:
-        return [Crash((pair,), self.configuration) for pair in self.pairs]
+
+PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
-def crew(subject: Subject, count: int = 2) -> tuple[WorkerPool, Floats]:
-    from urdfkit.physics.collision.batch_kinematics import chain
-    from urdfkit.physics.collision.geometry_arrays import solids
-
-    arrays = chain(subject.tree)
-    return WorkerPool(arrays, solids(subject.model, subject.meshes)[0], count), arrays.default
+def pool_of(subject: Subject) -> tuple[WorkerPool, Floats]:
+    moving = chain(subject.tree)
+    return WorkerPool(moving, solids(subject.model, subject.meshes)[0], 2), moving.default
 
 
 def test_a_crash_costs_one_pair() -> None:
-    crowd, row = crew(spheres(0.1, 1.0, 0.5))
-    pairs = ((0, 1), (0, 2), (1, 2))
-    with crowd:
-        ((first, second, third),) = crowd.run([Crash(pairs, row)], lambda: None)
+    pool, start = pool_of(spheres(0.1, 1.0, 0.5))
+    moves = (True,) * 3
+    with pool:
+        ((first, second, third),) = pool.run([Crash(PAIRS, moves, start, 10, 0)], lambda: None)
         assert second is None
         assert first is not None
         assert third is not None
-        (again,) = crowd.run([Pose(pairs, row)], lambda: None)  # the crew goes on
+        (again,) = pool.run([Task(PAIRS, moves, start, 10, 0)], lambda: None)  # the pool goes on
         assert None not in again
 
 
 def test_a_robot_that_crashes_all_the_time_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(crews, "_MAX_CRASHES", 2)
-    crowd, row = crew(spheres(0.1, 1.0, 0.5))
-    with crowd, pytest.raises(CollisionError, match="coal crashed"):
-        crowd.run([Crash(((0, 2),), row)] * 5, lambda: None)
+    monkeypatch.setattr(worker_pool, "_MAX_CRASHES", 2)
+    pool, start = pool_of(spheres(0.1, 1.0, 0.5))
+    with pool, pytest.raises(CollisionError, match="coal crashed"):
+        pool.run([Crash(PAIRS[1:2], (True,), start, 10, 0)] * 5, lambda: None)
 
 
 def test_a_body_that_is_fatal_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """The second of three bodies ends every process that makes it."""
-    boot = crews._BOOT.replace(
+    boot = worker_pool._BOOT.replace(
         "from urdfkit.physics.collision.worker import main",
         "from urdfkit.physics.collision import collision_geometry as forms; "
         "import os; make = forms.form; "
         "forms.form = lambda s: os.abort() if s.link == 'upper' else make(s); "
         "from urdfkit.physics.collision.worker import main",
     )
-    monkeypatch.setattr(crews, "_BOOT", boot)
+    monkeypatch.setattr(worker_pool, "_BOOT", boot)
     found = collisions(spheres(0.1, 1.0, 0.5), samples=100, jobs=2)
     assert [(one.link, one.reason) for one in found.omitted] == [("upper", "it crashes coal")]
     assert list(verdicts(found)) == [("base", "lower")]
@@ -293,7 +290,7 @@ def test_a_body_that_is_fatal_is_left_out(monkeypatch: pytest.MonkeyPatch) -> No
 
 def test_an_interrupt_ends_all_processes() -> None:
     started: list[Any] = []
-    original = crews._Worker.__init__
+    original = worker_pool._Worker.__init__
 
     def noted(self: Any, *args: Any) -> None:
         original(self, *args)
@@ -303,7 +300,7 @@ def test_an_interrupt_ends_all_processes() -> None:
         raise KeyboardInterrupt
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(crews._Worker, "__init__", noted)
+        patch.setattr(worker_pool._Worker, "__init__", noted)
         with pytest.raises(KeyboardInterrupt):
             collisions(spheres(0.1, 1.0, 0.5), jobs=2, progress=interrupt)
     assert started

@@ -19,6 +19,7 @@ from urdfkit.mesh.writers import write
 from urdfkit.robot.assets.collision_shapes import edited, propose
 from urdfkit.robot.inertials.suggestions import NoSuchLink
 
+pytestmark = pytest.mark.usefixtures("rough_meshes")
 PRIMITIVE = "<collision><geometry><sphere radius='1'/></geometry></collision>"
 
 

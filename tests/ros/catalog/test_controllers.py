@@ -2,29 +2,30 @@
 
 from __future__ import annotations
 
-import pytest
-
 from urdfkit.ros.catalog import ros_control
 from urdfkit.ros.catalog.controllers import classes, of_manager, parameters_of, successor
 
 KINDS = ("bool", "int", "double", "string")
 
 
-@pytest.mark.parametrize("name", classes(2))
-def test_a_class_of_ros_2_is_described_in_the_terms_that_are_documented(name: str) -> None:
-    known = parameters_of(name, 2)
-    assert known is not None
-    assert {kind.removesuffix("_array") for kind in known.types.values()} <= set(KINDS)
-    assert set(known.positive) <= {n for n, kind in known.types.items() if kind in KINDS[1:3]}
-    assert all(known.type_of(required) for required in known.required)
+def test_a_class_of_ros_2_is_described_in_the_terms_that_are_documented() -> None:
+    for name in classes(2):
+        known = parameters_of(name, 2)
+        assert known is not None
+        assert {kind.removesuffix("_array") for kind in known.types.values()} <= set(KINDS), name
+        numbers = {n for n, kind in known.types.items() if kind in KINDS[1:3]}
+        assert set(known.positive) <= numbers, name
+        assert all(known.type_of(required) for required in known.required), name
 
 
-@pytest.mark.parametrize("name", [n for n in classes(2) if n in ros_control.controllers()])
-def test_joints_are_texts(name: str) -> None:
-    known = parameters_of(name, 2)
-    assert known is not None
-    kinds = {known.type_of(joint) for joint in ros_control.controllers()[name].joints}
-    assert kinds <= {"string", "string_array", None}
+def test_joints_are_texts() -> None:
+    shared = classes(2) & ros_control.controllers().keys()
+    assert shared
+    for name in shared:
+        known = parameters_of(name, 2)
+        assert known is not None
+        kinds = {known.type_of(joint) for joint in ros_control.controllers()[name].joints}
+        assert kinds <= {"string", "string_array", None}, name
 
 
 def test_a_name_may_stand_for_any_joint() -> None:

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import pytest
-
 from urdfkit.ros.catalog import data, materials
 
 
-@pytest.mark.parametrize("name", materials.materials())
-def test_a_material_is_described_in_the_terms_that_are_documented(name: str) -> None:
-    material = materials.materials()[name]
-    assert material.name == name
-    assert material.internal or name.startswith(("Gazebo/", "drc/"))
-    assert material.rgba is None or len(material.rgba) == 4
-    assert material.gz_rgb is None or len(material.gz_rgb) == 3
-    assert all(0 <= value <= 1 for value in (*(material.rgba or ()), *(material.gz_rgb or ())))
+def test_a_material_is_described_in_the_terms_that_are_documented() -> None:
+    for name, material in materials.materials().items():
+        assert material.name == name
+        assert material.internal or name.startswith(("Gazebo/", "drc/"))
+        assert len(material.rgba or "rgba") == 4, name
+        assert len(material.gz_diffuse or "rgb") == 3, name
+        values = (*(material.rgba or ()), *(material.gz_diffuse or ()))
+        assert all(0 <= value <= 1 for value in values), name
 
 
 def test_colours_that_everybody_uses() -> None:
     known = materials.materials()
     assert known["Gazebo/Red"].rgba == (1.0, 0.0, 0.0, 1.0)
-    assert known["Gazebo/Grey"].gz_rgb == (0.5, 0.5, 0.5), "Gazebo/GreyTransparent is found, too"
-    assert [known[name].textured for name in ("Gazebo/Wood", "Gazebo/Red")] == [True, False]
+    assert known["Gazebo/Grey"].gz_diffuse == (0.5, 0.5, 0.5), (
+        "Gazebo/GreyTransparent is found, too"
+    )
+    assert [known[name].is_textured for name in ("Gazebo/Wood", "Gazebo/Red")] == [True, False]
     assert "gazebo.material" in data("materials")["source"]

@@ -131,9 +131,8 @@ def test_what_is_no_launch_file_is_told(tmp_path, text, words):
 
 
 def test_substitutions_that_only_a_run_would_tell_are_unknown(package):
-    text = (
-        '<rosparam file="$(eval 1+1)"/><rosparam file="$(env HOME)/a"/><rosparam file="$(arg x"/>'
-    )
+    unknown = "$(eval env(1))", "$(env HOME)/a", "$(arg x"
+    text = "".join(f'<rosparam file="{file}"/>' for file in unknown)
     assert [file.text for file in read(package, text).files] == ["$(arg x"]
 
 

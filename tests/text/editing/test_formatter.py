@@ -1,7 +1,5 @@
 """The layout of one document: what it looks like, and that it says the same."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """New texts for files: as diffs that ``patch`` applies, and written."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import tempfile

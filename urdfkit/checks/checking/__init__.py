@@ -4,11 +4,6 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 
-#: Former names of rules.
-REDIRECTS = {
-    "ignore-hit-nothing": "CFG001",
-}
-
 
 def applies(subject: Subject) -> bool:
     """True for every description; the runner says when each of its rules runs."""

@@ -6,10 +6,8 @@ next defect there: delete it.
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_index import get, matching
-from urdfkit.lint.rules import Finding, Findings, Location, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Severity, Subject, rule
 from urdfkit.text.editing.edits import remove_spans
 
 BAD = """\

@@ -8,10 +8,8 @@ suppresses the warnings and infos of both, but no error; that it has another cod
 from __future__ import annotations
 
 from urdfkit.errors import UnknownRule
-from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_index import ignore_note, matching
-from urdfkit.lint.rules import Finding, Findings, Location, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 
 BAD = """\
 <robot name="r">

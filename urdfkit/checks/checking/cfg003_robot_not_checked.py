@@ -19,23 +19,13 @@ as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `u
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Related, Severity, Subject, rule
+from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.source import Span
 
-BAD = """\
-<!-- urdfkit: ignore[XAC010] its launch file gives the prefix -->
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="$(arg prefix)base"/>
-</robot>
-"""
-GOOD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:arg name="prefix" default=""/>
-  <link name="$(arg prefix)base"/>
-</robot>
-"""
+_ROBOT = xacro_xml('<link name="$(arg prefix)base"/>')
+BAD = f"<!-- urdfkit: ignore[XAC010] its launch file gives the prefix -->\n{_ROBOT}"
+GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg prefix)base"/>')
 
 
 @rule(Severity.WARNING, needs=())
@@ -51,16 +41,15 @@ def check(subject: Subject) -> Findings:
     # A part of a robot is checked through the file that includes it, which XAC001 names.
     if subject.reading.document is not None or subject.is_fragment:
         return
-    from urdfkit.lint.argument_values import missing_argument
     from urdfkit.lint.unchecked import why_unchecked
 
     why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
-    wanting = [one for one in subject.reading.problems if missing_argument(one)]
+    wanting = [one for one in subject.reading.problems if one.argument]
     yield Finding(
         Location(_top(subject)),
         f"robot not checked: {why}",
         help,
-        related=tuple(Related(one.span, f"argument '{missing_argument(one)}'") for one in wanting),
+        related=tuple(Related(one.span, f"argument '{one.argument}'") for one in wanting),
     )
 
 

@@ -23,43 +23,28 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.contacts import Contact, LinkPair
 
-BAD = """\
-<link name="base">
-  <collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>
-</link>
-<link name="upper">
-  <collision>
-    <origin xyz="0 0 0.25"/>
-    <geometry><box size="0.05 0.05 0.4"/></geometry>
-  </collision>
-</link>
-<link name="tool">
-  <collision>
-    <origin xyz="0 0 -0.4"/>
-    <geometry><sphere radius="0.05"/></geometry>
-  </collision>
-</link>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="upper"/>
-  <origin xyz="0 0 0.1"/>
-  <axis xyz="0 1 0"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
-</joint>
-<joint name="elbow" type="revolute">
-  <parent link="upper"/>
-  <child link="tool"/>
-  <origin xyz="0.06 0 0.4"/>
-  <axis xyz="0 1 0"/>
-  <limit lower="-2" upper="2" effort="10" velocity="1"/>
-</joint>"""
+_LIMIT = '<limit lower="-2" upper="2" effort="10" velocity="1"/>'
+BAD = robot_xml(
+    link_xml("base", collision_xml('<box size="0.2 0.2 0.2"/>')),
+    link_xml("arm", collision_xml('<box size="0.05 0.05 0.4"/>', '<origin xyz="0 0 0.25"/>')),
+    link_xml("tool", collision_xml('<sphere radius="0.05"/>', '<origin xyz="0 0 -0.4"/>')),
+    joint_xml("revolute", '<origin xyz="0 0 0.1"/>', '<axis xyz="0 1 0"/>', _LIMIT),
+    joint_xml(
+        "revolute",
+        '<origin xyz="0.06 0 0.4"/>',
+        '<axis xyz="0 1 0"/>',
+        _LIMIT,
+        name="elbow",
+        parent="arm",
+        child="tool",
+    ),
+)
 GOOD = BAD.replace("0 0 -0.4", "0 0 0.4")
 
 #: In m: closed fingers of real grippers overlap by 0.3 mm.

@@ -16,32 +16,26 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.bodies import CollisionBody
     from urdfkit.physics.collision.contacts import Contact
     from urdfkit.text.document import Element
 
-BAD = """\
-<link name="hand">
-  <collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>
-</link>
-<link name="finger">
-  <collision><geometry><sphere radius="0.02"/></geometry></collision>
-</link>
-<joint name="slide" type="prismatic">
-  <parent link="hand"/>
-  <child link="finger"/>
-  <origin xyz="0 0 0.05"/>
-  <axis xyz="1 0 0"/>
-  <limit lower="0" upper="0.03" effort="20" velocity="0.1"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base", collision_xml('<box size="0.2 0.2 0.2"/>')),
+    link_xml("arm", collision_xml('<sphere radius="0.02"/>')),
+    joint_xml(
+        "prismatic",
+        '<origin xyz="0 0 0.05"/>',
+        '<limit lower="0" upper="0.03" effort="20" velocity="0.1"/>',
+    ),
+)
 GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
 

@@ -19,11 +19,9 @@ from __future__ import annotations
 import os
 
 from urdfkit.core.suggest import nearest_file
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.ros.controllers import parameter_files, syntax_errors, unread_keys
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
-from urdfkit.text.diagnostic import Severity
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")

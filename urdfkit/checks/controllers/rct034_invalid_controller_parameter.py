@@ -26,8 +26,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.ros.catalog.controllers import (
     Parameters,
     classes,
@@ -40,7 +39,6 @@ from urdfkit.ros.catalog.ros_control import parameters
 from urdfkit.ros.controllers import Controller, Section, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.parameter_types import is_not_positive, type_of
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Node, Value
 from urdfkit.text.source import Span
 
@@ -131,11 +129,11 @@ def _misspelt(controller: Controller) -> Iterator[_Problem]:
             yield controller.type_at, message, f"write {suggested}"
         return
     names = parameters(controller.type)
-    for name in controller.parameters:
+    for name in controller.section.given:
         suggested = nearest(name, names, _PARAMETER_TYPO) if name not in names else None
-        if suggested and suggested not in controller.parameters and len(suggested) > 4:
+        if suggested and suggested not in controller.section.given and len(suggested) > 4:
             message = f"unknown parameter '{name}'; did you mean '{suggested}'?"
-            yield controller.places[name], message, f"write {suggested}"
+            yield controller.section.places[name], message, f"write {suggested}"
 
 
 def _missing(

@@ -13,23 +13,19 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.ros.gazebo.drives import drive_of, driven
 from urdfkit.ros.gazebo.plugins import Reference
-from urdfkit.ros.gazebo.samples import WHEELED
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.ros.gazebo.samples import WHEELED, gazebo_xml, plugin_xml
 
-GOOD = (
-    WHEELED
-    + """\
-<gazebo>
-  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
-    <leftJoint>left_joint</leftJoint>
-    <rightJoint>right_joint</rightJoint>
-  </plugin>
-</gazebo>"""
+GOOD = WHEELED + gazebo_xml(
+    plugin_xml(
+        "drive",
+        "libgazebo_ros_diff_drive.so",
+        "<leftJoint>left_joint</leftJoint>",
+        "<rightJoint>right_joint</rightJoint>",
+    )
 )
 BAD = GOOD.replace("continuous", "revolute").replace(
     "</joint>", '  <limit lower="-3" upper="3" effort="10" velocity="10"/>\n</joint>'

@@ -10,30 +10,15 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.robot.samples import joint_xml, robot_xml
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.ros.gazebo.drives import driven
-from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
 from urdfkit.text.document import Element
 
-BAD = robot_xml(
-    solid_xml("base"),
-    solid_xml("rotor", mass="0.2", moments="0.001 0.001 0.001"),
-    joint_xml("continuous", '<axis xyz="0 0 1"/>', name="rotor_joint", child="rotor"),
-    gazebo_xml(
-        plugin_xml(
-            "gz::sim::systems::JointController",
-            "gz-sim-joint-controller-system",
-            "<joint_name>rotor_joint</joint_name>",
-        ),
-        plugin_xml(
-            "gz::sim::systems::ApplyJointForce",
-            "gz-sim-apply-joint-force-system",
-            "<joint_name>rotor_joint</joint_name>",
-        ),
-    ),
+_JOINT = "<joint_name>shoulder</joint_name>"
+BAD = ARM + gazebo_xml(
+    plugin_xml("gz::sim::systems::JointController", "gz-sim-joint-controller-system", _JOINT),
+    plugin_xml("gz::sim::systems::ApplyJointForce", "gz-sim-apply-joint-force-system", _JOINT),
 )
 GOOD = BAD[: BAD.index('  <plugin name="gz::sim::systems::ApplyJointForce"')] + "</gazebo>"
 

@@ -10,32 +10,23 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.robot.samples import joint_xml, robot_xml
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.gazebo.drives import driven
-from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
 
-BAD = robot_xml(
-    solid_xml("base"),
-    solid_xml("wheel", mass="0.2", moments="0.001 0.001 0.001"),
-    joint_xml("continuous", '<axis xyz="0 1 0"/>', name="wheel_joint", child="wheel"),
-    gazebo_xml(
-        plugin_xml("drive", "libgazebo_ros_planar_move.so", "<robotBaseFrame>base</robotBaseFrame>")
-    ),
+BAD = ARM + gazebo_xml(
+    plugin_xml("drive", "libgazebo_ros_planar_move.so", "<robotBaseFrame>base</robotBaseFrame>")
 )
-GOOD = BAD.replace(
-    "<gazebo>",
-    """\
-<transmission name="wheel_transmission">
-  <type>transmission_interface/SimpleTransmission</type>
-  <joint name="wheel_joint">
-    <hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface>
-  </joint>
-  <actuator name="wheel_motor"/>
-</transmission>
-<gazebo>""",
+_INTERFACE = "<hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface>"
+GOOD = robot_xml(
+    BAD,
+    element_xml(
+        'transmission name="shoulder_transmission"',
+        "<type>transmission_interface/SimpleTransmission</type>",
+        element_xml('joint name="shoulder"', _INTERFACE),
+        '<actuator name="shoulder_motor"/>',
+    ),
 )
 
 #: Names in a message; the others are counted.

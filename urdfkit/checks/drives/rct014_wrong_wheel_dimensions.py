@@ -18,18 +18,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector, dot, length, minus
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.model import number
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.gazebo.drives import DrivenWheel, drive_of, given, pairs, rolling, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
-from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.plugins import Drive
     from urdfkit.ros.catalog.ros_control import Measure
     from urdfkit.ros.controllers import Controller
-    from urdfkit.ros.gazebo.drives import DriveKind
     from urdfkit.ros.gazebo.plugins import PluginUse
 
 #: Relative difference; real robots are calibrated within this.
@@ -64,7 +63,7 @@ def check(subject: Subject) -> Findings:
                 yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, kind: DriveKind, subject: Subject) -> Findings:
+def _of_plugin(use: PluginUse, kind: Drive, subject: Subject) -> Findings:
     driven = list(wheels(use, subject.tree))
     size = "diameter" if kind.diameter else "radius"
     radius = _radius([wheel.rolling for wheel in driven])

@@ -25,11 +25,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector, dot, rotate
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.ros.gazebo.drives import drive_of, pairs, rolling, wheels, wrong_direction
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
-from urdfkit.text.diagnostic import Confidence, Related, Severity
+from urdfkit.text.diagnostic import Related
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject

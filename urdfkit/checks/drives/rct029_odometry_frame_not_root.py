@@ -16,11 +16,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
@@ -79,13 +78,12 @@ def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
         return
     roots = subject.tree.roots
     root = roots[0].name if len(roots) == 1 else parent
-    edits = rewrite(written[0].at, root) if written and len(roots) == 1 else None
     yield Finding(
         written[0].at if written else use.at,
         f"{use.title} sends the transform {frame} -> {name}, and robot_state_publisher "
         f"{parent} -> {name}: a frame has one parent",
         f"name the root link '{root}', or remove the links above '{name}'",
-        Fix.of(f"name the root link '{root}'", edits),
+        fix_value(written[0].at, root) if written and len(roots) == 1 else None,
     )
 
 

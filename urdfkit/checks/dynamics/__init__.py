@@ -5,9 +5,6 @@ from __future__ import annotations
 from urdfkit.lint.context import Subject
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 
-#: Codes and names of former rules, and the rules that report their findings now.
-REDIRECTS = {"DYN002": "", "total-mass-disagrees": ""}  # fmt: skip
-
 
 def applies(subject: Subject) -> bool:
     """True if a joint moves and a link has a mass, or Pinocchio is a target."""

@@ -14,24 +14,17 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject, need_pinocchio
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.context import need_pinocchio
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.model import RobotModel
-from urdfkit.text.diagnostic import Severity
+from urdfkit.robot.samples import arm_xml
 from urdfkit.text.document import Element
 
 TARGETS = ("pinocchio",)
-BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <limit lower="-1" upper="1" velocity="2"/>
-</joint>"""
+BAD = arm_xml("revolute", '<limit lower="-1" upper="1" velocity="2"/>')
 GOOD = BAD.replace("velocity", 'effort="10" velocity')
 
-_NAME = re.compile(r"[\[']([^\]']+)[\]']")
+_NAME = r"[\[']([^\]']+)[\]']"
 
 
 @rule(
@@ -52,7 +45,7 @@ def check(subject: Subject) -> Findings:
 
 def _place(model: RobotModel, refusal: str) -> Element:
     """What the reason names, else the robot."""
-    for name in _NAME.findall(refusal):
+    for name in re.findall(_NAME, refusal):
         thing = model.joints_by_name.get(name) or model.links_by_name.get(name)
         if thing:
             return thing.at

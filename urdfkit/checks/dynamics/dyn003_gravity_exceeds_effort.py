@@ -16,33 +16,26 @@ from __future__ import annotations
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.joint_loads import overloadable
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
-from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.physics.gravity import Load
 
-BAD = """\
-<link name="base"/>
-<link name="arm">
-  <inertial>
-    <origin xyz="0 0 0.5"/>
-    <mass value="4"/>
-    <inertia ixx="0.34" ixy="0" ixz="0" iyy="0.34" iyz="0" izz="0.005"/>
-  </inertial>
-</link>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 1 0"/>
-  <limit lower="-1.5" upper="1.5" effort="10" velocity="2"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("base"),
+    link_xml("arm", inertial_xml("4", "0.34 0.34 0.005", '<origin xyz="0 0 0.5"/>')),
+    joint_xml(
+        "revolute",
+        '<axis xyz="0 1 0"/>',
+        '<limit lower="-1.5" upper="1.5" effort="10" velocity="2"/>',
+    ),
+)
 GOOD = BAD.replace('effort="10"', 'effort="30"')
 
 #: Drawn poses; the search finds the worst of a serial arm without any.

@@ -14,44 +14,40 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject, Unavailable
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.context import Unavailable
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.bounding_box import WITHOUT_MESHES
 from urdfkit.robot.model import RobotModel, Shape
+from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.ros.gazebo.samples import solid_xml
 
-_WHEEL = """
-<link name="{0}">
-  <collision>
-    <geometry><sphere radius="0.05"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="0.2"/>
-    <inertia ixx="0.0002" ixy="0" ixz="0" iyy="0.0002" iyz="0" izz="0.0002"/>
-  </inertial>
-</link>
-<joint name="{0}_joint" type="{1}">
-  <origin xyz="{2} 0"/>
-  <parent link="base"/>
-  <child link="{0}"/>
-  <axis xyz="0 1 0"/>
-</joint>"""
-BAD = """\
-<link name="base">
-  <inertial>
-    <origin xyz="0.1 0 0"/>
-    <mass value="3"/>
-    <inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.03"/>
-  </inertial>
-</link>""" + "".join(
-    _WHEEL.format(*words)
-    for words in (
-        ("left_wheel", "continuous", "0 0.1"),
-        ("right_wheel", "continuous", "0 -0.1"),
-        ("caster", "fixed", "-0.15 0"),
+
+def _wheel(name: str, kind: str, place: str) -> str:
+    """A wheel or caster of the base."""
+    return robot_xml(
+        solid_xml(
+            name,
+            collision_xml('<sphere radius="0.05"/>'),
+            mass="0.2",
+            moments="0.0002 0.0002 0.0002",
+        ),
+        joint_xml(
+            kind,
+            f'<origin xyz="{place} 0"/>',
+            '<axis xyz="0 1 0"/>',
+            name=f"{name}_joint",
+            child=name,
+        ),
     )
+
+
+BAD = robot_xml(
+    link_xml("base", inertial_xml("3", "0.02 0.02 0.03", '<origin xyz="0.1 0 0"/>')),
+    _wheel("left_wheel", "continuous", "0 0.1"),
+    _wheel("right_wheel", "continuous", "0 -0.1"),
+    _wheel("caster", "fixed", "-0.15 0"),
 )
 GOOD = BAD.replace('xyz="0.1 0 0"', 'xyz="-0.05 0 0"')
 

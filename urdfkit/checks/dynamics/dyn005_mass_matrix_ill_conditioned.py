@@ -15,27 +15,17 @@ from __future__ import annotations
 
 from math import isinf
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.joint_loads import light
-from urdfkit.text.diagnostic import Severity
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
+from urdfkit.ros.gazebo.samples import solid_xml
 
-_LINK = """
-<link name="{0}">
-  <inertial>
-    <mass value="{2}"/>
-    <inertia ixx="{3}" ixy="0" ixz="0" iyy="{3}" iyz="0" izz="{3}"/>
-  </inertial>
-</link>
-<joint name="{0}_joint" type="continuous">
-  <parent link="{1}"/>
-  <child link="{0}"/>
-  <axis xyz="0 0 1"/>
-</joint>"""
-BAD = (
-    '<link name="base"/>'
-    + _LINK.format("turret", "base", "1e-9", "1e-11")
-    + _LINK.format("gun", "turret", "5", "0.1")
+BAD = robot_xml(
+    link_xml("base"),
+    solid_xml("turret", mass="1e-9", moments="1e-11 1e-11 1e-11"),
+    solid_xml("gun", mass="5", moments="0.1 0.1 0.1"),
+    joint_xml("continuous", '<axis xyz="0 0 1"/>', name="turret_joint", child="turret"),
+    joint_xml("continuous", '<axis xyz="0 0 1"/>', name="gun_joint", parent="turret", child="gun"),
 )
 GOOD = BAD.replace("1e-9", "1").replace("1e-11", "0.01")
 

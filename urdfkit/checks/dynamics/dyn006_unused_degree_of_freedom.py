@@ -11,26 +11,14 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joint_loads import idle
 from urdfkit.robot.joints import driven
-from urdfkit.text.diagnostic import Severity
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
+from urdfkit.ros.gazebo.samples import solid_xml
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<link name="tool_frame"/>
-<joint name="tool_joint" type="continuous">
-  <parent link="base"/>
-  <child link="tool_frame"/>
-  <axis xyz="0 0 1"/>
-</joint>"""
-GOOD = BAD.replace("continuous", "fixed").replace('\n  <axis xyz="0 0 1"/>', "")
+BAD = robot_xml(solid_xml("base"), link_xml("arm"), joint_xml("continuous"))
+GOOD = BAD.replace("continuous", "fixed")
 
 
 @rule(Severity.INFO, help='make it type="fixed", or give the link below it a mass')

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.values import is_true
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_before
 

@@ -13,11 +13,9 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0.8</mu1>", reference="whel"))

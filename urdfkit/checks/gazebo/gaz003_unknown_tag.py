@@ -16,15 +16,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import Suggester, did_you_mean, nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions, suggested
 from urdfkit.ros.catalog.sensors import children
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors, written
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag
 

@@ -32,17 +32,15 @@ from math import isnan
 
 from urdfkit.checks.gazebo.plugin_values import invalid_in_plugins
 from urdfkit.checks.gazebo.sensor_values import invalid_in_sensors
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.model import RobotModel, number
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import Extension, extensions
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import corrected, leading, quoted, text_of, value
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import replace_text
+from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0,8</mu1>", reference="wheel"))
 GOOD = BAD.replace("0,8", "0.8")
@@ -101,7 +99,7 @@ def _number(child: Element, text: str, found: str) -> Findings:
     elif rest:
         right = corrected(text)
         is_written = rest.startswith(",") and child.text.strip() == text
-        fix = Fix.of(f"write {right}", replace_text(child, right) if is_written else None)
+        fix = fix_value(child, right) if is_written else None
         yield Finding(child, f"{found}, which Gazebo reads as {read}", f"write {right}", fix)
     elif isnan(value(read)):
         yield Finding(child, f"{found}: the simulation spreads it to all links", "write a number")

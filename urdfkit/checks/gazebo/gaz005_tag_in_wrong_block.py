@@ -18,14 +18,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.model import Joint, Link, RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.ros.catalog.extensions import Extension, copied, extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import STEP, insert_after, lines_of, remove_element
 

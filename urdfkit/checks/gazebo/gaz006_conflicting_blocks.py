@@ -10,12 +10,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
 BAD = robot_xml(

@@ -17,12 +17,10 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
 
@@ -49,7 +47,7 @@ def check(subject: Subject) -> Findings:
                 if is_fortress:
                     message = f"material '{name}' has no effect in Gazebo Fortress"
                     yield Finding(child, message, severity=Severity.INFO)
-                elif is_gz and known[name].textured:
+                elif is_gz and known[name].is_textured:
                     message = f"gz-sim does not draw the texture of material '{name}'"
                     yield Finding(child, message, severity=Severity.INFO)
             # Another prefix is that of a vendor's own scripts.

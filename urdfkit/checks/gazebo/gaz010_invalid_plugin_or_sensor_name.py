@@ -28,14 +28,13 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.source import Span
 

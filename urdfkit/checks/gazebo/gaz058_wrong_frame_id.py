@@ -22,28 +22,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
+_PLUGIN = plugin_xml("driver", "libgazebo_ros_imu_sensor.so", "<frameName>camra</frameName>")
 BAD = robot_xml(
-    solid_xml("camera"),
-    gazebo_xml(
-        sensor_xml(
-            "imu",
-            "imu",
-            plugin_xml("driver", "libgazebo_ros_imu_sensor.so", "<frameName>camra</frameName>"),
-        ),
-        reference="camera",
-    ),
+    solid_xml("camera"), gazebo_xml(sensor_xml("imu", "imu", _PLUGIN), reference="camera")
 )
 FIXED = GOOD = BAD.replace("camra", "camera")
 

@@ -9,22 +9,13 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
-from urdfkit.robot.samples import joint_xml, robot_xml
-from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
 from urdfkit.ros.gazebo.values import is_true
-from urdfkit.text.diagnostic import Severity
 
-BAD = robot_xml(
-    solid_xml("base"),
-    solid_xml("wheel"),
-    joint_xml("continuous", name="axle", child="wheel"),
-    gazebo_xml(
-        "<static>true</static>", '<plugin name="control" filename="libgazebo_ros_control.so"/>'
-    ),
-)
+_PLUGIN = plugin_xml("control", "libgazebo_ros_control.so")
+BAD = ARM + gazebo_xml("<static>true</static>", _PLUGIN)
 GOOD = BAD.replace("true", "false")
 
 

@@ -34,30 +34,21 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.gazebo.force_sensors import merged_force_sensors
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
+from urdfkit.robot.samples import collision_xml, robot_xml
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
+from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
 from urdfkit.ros.targets import GZ
-from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import rename_element, replace_value
+from urdfkit.text.editing.edits import fix_value, rename_element
 
-BAD = """\
-<link name="wheel">
-  <collision name="tyre">
-    <geometry><sphere radius="0.1"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="wheel">
-  <mu1>0.2</mu1>
-</gazebo>"""
+BAD = robot_xml(
+    solid_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
+    gazebo_xml("<mu1>0.2</mu1>", reference="wheel"),
+).replace("<collision", '<collision name="tyre"')
 GOOD = BAD.replace(' name="tyre"', "")
 FIXED = BAD.replace('"tyre"', '"wheel_tyre"')
 
@@ -192,12 +183,11 @@ def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
     if name is None:
         message = f"{lost} has no effect: the name begins with '{top}', the link it is merged into"
         return Finding(tags[0], message, "rename the link")
-    edits = replace_value(name, f"{link}_{name.value}") if link == top else None
     return Finding(
         name,
         f"{lost} does not apply to <{shape.tag}> '{name.value}', because of its name",
         "remove the name, or begin it with the name of the link",
-        Fix.of(f"rename it to '{link}_{name.value}'", edits),
+        fix_value(name, f"{link}_{name.value}") if link == top else None,
         (Related(tags[0].span, "set here"),),
         alike="name",
     )

@@ -6,15 +6,13 @@ from collections.abc import Iterator
 from math import isnan
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings
+from urdfkit.lint.rules import Finding, Findings, Fix, Subject
 from urdfkit.robot.model import number
 from urdfkit.ros.catalog.sensors import Setting
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
 from urdfkit.ros.gazebo.values import corrected, leading, quoted, value
 from urdfkit.ros.targets import CLASSIC, GZ
-from urdfkit.text.diagnostic import Fix
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import swap
 

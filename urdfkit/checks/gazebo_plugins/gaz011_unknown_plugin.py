@@ -20,13 +20,11 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Plugin, misspelt
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(

@@ -17,14 +17,12 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets, target_of_plugin
-from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.editing.edits import all_or_none, replace_value
 
 TARGETS = ("gz-fortress",)
@@ -41,7 +39,10 @@ _NONE = "no successor is known"
 
 
 @rule(
-    Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO), by_target=dict.fromkeys(GAZEBO, Severity.ERROR)
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
+    migrates=True,
 )
 def check(subject: Subject) -> Findings:
     targets = [name for name in subject.targets.names if name in GENERATIONS]

@@ -19,27 +19,19 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Plugin, renames
 from urdfkit.ros.gazebo.parameters import UnreadParameter, unread
 from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag, rename_element
 
+_TAGS = "<robotBaseFrme>base</robotBaseFrme>", "<odometryFrame>odom</odometryFrame>"
 BAD = robot_xml(
-    solid_xml("base"),
-    gazebo_xml(
-        plugin_xml(
-            "drive",
-            "libgazebo_ros_planar_move.so",
-            "<robotBaseFrme>base</robotBaseFrme>",
-            "<odometryFrame>odom</odometryFrame>",
-        )
-    ),
+    solid_xml("base"), gazebo_xml(plugin_xml("drive", "libgazebo_ros_planar_move.so", *_TAGS))
 )
 GOOD = BAD.replace("Frme", "Frame")
 FIXED = GOOD
@@ -50,7 +42,7 @@ _MAX_TAGS = 6
 _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "classic": "no ROS"}
 
 
-@rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it")
+@rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it", migrates=True)
 def check(subject: Subject) -> Findings:
     foreign: dict[tuple[PluginUse, bool], list[UnreadParameter]] = {}
     found_unread = [(use, one) for use in subject.plugins for one in unread(use)]

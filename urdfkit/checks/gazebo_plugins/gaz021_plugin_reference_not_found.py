@@ -25,27 +25,16 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.robot.model import Joint
-from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.catalog.extensions import rewritten
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference, conversion_result
-from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
 from urdfkit.text.editing.edits import fix_value, from_macro, insert_before
 
-BAD = robot_xml(
-    solid_xml("base"),
-    solid_xml("wheel"),
-    joint_xml("continuous", '<axis xyz="0 1 0"/>', name="wheel_joint", child="wheel"),
-    gazebo_xml(
-        plugin_xml(
-            "states", "libgazebo_ros_joint_state_publisher.so", "<jointName>wheel_jont</jointName>"
-        )
-    ),
-)
-GOOD = BAD.replace("wheel_jont", "wheel_joint")
+_JOINT = "<jointName>sholder</jointName>"
+BAD = ARM + gazebo_xml(plugin_xml("states", "libgazebo_ros_joint_state_publisher.so", _JOINT))
+GOOD = BAD.replace("sholder", "shoulder")
 FIXED = GOOD
 
 #: Ignores a joint that is not there, and robot_state_publisher needs no state of a fixed one.

@@ -10,22 +10,13 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
-from urdfkit.text.diagnostic import Severity
 
+_TAGS = "<commandTopic>/cmd_vel</commandTopic>", "<robotBaseFrame>base</robotBaseFrame>"
 BAD = robot_xml(
-    solid_xml("base"),
-    gazebo_xml(
-        plugin_xml(
-            "drive",
-            "libgazebo_ros_planar_move.so",
-            "<commandTopic>/cmd_vel</commandTopic>",
-            "<robotBaseFrame>base</robotBaseFrame>",
-        )
-    ),
+    solid_xml("base"), gazebo_xml(plugin_xml("drive", "libgazebo_ros_planar_move.so", *_TAGS))
 )
 GOOD = BAD.replace("/cmd_vel<", "cmd_vel<")
 

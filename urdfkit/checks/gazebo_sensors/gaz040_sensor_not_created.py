@@ -26,15 +26,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import SensorType, types
 from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets
-from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.source import Span
@@ -56,6 +55,7 @@ _ON_JOINTS = {"force_torque"}
     Severity.ERROR,
     help="use a type that Gazebo knows, such as ray, gpu_lidar, camera, imu or contact",
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
+    migrates=True,
 )
 def check(subject: Subject) -> Findings:
     known = types()

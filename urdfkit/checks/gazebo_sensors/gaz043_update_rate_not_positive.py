@@ -12,12 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.text.diagnostic import Severity
 
 BAD = robot_xml(
     solid_xml("base"),

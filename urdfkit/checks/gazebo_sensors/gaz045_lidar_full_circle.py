@@ -13,11 +13,9 @@ from __future__ import annotations
 
 from math import pi
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.editing.edits import fix_value
 
 BAD = LIDAR.replace(">-1<", ">-3.1415926<").replace(">1<", ">3.1415926<")

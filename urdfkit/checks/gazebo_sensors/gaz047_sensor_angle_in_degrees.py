@@ -15,13 +15,11 @@ from __future__ import annotations
 
 from math import pi, radians
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.model import number, numbers
 from urdfkit.ros.gazebo.rejection import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.editing.edits import fix_value
 
 BAD = LIDAR.replace(">-1<", ">-90<").replace(">1<", ">90<")

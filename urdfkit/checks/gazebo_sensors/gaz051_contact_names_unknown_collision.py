@@ -13,12 +13,10 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 

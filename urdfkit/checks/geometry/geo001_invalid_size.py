@@ -24,13 +24,11 @@ from __future__ import annotations
 
 from math import prod
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.robot.shapes import shaped, sizes
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 
 BAD = link_xml("arm", collision_xml('<box size="0.1 -0.2 0.3"/>'))
 FIXED = GOOD = BAD.replace("-0.2", "0.2")
@@ -69,6 +67,4 @@ def _numbers(values: tuple[float, ...]) -> str:
 
 def _fix(attribute: Attribute) -> Fix | None:
     """The same numbers without their signs."""
-    text = " ".join(part.lstrip("-") for part in attribute.value.split())
-    edits = replace_value(attribute, text)
-    return Fix.of(f'write {attribute.name}="{text}"', edits)
+    return fix_value(attribute, " ".join(part.lstrip("-") for part in attribute.value.split()))

@@ -18,30 +18,18 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
-from urdfkit.text.diagnostic import Severity
 
+_BOX = '<box size="0.4 0.3 0.1"/>'
 BAD = robot_xml(
-    link_xml(
-        "base", visual_xml('<box size="0.4 0.3 0.1"/>'), collision_xml('<box size="0.4 0.3 0.1"/>')
-    ),
-    link_xml("mast", visual_xml('<cylinder radius="0.02" length="0.5"/>')),
-    joint_xml("fixed", name="mast_mount", child="mast"),
+    link_xml("base", visual_xml(_BOX), collision_xml(_BOX)),
+    link_xml("arm", visual_xml('<cylinder radius="0.02" length="0.5"/>')),
+    joint_xml("fixed"),
 )
-GOOD = BAD.replace(
-    """length="0.5"/></geometry>
-  </visual>""",
-    """length="0.5"/></geometry>
-  </visual>
-  <collision>
-    <geometry><cylinder radius="0.02" length="0.5"/></geometry>
-  </collision>""",
-)
-
+GOOD = link_xml("base", visual_xml(_BOX), collision_xml(_BOX))
 
 #: In kg: less is a number that a simulator required.
 _HEAVY = 1e-3

@@ -25,13 +25,12 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import Transform, minus
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, Mismatch, VisualCollisionPair
 from urdfkit.robot.model import Body, Link
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
 from urdfkit.robot.shapes import BoundingBox
-from urdfkit.text.diagnostic import Confidence, Edit, Fix, Related, Severity
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_first, remove_element
 

@@ -17,13 +17,11 @@ from __future__ import annotations
 import re
 from itertools import chain
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(
     '<material name="orange"><color rgba="255 140 0 1"/></material>',
@@ -35,7 +33,7 @@ FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 _SLIGHTLY = 2.0
 
 #: Names of materials that are invisible on purpose.
-_INTENDED = re.compile(r"invisible|transparent|hidden|none|clear|glass", re.IGNORECASE)
+_INTENDED = r"(?i)invisible|transparent|hidden|none|clear|glass"
 
 
 @rule(Severity.ERROR, help="write red, green, blue and alpha from 0 to 1")
@@ -54,7 +52,7 @@ def _invisible(model: RobotModel) -> Findings:
         rgba, name = material.rgba, material.name.value if material.name else ""
         if rgba is None or material.texture or len(rgba.value) != 4 or rgba.value[3] != 0:
             continue
-        if rgba.at not in reported and not _INTENDED.search(name):
+        if rgba.at not in reported and not re.search(_INTENDED, name):
             reported.add(rgba.at)
             called = f" '{name}'" if name else ""
             yield Finding(
@@ -71,15 +69,13 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
     wrong = [f"{value:g}" for value in values if not 0 <= value <= 1]
     verb = "is" if len(wrong) == 1 else "are"
     better = _fixed(values)
-    title = f'write rgba="{better}"' if better else ""
-    attribute = material.at.child("color")
-    assert attribute is not None
-    edits = replace_value(attribute.attributes["rgba"], better) if better else None
+    color = material.at.child("color")
+    assert color is not None
     return Finding(
         material.rgba,
         f"{name}: {', '.join(wrong)} {verb} not between 0 and 1",
-        title,
-        Fix.of(title, edits),
+        f'write rgba="{better}"' if better else "",
+        fix_value(color.attributes["rgba"], better),
     )
 
 

@@ -12,14 +12,12 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
 _BLACK = '<material name="black"><color rgba="0 0 0 1"/></material>'
@@ -66,9 +64,11 @@ def _named(element: Element) -> str:
 def _color(element: Element, *, in_gz: bool) -> tuple[float, ...] | None:
     """Red, green and blue that Gazebo draws; None for a texture and an unknown name."""
     material = materials().get(_named(element))
-    if material is None or material.textured:
+    if material is None or material.is_textured:
         return None
-    return (material.gz_rgb if in_gz and material.gz_rgb else material.rgba or ())[:3] or None
+    return (material.gz_diffuse if in_gz and material.gz_diffuse else material.rgba or ())[
+        :3
+    ] or None
 
 
 def _alike(element: Element, rgb: tuple[float, ...], look: Material) -> bool:

@@ -12,12 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.robot.shapes import SIZES
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute, Element
 
 _TEXTURE = '<texture filename="package://sign_description/textures/logo.png"/>'

@@ -21,20 +21,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
 from urdfkit.text.grammar import calling_macro, owner
 from urdfkit.text.schema import places_of
 
-BAD = """\
-<link name="base">
-  <colision>
-    <geometry><box size="0.2 0.2 0.1"/></geometry>
-  </colision>
-</link>"""
+BAD = link_xml("base", collision_xml('<box size="0.2 0.2 0.1"/>')).replace("collision", "colision")
 FIXED = GOOD = BAD.replace("colision", "collision")
 
 #: What replaced an element of early versions.

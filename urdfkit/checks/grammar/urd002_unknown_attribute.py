@@ -13,11 +13,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text import schema
-from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import rename_attribute
 from urdfkit.text.grammar import owner

@@ -20,10 +20,9 @@ from __future__ import annotations
 import os
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.samples import link_xml, visual_xml
-from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute
 from urdfkit.text.grammar import owner

@@ -14,20 +14,13 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import inertial_xml, link_xml
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
 from urdfkit.text.schema import SHAPES
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="2"/>
-  </inertial>
-</link>"""
+BAD = link_xml("base", '<inertial><mass value="2"/></inertial>')
 GOOD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
 
 

@@ -16,20 +16,13 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text import schema
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.editing.edits import as_written, replace_value
+from urdfkit.text.editing.edits import as_written, fix_value
 from urdfkit.text.grammar import has_break, is_number, owner
 
-BAD = """\
-<link name="ball">
-  <collision>
-    <origin xyz="0, 0, 0,05"/>
-    <geometry><sphere radius="0,05"/></geometry>
-  </collision>
-</link>"""
+BAD = link_xml("ball", collision_xml('<sphere radius="0,05"/>', '<origin xyz="0, 0, 0,05"/>'))
 FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.05"')
 
 
@@ -50,14 +43,12 @@ def check(subject: Subject) -> Findings:
             text = as_written(attribute)
             reason = alike = _reason(text, length)
             better = _fixed(text, length)
-        title, edits = "", None
-        if better:
-            title, edits = f'write {attribute.name}="{better}"', replace_value(attribute, better)
+        fix = fix_value(attribute, better)
         yield Finding(
             attribute,
             f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}",
-            title,
-            Fix.of(title, edits),
+            f'write {attribute.name}="{better}"' if better else "",
+            fix,
             alike=alike,
         )
 

@@ -14,23 +14,16 @@ from __future__ import annotations
 
 from itertools import zip_longest
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import remove_element
 from urdfkit.text.grammar import owner
 from urdfkit.text.schema import SHAPES
 
-BAD = """\
-<link name="base">
-  <collision>
-    <origin xyz="0 0 0.05"/>
-    <geometry><box size="0.4 0.3 0.1"/></geometry>
-    <origin xyz="0 0 0.05" />
-  </collision>
-</link>"""
-FIXED = GOOD = BAD.replace('    <origin xyz="0 0 0.05" />\n', "")
+_ORIGIN = '<origin xyz="0 0 0.05"/>'
+BAD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIGIN, _ORIGIN))
+FIXED = GOOD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIGIN))
 
 
 @rule(Severity.WARNING, help="remove one of them")

@@ -14,21 +14,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.robot.samples import link_xml
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.robot.samples import element_xml, link_xml, robot_xml
 from urdfkit.ros.catalog.extensions import extensions
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import STEP, insert_after, insert_last, lines_of, remove_elements
 from urdfkit.text.grammar import owner
 
 BAD = link_xml("wheel", "<mu1>0.5</mu1>")
-GOOD = """\
-<link name="wheel"/>
-<gazebo reference="wheel">
-  <mu1>0.5</mu1>
-</gazebo>"""
+GOOD = robot_xml(link_xml("wheel"), element_xml('gazebo reference="wheel"', "<mu1>0.5</mu1>"))
 FIXED = GOOD.replace('"wheel"/>', '"wheel">\n</link>')
 
 

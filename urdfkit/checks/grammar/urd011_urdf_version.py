@@ -20,11 +20,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import owner, version_of
 from urdfkit.text.schema import VERSIONS
 
@@ -58,10 +56,9 @@ def _declared(attribute: Attribute, version: str) -> Finding:
             'write version="1.0" unless the robot needs more',
             severity=Severity.WARNING,
         )
-    edits = replace_value(attribute, VERSIONS[0])
     return Finding(
         attribute,
         f"URDF version '{attribute.value}' does not exist; there are {', '.join(VERSIONS)}",
         'leave it out, or write version="1.0"',
-        Fix.of(f'write version="{VERSIONS[0]}"', edits),
+        fix_value(attribute, VERSIONS[0]),
     )

@@ -11,9 +11,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.text.editing.edits import rename_element
 
 BAD = '<Robot name="cart">\n  <link name="base"/>\n</Robot>\n'

@@ -12,22 +12,13 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
 from urdfkit.text.source import Source, Span
 
-BAD = """\
-<link name="arm">
-  <visual>
-    <origin>0 0 0.1</origin>
-    <geometry>
-      <box size="0.1 0.1 0.2"/>
-    </geometry>
-  </visual>
-</link>"""
+BAD = link_xml("arm", visual_xml('<box size="0.1 0.1 0.2"/>', "<origin>0 0 0.1</origin>"))
 GOOD = BAD.replace("<origin>0 0 0.1</origin>", '<origin xyz="0 0 0.1"/>')
 
 _TAGS = rb"<!--[\s\S]*?-->|<[^<>]*>"

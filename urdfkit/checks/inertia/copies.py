@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from urdfkit.lint.rules import Finding, Findings
+from urdfkit.lint.rules import Finding, Findings, Fix, Related
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED
 from urdfkit.robot.inertials.link_comparison import LinkInertia
-from urdfkit.text.diagnostic import Fix, Related
 from urdfkit.text.editing.edits import from_macro
 
 

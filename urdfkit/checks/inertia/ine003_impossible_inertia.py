@@ -20,14 +20,12 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.samples import inertial_xml, link_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = link_xml("arm", inertial_xml("2", "0.01 0.01 0.15"))
 FIXED = GOOD = BAD.replace('"0.15"', '"0.015"')

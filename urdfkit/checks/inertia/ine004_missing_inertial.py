@@ -22,27 +22,18 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, Conversion
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Severity
 
 BAD = robot_xml(
     link_xml("base", inertial_xml("2", "0.02 0.02 0.02")),
     link_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
     joint_xml("continuous", name="axle", child="wheel"),
 )
-GOOD = BAD.replace(
-    '<link name="wheel">',
-    """<link name="wheel">
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0.002" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.002"/>
-  </inertial>""",
-)
+GOOD = BAD.replace("<collision>", f"{inertial_xml('0.5', '0.002 0.002 0.002')}<collision>")
 
 #: Links below that a message names.
 _NAMED = 4

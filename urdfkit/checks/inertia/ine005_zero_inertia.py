@@ -18,14 +18,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Related, Severity
 
 BAD = robot_xml(
     link_xml("base"),

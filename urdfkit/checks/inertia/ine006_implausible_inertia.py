@@ -25,8 +25,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import (
@@ -41,7 +40,6 @@ from urdfkit.robot.inertials.diagnosis import (
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
-from urdfkit.text.diagnostic import Confidence, Severity
 
 BAD = link_xml(
     "wheel",

@@ -13,12 +13,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
-from urdfkit.text.diagnostic import Confidence, Severity
 
 BAD = link_xml(
     "imu", collision_xml('<box size="0.05 0.05 0.05"/>'), inertial_xml("0.01", "1e-6 1e-6 1e-6")

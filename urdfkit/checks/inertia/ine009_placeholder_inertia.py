@@ -13,14 +13,12 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.samples import inertial_xml, link_xml, visual_xml
-from urdfkit.text.diagnostic import Confidence, Severity
 
 BAD = link_xml("arm", visual_xml('<mesh filename="arm.stl"/>'), inertial_xml("1", "1 1 1"))
 GOOD = BAD.replace('="1" ixy', '="0.012" ixy').replace(

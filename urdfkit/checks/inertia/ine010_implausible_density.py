@@ -13,8 +13,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.inertia.copies import and_more, together
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.inertia import scaled
 from urdfkit.robot.inertials.defects import (
     HEAVIEST,
@@ -26,7 +25,6 @@ from urdfkit.robot.inertials.defects import (
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import rewrite
 
 BAD = link_xml(

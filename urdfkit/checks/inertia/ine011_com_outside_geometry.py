@@ -18,11 +18,9 @@ from __future__ import annotations
 from math import inf
 
 from urdfkit.core.spatial import Vector
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside, center_mistake
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
-from urdfkit.text.diagnostic import Confidence, Severity
 
 GOOD = link_xml(
     "caster", collision_xml('<sphere radius="0.05"/>'), inertial_xml("0.5", "0.0005 0.0005 0.0005")

@@ -11,13 +11,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import unlike
 from urdfkit.robot.samples import hand_xml, inertial_xml
-from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 _ORIGINS = ['<origin xyz="0 0.02 0"/>'], ['<origin xyz="0 -0.02 0"/>']
 GOOD = hand_xml("fixed", *_ORIGINS, inertial_xml("0.015", "2.4e-6 2.4e-6 7.5e-7"))

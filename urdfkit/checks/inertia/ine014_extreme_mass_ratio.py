@@ -12,11 +12,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Severity
 
 BAD = robot_xml(
     link_xml("base"),

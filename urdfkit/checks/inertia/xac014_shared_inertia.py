@@ -20,12 +20,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.model import Link
-from urdfkit.text.diagnostic import Confidence, Related, Severity
+from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Step, Tag
 
 BAD = """\

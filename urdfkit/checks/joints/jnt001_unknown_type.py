@@ -15,12 +15,9 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.schema import JOINT_TYPES
 
@@ -44,10 +41,5 @@ def check(subject: Subject) -> Findings:
             kind,
             f"joint '{joint.name}': unknown type '{kind.value}'"
             + (f"; did you mean '{suggested}'?" if suggested else ""),
-            fix=_renamed(kind, suggested) if suggested else None,
+            fix=fix_value(kind, suggested),
         )
-
-
-def _renamed(kind: Attribute, suggested: str) -> Fix | None:
-    edits = replace_value(kind, suggested)
-    return Fix.of(f'write type="{suggested}"', edits)

@@ -17,12 +17,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.joints import BOUNDED, effort_unit, unit
 from urdfkit.robot.model import Joint, Limit, RobotModel
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Related, Severity
 
 BAD = arm_xml("revolute", '<limit lower="-1" upper="1"/>')
 GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')

@@ -18,12 +18,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint, Limit, number
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import swap
 
 BAD = arm_xml("revolute", '<limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>')

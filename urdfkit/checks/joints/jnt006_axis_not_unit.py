@@ -24,14 +24,11 @@ from __future__ import annotations
 from math import hypot
 
 from urdfkit.core.spatial import Vector, length
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import MOVING
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 
 BAD = arm_xml(
     "prismatic", '<axis xyz="0 3 4"/>', '<limit lower="0" upper="0.5" effort="100" velocity="1"/>'
@@ -83,7 +80,7 @@ def _findings(joint: Joint, axis: Placed[Vector]) -> Findings:
             axis,
             f"{who} has length {norm:.4g}, not 1",
             "write a vector of length 1 in the direction of the axis",
-            _fix(axis, normalized),
+            fix_value(axis.at, normalized),
         )
     elif joint.kind in MOVING:
         yield from _noise(joint, axis)
@@ -101,11 +98,6 @@ def _noise(joint: Joint, axis: Placed[Vector]) -> Findings:
             axis,
             f"joint '{joint.name}': axis deviates from {sign}{'xyz'[main]} by {off:.2g} rad",
             "write the intended axis",
-            _fix(axis, suggested),
+            fix_value(axis.at, suggested),
             severity=Severity.INFO,
         )
-
-
-def _fix(axis: Placed[Vector], value: str) -> Fix | None:
-    assert isinstance(axis.at, Attribute)
-    return Fix.of(f'write xyz="{value}"', replace_value(axis.at, value))

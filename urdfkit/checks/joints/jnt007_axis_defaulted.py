@@ -10,11 +10,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import MOVING
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = arm_xml("continuous")
 GOOD = BAD.replace("</joint>", '  <axis xyz="0 1 0"/>\n</joint>')

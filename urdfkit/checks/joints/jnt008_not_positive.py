@@ -27,8 +27,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import (
     MOVING,
     can_move,
@@ -41,7 +40,6 @@ from urdfkit.robot.joints import (
 )
 from urdfkit.robot.model import Joint, Placed, number
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = arm_xml("revolute", '<limit lower="0" upper="1.7453" effort="0" velocity="2"/>')
 GOOD = BAD.replace('effort="0"', 'effort="1.2"')

@@ -27,14 +27,12 @@ from collections.abc import Iterator
 from functools import lru_cache
 from math import pi, radians
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint, Placed, RobotModel, numbers
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Attribute, Element
-from urdfkit.text.editing.edits import replace_value, scale_limits
+from urdfkit.text.editing.edits import fix_value, scale_limits
 from urdfkit.text.grammar import owner
 
 BAD = arm_xml("revolute", '<limit lower="-90" upper="90" effort="10" velocity="1"/>')
@@ -171,8 +169,7 @@ def _in_radians(rpy: Attribute, angles: tuple[float, ...]) -> Fix | None:
         f"{radians(angle):.10g}" if angle and (whole or _is_degrees(angle)) else text
         for angle, text in zip(angles, rpy.value.split(), strict=True)
     ]
-    edits = replace_value(rpy, " ".join(texts))
-    return Fix.of(f'write rpy="{" ".join(texts)}"', edits)
+    return fix_value(rpy, " ".join(texts))
 
 
 def _speeds(model: RobotModel) -> Findings:
@@ -205,13 +202,11 @@ def _is_suspect(velocity: float) -> bool:
 
 def _speed(joint: Joint, velocity: Placed[float]) -> Finding:
     right = f"{radians(velocity.value):.10g}"
-    at = velocity.at
-    edits = replace_value(at, right) if isinstance(at, Attribute) else None
     return Finding(
         velocity,
         f"joint '{joint.name}' has velocity limit {velocity.value:g} rad/s, which looks like "
         f"degrees per second ({float(right):.3g} rad/s)",
-        fix=Fix.of("write the velocity in radians per second", edits),
+        fix=fix_value(velocity.at, right),
         confidence=Confidence.INFERRED,
         alike="velocity",
     )

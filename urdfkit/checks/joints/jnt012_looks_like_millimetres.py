@@ -21,25 +21,16 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import length
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, related, several
 from urdfkit.robot.model import Body, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import scale_limits
 
 BAD = robot_xml(
-    link_xml("palm", visual_xml('<box size="0.1 0.1 0.05"/>')),
-    link_xml("finger"),
-    joint_xml(
-        "prismatic",
-        '<axis xyz="1 0 0"/>',
-        '<limit lower="0" upper="30" effort="10" velocity="0.1"/>',
-        name="slide",
-        parent="palm",
-        child="finger",
-    ),
+    link_xml("base", visual_xml('<box size="0.1 0.1 0.05"/>')),
+    link_xml("arm"),
+    joint_xml("prismatic", '<limit lower="0" upper="30" effort="10" velocity="0.1"/>'),
 )
 FIXED = GOOD = BAD.replace('"30"', '"0.03"')
 

@@ -11,10 +11,8 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import all_or_none, remove_attribute
 
 BAD = arm_xml(

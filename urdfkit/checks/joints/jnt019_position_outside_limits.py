@@ -22,14 +22,12 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.core.record import Record
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
 from urdfkit.robot.model import Joint, RobotModel, number
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 
 BAD = arm_xml(
@@ -43,7 +41,7 @@ GOOD = BAD.replace("-1.6", "-1.4")
 _TOLERANCE = 1e-3
 
 
-class _Soft(NamedTuple):
+class _Soft(Record):
     """The soft limits of a joint, and its limits."""
 
     joint: Joint

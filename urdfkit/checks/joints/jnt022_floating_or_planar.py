@@ -15,11 +15,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import arm_xml, link_xml
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Severity
 
 BAD = arm_xml("planar", '<axis xyz="0 0 1"/>')
 GOOD = link_xml("base")

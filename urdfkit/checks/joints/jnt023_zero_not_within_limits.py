@@ -11,12 +11,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, related, several, unit
 from urdfkit.robot.model import Joint, Limit
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Severity
 
 BAD = arm_xml("revolute", '<limit lower="0.5" upper="2.5" effort="30" velocity="1"/>')
 GOOD = BAD.replace('lower="0.5"', 'lower="0"')

@@ -26,13 +26,11 @@ from collections.abc import Iterator
 
 from urdfkit.checks.joints.mirrored import misplaced
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.kinematics import TURNING, direction
 from urdfkit.robot.model import Joint, Placed, number
 from urdfkit.robot.samples import hand_xml
-from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 _AXIS = '<axis xyz="0 1 0"/>'
 _LIMIT = '<limit lower="-1" upper="2" effort="80" velocity="11"/>'

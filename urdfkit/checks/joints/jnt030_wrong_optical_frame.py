@@ -20,23 +20,17 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import Rotation, rotate
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.model import Joint, numbers
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Confidence, Fix, Severity
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 
+_RPY = '<origin rpy="1.5707963 0 -1.5707963"/>'
 BAD = robot_xml(
     link_xml("camera_link"),
     link_xml("camera_optical_frame"),
-    joint_xml(
-        "fixed",
-        '<origin rpy="1.5707963 0 -1.5707963"/>',
-        parent="camera_link",
-        child="camera_optical_frame",
-    ),
+    joint_xml("fixed", _RPY, parent="camera_link", child="camera_optical_frame"),
 )
 FIXED = GOOD = BAD.replace('"1.5707963 0 -1.5707963"', '"-1.5707963 0 -1.5707963"')
 
@@ -170,5 +164,4 @@ def _forward(rotation: Rotation) -> str:
 def _fix(joint: Joint) -> Fix | None:
     origin = joint.at.child("origin")
     rpy = origin.attributes.get("rpy") if origin else None
-    edits = replace_value(rpy, "-1.5707963 0 -1.5707963") if rpy else None
-    return Fix.of("rotate it as an optical frame", edits)
+    return fix_value(rpy, "-1.5707963 0 -1.5707963") if rpy else None

@@ -17,14 +17,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from urdfkit.core.spatial import Vector, dot, rotate
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Joint, Link
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.shapes import AXES, LinkSolid, MeshSolid, solid
-from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 BAD = robot_xml(
     link_xml("base"),

@@ -11,13 +11,11 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import Transform
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import LinkSolid, solid
-from urdfkit.text.diagnostic import Confidence, Severity
 
 _SHAPE = visual_xml('<box size="0.05 0.05 0.24"/>', '<origin xyz="0 0 0.12"/>')
 BAD = robot_xml(

@@ -13,27 +13,18 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Confidence, Severity
 
-_LINKS = ("base", "shoulder", "arm", "forearm", "hand")
-_EFFORTS = (80, 80, 40000, 20)
+_LIMIT = '<limit lower="-2" upper="2" effort="80" velocity="3"/>'
 BAD = robot_xml(
-    *map(link_xml, _LINKS),
-    *(
-        joint_xml(
-            "revolute",
-            f'<limit lower="-2" upper="2" effort="{effort}" velocity="3"/>',
-            name=f"{child}_joint",
-            parent=parent,
-            child=child,
-        )
-        for effort, parent, child in zip(_EFFORTS, _LINKS, _LINKS[1:], strict=False)
-    ),
+    *map(link_xml, ("base", "arm", "forearm", "wrist", "hand")),
+    joint_xml("revolute", _LIMIT),
+    joint_xml("revolute", _LIMIT, name="elbow", parent="arm", child="forearm"),
+    joint_xml("revolute", _LIMIT, name="roll", parent="forearm", child="wrist"),
+    joint_xml("revolute", _LIMIT.replace("80", "40000"), name="tip", parent="wrist", child="hand"),
 )
 GOOD = BAD.replace("40000", "40")
 

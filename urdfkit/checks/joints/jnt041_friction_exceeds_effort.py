@@ -13,13 +13,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint, number
 from urdfkit.robot.samples import arm_xml
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 
 BAD = arm_xml(

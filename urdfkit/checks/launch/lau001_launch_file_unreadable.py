@@ -9,9 +9,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Findings, Need, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Findings, Need, Severity, Subject, reported, rule
 
 NAME = "robot.launch"
 BAD = "<launch><node></launch>"

@@ -14,9 +14,7 @@ from __future__ import annotations
 import os
 
 from urdfkit.core.suggest import nearest_file
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.revisions import is_ignored
 

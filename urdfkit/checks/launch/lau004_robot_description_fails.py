@@ -11,10 +11,8 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 from urdfkit.ros.launch.contents import LaunchedDescription
-from urdfkit.text.diagnostic import Severity
 
 NAME = "robot.launch"
 _ROBOT = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="%s"/></robot>'

@@ -19,9 +19,8 @@ from __future__ import annotations
 import os
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
 
 NAME = "robot.launch"
 BAD = (
@@ -30,19 +29,11 @@ BAD = (
 )
 GOOD = BAD.replace("camera:", "with_camera:")
 FILES = {
-    "arm.xacro": b"""\
-<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:arg name="with_camera" default="true"/>
-  <link name="base"/>
-  <xacro:if value="$(arg with_camera)">
-    <link name="camera"/>
-    <joint name="mount" type="fixed">
-      <parent link="base"/>
-      <child link="camera"/>
-    </joint>
-  </xacro:if>
-</robot>
-""",
+    "arm.xacro": xacro_xml(
+        '<xacro:arg name="with_camera" default="true"/>',
+        '<link name="base"/>',
+        '<xacro:if value="$(arg with_camera)"><gazebo/></xacro:if>',
+    ).encode()
 }
 
 

@@ -18,12 +18,10 @@ from itertools import islice
 
 from urdfkit.core.suggest import Suggester, did_you_mean, nearest
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 from urdfkit.ros.controllers import controllers as in_files
 from urdfkit.ros.controllers import read
 from urdfkit.ros.launch.spawned_controllers import controllers
-from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "launch/robot.launch"
@@ -36,11 +34,7 @@ BAD = """\
 GOOD = BAD.replace("controler", "controller")
 FILES = {
     "package.xml": b"<package><name>arm</name></package>",
-    "config/control.yaml": b"""\
-arm_controller:
-  type: position_controllers/JointPositionController
-  joint: elbow
-""",
+    "config/control.yaml": b"arm_controller:\n  type: effort_controllers/JointEffortController\n",
 }
 
 #: Similarity from which a name is a typo: most end in ``_controller``.

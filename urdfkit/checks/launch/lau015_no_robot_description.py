@@ -10,9 +10,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 
 NAME = "robot.launch.py"
 BAD = """\

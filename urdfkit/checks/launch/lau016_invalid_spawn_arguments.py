@@ -16,13 +16,12 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawning import SPAWNERS, Spawner, options
-from urdfkit.text.diagnostic import Severity
+from urdfkit.ros.launch.spawning import Spawner, options, spawner_of
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -48,7 +47,7 @@ _TOPIC = "robot_description"
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Findings:
     for started in subject.launch.started:
-        spawner = SPAWNERS.get((started.package, started.executable))
+        spawner = spawner_of(started)
         if spawner is None:
             continue
         given, is_known = options(started, spawner)
@@ -76,7 +75,7 @@ def _value(option: str, word: Word, place: Location) -> Findings:
         message = f"'{os.path.basename(text)}' is a xacro file, which Gazebo does not expand"
         yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
     elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
-        if not os.path.exists(text):
+        if not disk.exists(text):
             yield Finding(place, f"file not found: {text}", "create the file, or fix its name")
     elif option in ("topic", "param"):
         name = text.rpartition("/")[2]

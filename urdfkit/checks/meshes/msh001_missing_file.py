@@ -24,13 +24,12 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.workspace.resolve import ResolvedReference
 
@@ -50,6 +49,7 @@ _REMOTE = ("http", "https", "ftp", "fuel")
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
     help="add the file, or generate one: urdfkit mesh generate --model ROBOT",
+    about_files=True,
 )
 def check(subject: Subject) -> Findings:
     missing = set(map(id, subject.files.missing))
@@ -111,6 +111,6 @@ def _fix(mesh: MeshReference, reference: str, title: str) -> Fix | None:
 def _missing_directory(located: ResolvedReference) -> str:
     """The topmost directory that does not exist; the file's own if that exists."""
     lost = os.path.dirname(os.path.abspath(located.tried[0]))
-    while not os.path.isdir(above := os.path.dirname(lost)):
+    while not disk.is_folder(above := os.path.dirname(lost)):
         lost = above
     return lost

@@ -24,14 +24,12 @@ from __future__ import annotations
 import posixpath
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.editing.edits import fix_value
 
 BAD = mesh_xml("visual", "file:///home/student/arm_description/meshes/forearm.stl")
 FIXED = GOOD = BAD.replace("file:///home/student/arm_description", "package://arm_description")
@@ -40,9 +38,7 @@ FILES = {
     "meshes/forearm.stl": PLATE,
 }
 
-_WRITTEN_ABSOLUTE = re.compile(
-    r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z]:[/\\])"
-)
+_WRITTEN_ABSOLUTE = r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z]:[/\\])"
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.FILES), help="refer to it as package://PACKAGE/...")
@@ -54,8 +50,7 @@ def check(subject: Subject) -> Findings:
         if _is_absolute(mesh):
             reference = subject.files.reference_to(path, mesh.located)
             known = reference.startswith("package://")
-            edits = replace_value(mesh.literal, reference) if mesh.literal and known else None
-            fix = Fix.of(f"refer to {reference}", edits)
+            fix = fix_value(mesh.literal, reference) if mesh.literal and known else None
             message = f"{mesh.who} is an absolute path, which exists on this machine only"
             yield Finding(mesh.at, message, fix=fix, alike="absolute")
         if package := _left(subject, mesh, path):
@@ -76,7 +71,7 @@ def _is_absolute(mesh: MeshReference) -> bool:
     return (
         mesh.located.scheme == "absolute"
         and isinstance(at, Attribute)
-        and bool(_WRITTEN_ABSOLUTE.match(at.span.text))
+        and bool(re.match(_WRITTEN_ABSOLUTE, at.span.text))
     )
 
 

@@ -21,11 +21,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
 BAD = robot_xml(

@@ -15,11 +15,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Related, Severity
 
 BAD = robot_xml(
     link_xml("base"), link_xml("gripper"), joint_xml("continuous", name="gripper", child="gripper")

@@ -25,11 +25,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.model import Link
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.grammar import is_expression
 

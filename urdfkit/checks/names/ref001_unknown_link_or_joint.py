@@ -18,13 +18,11 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
-from urdfkit.text.editing.edits import from_macro, insert_before, replace_value
+from urdfkit.text.editing.edits import fix_value, from_macro, insert_before
 from urdfkit.text.grammar import is_expression
 
 BAD = robot_xml(
@@ -64,7 +62,7 @@ def _links(subject: Subject) -> Findings:
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
                 "correct the name, or add the link",
-                _renamed(link, suggested) or _added_world(joint, link),
+                fix_value(link, suggested) or _added_world(joint, link),
             )
 
 
@@ -80,18 +78,13 @@ def _leaders(model: RobotModel) -> Findings:
             leader,
             f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}",
             "correct the name, or add the joint",
-            _renamed(leader, suggester.suggested(leader.value)),
+            fix_value(leader, suggester.suggested(leader.value)),
         )
 
 
 def _ends(joint: Joint) -> list[str]:
     """The names of the links that a joint has as its ends."""
     return [end.value for end in (joint.parent, joint.child) if end]
-
-
-def _renamed(name: Attribute, suggested: str) -> Fix | None:
-    edits = replace_value(name, suggested) if suggested else None
-    return Fix.of(f"rename '{name.value}' to '{suggested}'", edits)
 
 
 def _added_world(joint: Joint, link: Attribute) -> Fix | None:

@@ -12,10 +12,9 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
-from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.grammar import is_expression, owner

@@ -6,15 +6,6 @@ from urdfkit.lint.context import Subject
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.package_references import are_in
 
-#: Former codes and names of rules.
-REDIRECTS = {
-    "LAU017": "PKG001",
-    "LAU014": "PKG002",
-    "PKG003": "PKG005", "PKG006": "PKG005", "manifest-refused": "PKG005", "name-differs": "PKG005",
-    "not-registered": "PKG005",
-    "LAU002": "XAC011", "MSH005": "XAC011",
-}  # fmt: skip
-
 
 def applies(subject: Subject) -> bool:
     """True for a launch file, and for a description that refers to packages."""

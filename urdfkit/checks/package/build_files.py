@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Location
-from urdfkit.text.diagnostic import Severity
+from urdfkit.core import disk
+from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
 
@@ -40,7 +40,7 @@ def other_name(name: str, folder: str) -> Findings:
 
 def not_registered(name: str, folder: str) -> Findings:
     """A Python package of ROS 2 that ROS or colcon does not find."""
-    if os.path.exists(os.path.join(folder, "CMakeLists.txt")):
+    if disk.exists(os.path.join(folder, "CMakeLists.txt")):
         return
     manifest, setup = (_read(folder, file) for file in ("package.xml", "setup.py"))
     if manifest is None or setup is None:
@@ -72,6 +72,6 @@ def _unregistered(setup: Source, folder: str, name: str) -> Findings:
         )
         return
     marker = re.search(rb"[\"']resource/|[\"']resource[\"']\s*,", setup.data)
-    if marker and not os.path.exists(os.path.join(folder, "resource", name)):
+    if marker and not disk.exists(os.path.join(folder, "resource", name)):
         message = f"file not found: resource/{name}, which setup.py installs"
         yield Finding(Location(Span(setup, *marker.span())), message, "create it; it may be empty")

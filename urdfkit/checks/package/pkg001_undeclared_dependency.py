@@ -13,11 +13,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -27,21 +26,13 @@ from urdfkit.workspace.package_references import of_package
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "bot_description/bot.urdf"
-BAD = """\
-<robot name="bot">
-  <link name="base">
-    <visual>
-      <geometry><mesh filename="package://bot_meshes/base.stl"/></geometry>
-    </visual>
-  </link>
-</robot>
-"""
-GOOD = BAD.replace("package://bot_meshes/", "package://bot_description/")
+BAD = robot_of_package("bot_meshes")
+GOOD = BAD.replace("bot_meshes", "bot_description")
 FILES = {
     "bot_description/package.xml": b"<package><name>bot_description</name></package>",
-    "bot_description/base.stl": PLATE,
+    "bot_description/meshes/base.stl": PLATE,
     "bot_meshes/package.xml": b"<package><name>bot_meshes</name></package>",
-    "bot_meshes/base.stl": PLATE,
+    "bot_meshes/meshes/base.stl": PLATE,
 }
 FIXED_FILES = {
     "bot_description/package.xml": b"<package><name>bot_description</name>"

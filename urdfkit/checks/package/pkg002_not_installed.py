@@ -15,25 +15,17 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.checks.package.samples import robot_of_package
+from urdfkit.core import disk
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.package_references import of_package
 
 NAME = "urdf/bot.urdf"
-BAD = """\
-<robot name="bot">
-  <link name="base">
-    <visual>
-      <geometry><mesh filename="package://bot_description/meshes/base.stl"/></geometry>
-    </visual>
-  </link>
-</robot>
-"""
+BAD = robot_of_package("bot_description")
 GOOD = BAD.replace("meshes/", "models/")
 FILES = {
     "package.xml": b"<package><name>bot_description</name></package>",
@@ -55,7 +47,7 @@ def check(subject: Subject) -> Findings:
     reported: set[str] = set()
     for relative, span in uses(subject, name, folder):
         top = relative.partition("/")[0]
-        is_there = os.path.exists(os.path.join(folder, relative))
+        is_there = disk.exists(os.path.join(folder, relative))
         if top not in reported and is_there and not rules.installs(relative):
             reported.add(top)
             message = f"'{relative}' is not installed by {rules.file}"

@@ -15,32 +15,20 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.samples import visual_xml
 from urdfkit.ros.gazebo.paths import survey
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
+from urdfkit.ros.moveit.samples import named_xml
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 
 NAME = "urdf/bot.urdf"
-BAD = """\
-<robot name="bot">
-  <link name="base">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-    </inertial>
-    <visual>
-      <geometry><mesh filename="package://bot_description/meshes/base.stl"/></geometry>
-    </visual>
-  </link>
-  <gazebo>
-    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system"/>
-  </gazebo>
-</robot>
-"""
+_VISUAL = visual_xml('<mesh filename="package://bot_description/meshes/base.stl"/>')
+_POSES = plugin_xml("gz::sim::systems::PosePublisher", "gz-sim-pose-publisher-system")
+BAD = named_xml("bot", solid_xml("base", _VISUAL), gazebo_xml(_POSES))
 GOOD = BAD.replace("package://bot_description/meshes", "../meshes")
 FILES = {
     "package.xml": b'<package format="3"><name>bot_description</name></package>',

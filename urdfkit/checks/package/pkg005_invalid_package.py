@@ -24,12 +24,11 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.package.build_files import not_registered, other_name
+from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.xml_reader import read_xml
@@ -37,15 +36,7 @@ from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
 from urdfkit.workspace.package_references import are_in
 
 NAME = "urdf/bot.urdf"
-BAD = """\
-<robot name="bot">
-  <link name="base">
-    <visual>
-      <geometry><mesh filename="package://bot_description/meshes/base.stl"/></geometry>
-    </visual>
-  </link>
-</robot>
-"""
+BAD = robot_of_package("bot_description")
 GOOD = BAD.replace("package://bot_description", "..")
 _MANIFEST = b"""\
 <package format="3">

@@ -18,29 +18,20 @@ Sources:
 from __future__ import annotations
 
 import re
-from string import digits
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.context import Subject, Unavailable
-from urdfkit.lint.rules import Finding, Findings, Location, reported, rule
+from urdfkit.lint.context import Unavailable
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, reported, rule
 from urdfkit.robot.assets.mesh_files import MeshReference, is_typo
-from urdfkit.text.diagnostic import Severity
+from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 from urdfkit.workspace.manifest import is_known_dependency, manifest_of
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>
-</robot>
-"""
-GOOD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <link name="base"/>
-</robot>
-"""
+BAD = xacro_xml('<xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>')
+GOOD = xacro_xml('<link name="base"/>')
 
-_NAME = re.compile(r"^package '([^']+)'")
+_NAME = r"^package '([^']+)'"
 
 
 @rule(
@@ -51,10 +42,10 @@ _NAME = re.compile(r"^package '([^']+)'")
 def check(subject: Subject) -> Findings:
     problems = subject.problems("XAC011")
     for problem, finding in zip(problems, reported(subject, "XAC011"), strict=True):
-        (name,) = _NAME.findall(problem.message)
+        (name,) = re.findall(_NAME, problem.message)
         severity = _severity(subject, name, problem.span)
         known = subject.resolver.packages.known(subject.source.path)
-        alike = [one for one in known if is_typo(name, one) or one.rstrip(digits) == name]
+        alike = [one for one in known if is_typo(name, one) or one.rstrip("0123456789") == name]
         help = finding.help + ("" if severity else did_you_mean(name, alike))
         yield finding._replace(help=help, alike=name, severity=severity)
     if is_launch(subject.source.path):

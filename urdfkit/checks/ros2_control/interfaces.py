@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject
 from urdfkit.ros.catalog.ros_control import hardware, words
 from urdfkit.ros.ros_control import (
     Component,
@@ -18,7 +17,6 @@ from urdfkit.ros.ros_control import (
     is_of_pr2,
     reads_transmissions,
 )
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 

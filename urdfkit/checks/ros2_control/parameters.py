@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings
+from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.model import number
 from urdfkit.ros.ros_control import Component
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression

@@ -22,14 +22,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import called, components, driven_joints, reads_transmissions
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
@@ -37,10 +35,7 @@ from urdfkit.text.located_yaml import Value
 
 BAD = robot_xml(
     SHOULDER,
-    control_xml(
-        "mock_components/GenericSystem",
-        driven_xml("sholder"),
-    ),
+    control_xml("mock_components/GenericSystem", driven_xml("sholder")),
 )
 GOOD = BAD.replace("sholder", "shoulder")
 FIXED = GOOD

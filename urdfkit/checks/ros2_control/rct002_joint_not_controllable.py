@@ -23,8 +23,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import arm_xml, robot_xml
 from urdfkit.ros.catalog import ros_control
 from urdfkit.ros.gazebo.samples import control_xml, driven_xml
@@ -38,15 +37,11 @@ from urdfkit.ros.ros_control import (
     parameter,
     reads_transmissions,
 )
-from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.document import Element
 
 BAD = robot_xml(
     arm_xml("fixed"),
-    control_xml(
-        "mock_components/GenericSystem",
-        driven_xml("shoulder"),
-    ),
+    control_xml("mock_components/GenericSystem", driven_xml("shoulder")),
 )
 GOOD = BAD.replace('type="fixed"', 'type="continuous"')
 

@@ -22,22 +22,17 @@ from __future__ import annotations
 import re
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import hardware as simulated_hardware
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(
     SHOULDER,
-    control_xml(
-        "mock_component/GenericSystem",
-        driven_xml("shoulder"),
-    ),
+    control_xml("mock_component/GenericSystem", driven_xml("shoulder")),
 )
 GOOD = BAD.replace("mock_component/", "mock_components/")
 FIXED = GOOD

@@ -14,25 +14,16 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, components
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.grammar import is_expression
 
 BAD = robot_xml(
     SHOULDER,
-    control_xml(
-        "mock_components/GenericSystem",
-        driven_xml("shoulder"),
-    ),
-    control_xml(
-        "mock_components/GenericSystem",
-        driven_xml("shoulder"),
-        name="arm_sim",
-    ),
+    control_xml("mock_components/GenericSystem", driven_xml("shoulder")),
+    control_xml("mock_components/GenericSystem", driven_xml("shoulder"), name="arm_sim"),
 )
 GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 

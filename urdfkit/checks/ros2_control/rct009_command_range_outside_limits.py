@@ -18,30 +18,19 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml
 from urdfkit.ros.ros_control import Component, ControlPart, Interface, components
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
+_RANGE = '<param name="min">-1</param>', '<param name="max">1.5</param>'
+_COMMAND = element_xml('command_interface name="position"', *_RANGE)
 BAD = robot_xml(
     SHOULDER,
-    control_xml(
-        "mock_components/GenericSystem",
-        element_xml(
-            'joint name="shoulder"',
-            element_xml(
-                'command_interface name="position"',
-                '<param name="min">-1</param>',
-                '<param name="max">1.5</param>',
-            ),
-            '<state_interface name="position"/>',
-        ),
-    ),
+    control_xml("mock_components/GenericSystem", element_xml('joint name="shoulder"', _COMMAND)),
 )
 GOOD = BAD.replace("1.5", "0.9")
 

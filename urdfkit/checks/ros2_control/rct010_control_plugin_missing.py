@@ -11,35 +11,25 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.robot.samples import joint_xml, robot_xml
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugins as files
 from urdfkit.ros.catalog.ros_control import hardware
-from urdfkit.ros.gazebo.samples import control_xml, driven_xml, solid_xml
+from urdfkit.ros.gazebo.samples import (
+    ARM,
+    control_xml,
+    driven_xml,
+    gazebo_xml,
+    plugin_xml,
+)
 from urdfkit.ros.ros_control import ControlPlugin, components, control_plugins, is_of_pr2
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
-BAD = robot_xml(
-    solid_xml("base"),
-    solid_xml("arm"),
-    joint_xml(
-        "revolute", '<axis xyz="0 0 1"/>', '<limit lower="-1" upper="1" effort="10" velocity="1"/>'
-    ),
-    control_xml(
-        "gazebo_ros2_control/GazeboSystem",
-        driven_xml("shoulder"),
-    ),
-)
-GOOD = (
-    BAD
-    + """
-<gazebo>
-  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
-    <parameters>/home/student/arm_description/config/controllers.yaml</parameters>
-  </plugin>
-</gazebo>"""
+BAD = ARM + control_xml("gazebo_ros2_control/GazeboSystem", driven_xml("shoulder"))
+_PARAMETERS = "<parameters>/home/student/arm_description/config/controllers.yaml</parameters>"
+GOOD = robot_xml(
+    BAD,
+    gazebo_xml(plugin_xml("control", "libgazebo_ros2_control.so", _PARAMETERS)),
 )
 FILES = {
     "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"

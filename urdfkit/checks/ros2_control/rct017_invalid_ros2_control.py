@@ -27,28 +27,17 @@ from collections.abc import Iterator
 from urdfkit.checks.ros2_control.interfaces import invalid_interfaces
 from urdfkit.checks.ros2_control.parameters import invalid_values
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.robot.samples import element_xml, robot_xml
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import component_types, grammar
-from urdfkit.ros.gazebo.samples import SHOULDER, control_xml
+from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, components
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag, fix_value
 from urdfkit.text.grammar import is_expression
 
-BAD = robot_xml(
-    SHOULDER,
-    control_xml(
-        "mock_components/GenericSystem",
-        element_xml(
-            'joints name="shoulder"',
-            '<command_interface name="position"/>',
-            '<state_interface name="position"/>',
-        ),
-    ),
-)
+_JOINT = driven_xml("shoulder").replace("joint", "joints")
+BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", _JOINT))
 GOOD = BAD.replace("joints", "joint")
 FIXED = GOOD
 

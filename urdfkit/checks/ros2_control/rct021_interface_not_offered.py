@@ -18,13 +18,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
 from urdfkit.ros.ros_control import components, control_plugins, driven_joints
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Value
 
 _DRIVEN = control_xml("gz_ros2_control/GazeboSimSystem", driven_xml("shoulder", "velocity"))

@@ -15,14 +15,12 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester, did_you_mean
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import hardware
 from urdfkit.ros.gazebo.samples import control_xml, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.ros_control import Component, components
-from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 

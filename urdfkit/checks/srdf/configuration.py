@@ -6,12 +6,10 @@ import os
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location
+from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject
 from urdfkit.ros.moveit.config import group_entries, joint_entries, names_without_settings
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Value
 
 _SOLVERS = (

@@ -33,12 +33,10 @@ from __future__ import annotations
 
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 

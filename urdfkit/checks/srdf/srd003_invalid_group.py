@@ -13,12 +13,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.diagnostic import Severity
 
 BAD = named_xml("bad", arm_xml("fixed"))
 GOOD = BAD.replace('"bad"', '"good"')
@@ -51,7 +49,7 @@ def _chains(srdf: Srdf) -> Findings:
     for group in srdf.groups:
         for chain in group.all("chain"):
             base, tip = chain.get("base_link") or "", chain.get("tip_link") or ""
-            if base in links and tip in links and srdf.way(base, tip) is None:
+            if base in links and tip in links and srdf.chain(base, tip) is None:
                 who = f"group '{group.get('name')}'"
                 message = f"{who}: tip link '{tip}' is not a descendant of base link '{base}'"
                 yield Finding(chain, message, "swap base and tip, or name links of one branch")

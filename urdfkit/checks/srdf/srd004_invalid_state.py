@@ -16,13 +16,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.joints import unit
 from urdfkit.robot.model import Joint, number
 from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Element
 
 _STATE = """\

@@ -11,24 +11,17 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.robot.samples import joint_xml, link_xml
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
-from urdfkit.text.diagnostic import Severity
 
-BAD = named_xml(
-    "bad",
-    link_xml("arm"),
-    link_xml("hand"),
-    joint_xml("fixed", name="flange", parent="arm", child="hand"),
-)
+BAD = named_xml("bad", arm_xml("fixed"))
 _GROUPS = """\
+<group name="base"><link name="base"/></group>
 <group name="arm"><link name="arm"/></group>
-<group name="hand"><link name="hand"/></group>
-<end_effector name="hand" group="hand" parent_link="arm" parent_group="arm"/>"""
+<end_effector name="arm" group="arm" parent_link="base" parent_group="base"/>"""
 GOOD = BAD.replace('"bad"', '"good"')
-FILES = srdf_files(_GROUPS.replace("</group>", '<link name="hand"/></group>', 1), _GROUPS)
+FILES = srdf_files(_GROUPS.replace("</group>", '<link name="arm"/></group>', 1), _GROUPS)
 
 
 @rule(

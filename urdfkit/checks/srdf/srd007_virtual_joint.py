@@ -12,12 +12,10 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
-from urdfkit.text.diagnostic import Severity
 
 BAD = named_xml("bad", arm_xml("continuous"))
 GOOD = BAD.replace('"bad"', '"good"')

@@ -13,29 +13,20 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
-from urdfkit.text.diagnostic import Severity
 
-_UP = '<origin xyz="0 0 0.5"/>'
+_UP, _FAR = '<origin xyz="0 0 0.5"/>', '<origin xyz="0 0 0.7"/>'
 _LIMIT = '<limit lower="-1" upper="1" effort="10" velocity="1"/>'
+_WIDE = _LIMIT.replace("1", "3", 2)
 BAD = named_xml(
     "bad",
     link_xml("base", collision_xml('<sphere radius="0.2"/>')),
     link_xml("arm", collision_xml('<cylinder radius="0.04" length="0.4"/>', _UP)),
     link_xml("hand", collision_xml('<sphere radius="0.1"/>', _UP)),
     joint_xml("revolute", '<axis xyz="0 1 0"/>', _LIMIT),
-    joint_xml(
-        "revolute",
-        '<origin xyz="0 0 0.7"/>',
-        '<axis xyz="0 1 0"/>',
-        _LIMIT.replace("1", "3", 2),
-        name="elbow",
-        parent="arm",
-        child="hand",
-    ),
+    joint_xml("revolute", _FAR, '<axis xyz="0 1 0"/>', _WIDE, name="e", parent="arm", child="hand"),
 )
 GOOD = BAD.replace('"bad"', '"good"')
 FILES = srdf_files(

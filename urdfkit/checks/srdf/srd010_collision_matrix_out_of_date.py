@@ -16,13 +16,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.diagnostic import Severity
 
 _UP = '<origin xyz="0 0 0.25"/>'
 BAD = named_xml(

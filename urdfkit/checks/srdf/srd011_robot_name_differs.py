@@ -9,16 +9,11 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Fix, Severity
-from urdfkit.text.editing.edits import replace_value
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.ros.moveit.samples import named_xml
+from urdfkit.text.editing.edits import fix_value
 
-BAD = """\
-<robot name="bad">
-  <link name="base"/>
-</robot>
-"""
+BAD = named_xml("bad", '<link name="base"/>')
 GOOD = BAD.replace('"bad"', '"other"')
 FILES = {"example.srdf": b'<robot name="other"/>'}
 FIXED_FILES = {"example.srdf": b'<robot name="bad"/>'}
@@ -34,6 +29,4 @@ def check(subject: Subject) -> Findings:
         message = (
             f"robot name '{name.value}' in the SRDF differs from '{subject.model.name}' in the URDF"
         )
-        edits = replace_value(name, subject.model.name) if subject.model.name else None
-        fix = Fix.of(f"write '{subject.model.name}' in the SRDF", edits)
-        yield Finding(name, message, fix=fix)
+        yield Finding(name, message, fix=fix_value(name, subject.model.name))

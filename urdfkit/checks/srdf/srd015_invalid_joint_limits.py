@@ -17,33 +17,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
 from urdfkit.ros.parameter_types import is_not_positive, type_of
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.manifest import manifest_of
 
-BAD = """\
-<link name="column"/>
-<link name="carriage"/>
-<joint name="lift" type="prismatic">
-  <parent link="column"/>
-  <child link="carriage"/>
-  <limit lower="0.1" upper="0.9" effort="500" velocity="0.1"/>
-</joint>"""
+BAD = arm_xml("prismatic", '<limit lower="0.1" upper="0.9" effort="500" velocity="0.1"/>')
 GOOD = BAD.replace('velocity="0.1"', 'velocity="0.2"')
 FILES = {
     "example.srdf": b'<robot name="example"/>',
-    "joint_limits.yaml": b"""\
-joint_limits:
-  lift:
-    has_velocity_limits: true
-    max_velocity: 0.2
-""",
+    "joint_limits.yaml": b"joint_limits:\n  shoulder:\n    has_velocity_limits: true\n"
+    b"    max_velocity: 0.2\n",
 }
 
 #: Relative; people round to three digits.

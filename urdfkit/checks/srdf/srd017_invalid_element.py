@@ -13,14 +13,12 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
 from urdfkit.robot.model import number
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, unreadable
 from urdfkit.ros.moveit.srdf_grammar import lacking, mistakes
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute, rename_element
 

@@ -10,17 +10,14 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
-BAD = """\
-<link name="left_base"/>
-<link name="left_arm"/>
-<joint name="left_shoulder" type="continuous">
-  <parent link="left_base"/>
-  <child link="left_arm"/>
-</joint>"""
+BAD = robot_xml(
+    link_xml("left_base"),
+    link_xml("left_arm"),
+    joint_xml("continuous", name="left_shoulder", parent="left_base", child="left_arm"),
+)
 GOOD = BAD.replace("left_", "")
 FILES = {
     "example.srdf": b"""<robot name="example">

@@ -27,14 +27,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.model import number
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import words
 from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.ros_control import ROS1, called, is_of_pr2, reads_transmissions
-from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_tag, fix_value
 

@@ -9,9 +9,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.text.grammar import owner
 
 BAD = '<robot name="cart">\n</robot>\n'

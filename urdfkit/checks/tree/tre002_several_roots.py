@@ -11,22 +11,13 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.text.diagnostic import Related, Severity
 
 BAD = robot_xml(link_xml("base"), link_xml("arm"), link_xml("camera"), joint_xml("fixed"))
-GOOD = (
-    BAD
-    + """
-<joint name="camera_joint" type="fixed">
-  <parent link="arm"/>
-  <child link="camera"/>
-</joint>"""
-)
+GOOD = robot_xml(BAD, joint_xml("fixed", name="camera_joint", parent="arm", child="camera"))
 
 #: Roots that a message names; the others are counted.
 SHOWN = 8

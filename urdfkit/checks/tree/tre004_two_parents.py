@@ -11,10 +11,8 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Related, Severity
 
 BAD = robot_xml(
     link_xml("base"),

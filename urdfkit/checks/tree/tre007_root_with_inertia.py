@@ -11,11 +11,9 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.model import Link, RobotModel
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before
 
 BAD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))

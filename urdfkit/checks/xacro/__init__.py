@@ -4,18 +4,6 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 
-#: Former codes and names, and the rules that report their findings now.
-REDIRECTS = {
-    "XAC015": "XAC017", "deprecated-syntax": "XAC017",
-    "XAC019": "XAC001", "part-of-a-robot": "XAC001",
-    "XAC018": "XAC003", "unexpanded-tag": "XAC003",
-    "unused-property": "XAC004", "XAC005": "XAC004", "unused-macro": "XAC004", "XAC006": "XAC004",
-    "unused-argument": "XAC004",
-    "XAC012": "XAC009", "include-escapes-roots": "XAC009",
-    "XAC016": "XAC017", "shadows-builtin": "XAC017",
-    "XAC022": "", "power-is-exclusive-or": "",
-}  # fmt: skip
-
 
 def applies(subject: Subject) -> bool:
     """True for a xacro, and for a plain file with expressions or tags of xacro."""

@@ -10,23 +10,21 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.robot.samples import element_xml, joint_xml, xacro_xml
 from urdfkit.text import schema
-from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:macro name="arm" params="side">
-    <link name="${side}_arm"/>
-    <joint name="${side}" type="fixed"><parent link="base"/><child link="${side}_arm"/></joint>
-  </xacro:macro>
-  <link name="base"/>
-  <arm side="left"/>
-</robot>
-"""
+BAD = xacro_xml(
+    element_xml(
+        'xacro:macro name="arm" params="side"',
+        '<link name="${side}_arm"/>',
+        joint_xml("fixed", name="${side}", child="${side}_arm"),
+    ),
+    '<link name="base"/>',
+    '<arm side="left"/>',
+)
 FIXED = GOOD = BAD.replace("<arm", "<xacro:arm")
 
 

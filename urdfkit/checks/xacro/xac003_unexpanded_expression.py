@@ -14,9 +14,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import NAMES, Finding, Findings, reported, rule
-from urdfkit.text.diagnostic import Severity
+from urdfkit.lint.rules import NAMES, Finding, Findings, Severity, Subject, reported, rule
 from urdfkit.text.grammar import is_expression
 
 BAD = '<link name="${side}_arm"/>'
@@ -24,7 +22,7 @@ GOOD = '<link name="left_arm"/>'
 
 
 #: The substitutions that xacro has.
-_SUBSTITUTION = re.compile(r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b")
+_SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
 
 
 @rule(
@@ -50,4 +48,4 @@ def check(subject: Subject) -> Findings:
 
 def _is_of_xacro(text: str) -> bool:
     """False for ``$(name)`` alone, a placeholder in a plugin's settings for a launch file."""
-    return is_expression(text) and ("${" in text or _SUBSTITUTION.search(text) is not None)
+    return is_expression(text) and ("${" in text or re.search(_SUBSTITUTION, text) is not None)

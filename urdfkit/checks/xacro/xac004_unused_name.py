@@ -11,19 +11,16 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
-from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
+from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.workspace.includes import is_included
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:property name="width" value="0.3"/>
-  <xacro:property name="side" value="left"/>
-  <link name="${side}_base"/>
-</robot>
-"""
+BAD = xacro_xml(
+    '<xacro:property name="width" value="0.3"/>',
+    '<xacro:property name="side" value="left"/>',
+    '<link name="${side}_base"/>',
+)
 GOOD = BAD.replace("${side}_base", "${side}_${width}")
 FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
 

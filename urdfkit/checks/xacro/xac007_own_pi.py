@@ -13,19 +13,14 @@ from __future__ import annotations
 import re
 from math import pi
 
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
 from urdfkit.robot.model import number
-from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.robot.samples import xacro_xml
+from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.xacro.definitions import Definition
 
-BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:property name="PI" value="3.1415926"/>
-  <link name="base_${PI}"/>
-</robot>
-"""
+BAD = xacro_xml('<xacro:property name="PI" value="3.1415926"/>', '<link name="base_${PI}"/>')
 FIXED = BAD.replace("3.1415926", "${pi}")
 GOOD = BAD.replace("PI", "width").replace("3.1415926", "3.2")
 

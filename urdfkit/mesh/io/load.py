@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.core import disk
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.geometry import Mesh, NoTriangles
 from urdfkit.mesh.io import facts
@@ -73,14 +74,13 @@ def read_bytes(path: str) -> bytes:
         UnloadableMesh: it cannot be opened, or is too large.
     """
     try:
-        size = os.stat(path).st_size
-        if not os.path.isfile(path):
+        size = disk.state(path).st_size
+        if not disk.is_file(path):
             raise UnloadableMesh(path, "is no regular file")
         if size > MAX_BYTES:
             limit = MAX_BYTES // 1024**2
             raise UnloadableMesh(path, f"has {size // 1024**2} MiB, more than the {limit} read")
-        with open(path, "rb") as file:
-            return file.read(MAX_BYTES)
+        return disk.read(path, MAX_BYTES)
     except OSError as error:
         raise UnloadableMesh(path, f"cannot be read: {error.strerror or error}") from error
     except ValueError as error:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
+
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
 
@@ -21,7 +23,7 @@ def find_image(name: str, folder: str) -> str | None:
     for path in dict.fromkeys((plain, unquote(plain), os.path.basename(unquote(plain)))):
         found = os.path.join(folder, path)
         try:
-            if os.path.isfile(found):
+            if disk.is_file(found):
                 return os.path.normpath(found)
         except ValueError:  # a NUL in the name
             return None
@@ -80,9 +82,8 @@ def place(name: str, folder: str) -> str:
 def read(path: str, most: int) -> bytes | None:
     """What a file holds; None if it is not there, or has more than some bytes."""
     try:
-        if not os.path.isfile(path) or os.path.getsize(path) > most:
+        if not disk.is_file(path) or disk.state(path).st_size > most:
             return None
-        with open(path, "rb") as file:
-            return file.read(most)
+        return disk.read(path, most)
     except (OSError, ValueError):
         return None

@@ -12,6 +12,7 @@ import re
 from importlib import import_module
 from stat import S_ISREG
 
+from urdfkit.core import disk
 from urdfkit.mesh.io import binary_stl, facts
 from urdfkit.mesh.io.facts import MAX_BYTES, Defect, MeshFacts, empty, not_a_mesh, unreadable
 from urdfkit.text.source import why_unreadable
@@ -79,11 +80,10 @@ _FOREIGN = (
 def sniff_file(path: str) -> MeshFacts:
     """Judge a mesh file. Never raises: a file that cannot be read is a defect like others."""
     try:
-        state = os.stat(path)
+        state = disk.state(path)
         if not S_ISREG(state.st_mode):  # a device or a pipe might never end
             return MeshFacts("", 0, unreadable("is no regular file"))
-        with open(path, "rb") as file:
-            data = file.read(state.st_size if state.st_size <= MAX_BYTES else _HEAD)
+        data = disk.read(path, state.st_size if state.st_size <= MAX_BYTES else _HEAD)
     except OSError as error:
         return MeshFacts("", 0, unreadable(why_unreadable(path, error)))
     except ValueError:

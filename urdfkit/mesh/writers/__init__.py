@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from importlib import import_module
 
-from urdfkit.core import atomic
+from urdfkit.core import atomic, disk
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.geometry import Mesh
 
@@ -99,7 +99,7 @@ def require_replaceable(path: str | os.PathLike[str]) -> None:
     from urdfkit.mesh.io.sniff import sniff_file
 
     name = os.fspath(path)
-    if os.path.exists(name) and sniff_file(name).defect is None:
+    if disk.exists(name) and sniff_file(name).defect is None:
         raise SoundMesh(f"{name} is a good mesh already; --force replaces it")
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.core import disk
 from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.writers import UnwritableMesh
 
@@ -21,8 +22,7 @@ def texture_bytes(material: MeshMaterial | None) -> bytes | None:
     if isinstance(material.texture, bytes):
         return material.texture
     try:
-        with open(material.texture, "rb") as file:
-            return file.read()
+        return disk.read(material.texture)
     except OSError as error:
         reason = error.strerror or error
         raise UnwritableMesh(f"texture {material.texture}: cannot be read: {reason}") from error

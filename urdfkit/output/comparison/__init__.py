@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from math import dist
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.lint.context import Subject
 from urdfkit.output.comparison.differences import KINDS as OF_MODELS
@@ -136,7 +137,7 @@ def compare(
             advance(len(states), steps)
             state = read(
                 word,
-                os.path.join(os.path.realpath(folder), name),
+                os.path.join(disk.real(folder), name),
                 arguments=arguments,
                 packages=packages,
                 targets=targets,
@@ -182,7 +183,7 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
 
 def _folders(subject: Subject) -> tuple[str, str]:
     """The workspace of a robot, and the directory of its file."""
-    file = os.path.realpath(subject.source.path)
+    file = disk.real(subject.source.path)
     return subject.resolver.packages.workspace(file), os.path.dirname(file)
 
 

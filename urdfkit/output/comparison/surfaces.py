@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Unavailable
 from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances
@@ -79,8 +80,7 @@ def _pairs(
 
 
 def _digest(path: str) -> bytes:
-    with open(path, "rb") as file:
-        return hashlib.sha256(file.read()).digest()
+    return hashlib.sha256(disk.read(path)).digest()
 
 
 def _distance(before: Subject, old: Shape, after: Subject, new: Shape) -> float | None:

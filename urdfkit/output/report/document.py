@@ -13,6 +13,7 @@ from functools import partial
 from typing import Any
 
 from urdfkit import __version__
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import finite
 from urdfkit.lint import rule_index
@@ -193,7 +194,7 @@ def _portable(value: Any, subject: Subject) -> Any:
         return [_portable(one, subject) for one in value]
     if not isinstance(value, str) or os.sep not in value:
         return value
-    file = os.path.realpath(subject.source.path)
+    file = disk.real(subject.source.path)
     for folder in (subject.resolver.packages.workspace(file), os.path.dirname(file)):
         value = without_folder(value, folder)
     return without_folder(value, os.path.expanduser("~"), "~/")

@@ -9,13 +9,13 @@ among its extras; where links are is not in the file, since joints move them.
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from urdfkit.core import disk
 from urdfkit.render.materials import STRIPES, SurfaceMaterial
 from urdfkit.render.scene import SceneItem
 from urdfkit.render.textures import stripes
@@ -243,10 +243,9 @@ def _shown(texture: str | bytes) -> bytes:
 def _file(path: str) -> bytes:
     """The bytes of a file, if they may travel as they are."""
     try:
-        if os.path.getsize(path) > MAX_TEXTURE:
+        if disk.state(path).st_size > MAX_TEXTURE:
             return b""
-        with open(path, "rb") as file:
-            return file.read()
+        return disk.read(path)
     except (OSError, ValueError):  # it is gone, or is no name of a file
         return b""
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import gzip
+from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Unavailable
+from urdfkit.robot.inertia import uniform_solid
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 
@@ -95,16 +97,15 @@ def packed(model: bytes) -> bytes:
 
 
 def _link(link: Link) -> dict[str, Any]:
-    from urdfkit.output.report.boxes import inertia_box
-
     inertial = link.inertial
     found: dict[str, Any] = {"name": link.name}
     if inertial and link.mass > 0:
         found |= {"mass": link.mass, "center": list(inertial.origin.position)}
-        box = inertia_box(inertial, link.mass)
-        if box is not None:
-            edges, frame = box
-            found["box"] = {"edges": list(edges), "matrix": _matrix(frame)}
+        if inertial.tensor is not None:
+            edges, axes = uniform_solid(inertial.tensor.value, link.mass, 12.0)
+            if all(map(isfinite, edges)):
+                matrix = _matrix(inertial.origin @ Transform(axes))
+                found["box"] = {"edges": list(edges), "matrix": matrix}
     return found
 
 

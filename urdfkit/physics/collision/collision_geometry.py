@@ -11,6 +11,7 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
 from urdfkit.physics.collision.bodies import TOUCH
+from urdfkit.physics.collision.bounds import apart
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays
 
 #: coal's requests: without it coal misses hits of meshes (measured on a UR5).
@@ -180,6 +181,18 @@ class DistanceQuery:
         self._place.setRotation(rotation)
         self._place.setTranslation(translation)
         return self._measure(self.first.hull, self.second.hull, inf)
+
+    def bounds(self, rotation: Floats, translation: Floats, limit: float) -> Floats:
+        """(n,): they are no nearer than that, in m, by the boxes and spheres around them.
+
+        Args:
+            rotation: (n, 3, 3), as for `distance`.
+            translation: (n, 3).
+            limit: bounds from here on, in m, are good enough.
+        """
+        a, b = self.first, self.second
+        offset = translation + rotation @ b.center - a.center
+        return apart(a.half, b.half, a.radius + b.radius, rotation, offset, limit)
 
     @property
     def line(self) -> tuple[Floats, Floats, Floats]:

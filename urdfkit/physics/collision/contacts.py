@@ -141,10 +141,10 @@ class LinkPair:
         A robot that cannot be at zero is never there: its users begin in a pose of their own. So
         they do where zero is next to the end of a range, but not the end itself.
         """
-        between = [joint for way in self._robot.ways(self.names) for joint in way]
+        between = self._robot.between(self.names)
         if any(map(_ends_near_zero, self._robot.leaders(between))):
             return False
-        joints = [joint for name in self.names for joint in self._robot.way(name)]
+        joints = [joint for name in self.names for joint in self._robot.tree.path(name)]
         return not any(map(start_of, self._robot.leaders(joints)))
 
     @property
@@ -160,7 +160,7 @@ class LinkPair:
     def _poses(self) -> Iterator[dict[str, float]]:
         """Where the robot begins, each joint between the two at its limits, and drawn poses."""
         yield {}
-        joints = [joint for way in self._robot.ways(self.names) for joint in way]
+        joints = self._robot.between(self.names)
         spans = {joint.name: span(joint) for joint in self._robot.leaders(joints)}
         for name, ends in spans.items():
             yield from ({name: end} for end in ends)
@@ -175,6 +175,7 @@ class Contacts:
     """The links of a robot that may overlap where it begins.
 
     Attributes:
+        tree: of the robot.
         bodies: of each link that has any, by its name.
         frames: of the links where the robot begins, in that of their root.
         adjacency: of the links.
@@ -186,12 +187,11 @@ class Contacts:
     """
 
     def __init__(self, robot: Robot, load: Callable[[], ExactDistances], *, unit: bool) -> None:
-        tree = self._tree = robot.tree
+        tree = self.tree = robot.tree
         self._load = load
         self._joints = tree.model.joints_by_name
         self._laws = laws(self._joints)
         self._start = {name: start_of(joint) for name, joint in self._joints.items()}
-        self._above = {joint.child.value: joint for joint in tree.spanning if joint.child}
         self.adjacency = Adjacency(tree)
         self.frames = frames(tree, self._start)
         self.bodies: dict[str, list[CollisionBody]] = {}
@@ -249,7 +249,7 @@ class Contacts:
         """
         placed = {
             name: self._placed(way, given)
-            for name, way in zip(names, self.ways(names), strict=True)
+            for name, way in zip(names, self.tree.branches(*names), strict=True)
         }
         for first in self.bodies[names[0]]:
             for second in self.bodies[names[1]]:
@@ -289,20 +289,10 @@ class Contacts:
             point_distance(large.kind, large.size, at.apply(point)) < -THINNEST for point in points
         )
 
-    def way(self, link: str) -> list[Joint]:
-        """The joints from the root to a link."""
-        found: list[Joint] = []
-        while joint := self._above.get(link):
-            found.append(joint)
-            assert joint.parent is not None
-            link = joint.parent.value
-        return found[::-1]
-
-    def ways(self, names: tuple[str, str]) -> tuple[list[Joint], list[Joint]]:
-        """The joints to two links from the last link above both."""
-        first, second = map(self.way, names)
-        shared = sum(one is other for one, other in zip(first, second, strict=False))
-        return first[shared:], second[shared:]
+    def between(self, names: tuple[str, str]) -> list[Joint]:
+        """The joints between two links."""
+        first, second = self.tree.branches(*names)
+        return [*first, *second]
 
     def leaders(self, joints: Iterable[Joint]) -> list[Joint]:
         """The joints that some move with, each once: themselves, or those that they mimic."""
@@ -323,9 +313,9 @@ class Contacts:
 
     def _are_connected(self, names: tuple[str, str]) -> bool:
         """True for two links of one tree with nothing but joints of one number between them."""
-        first, second = self.ways(names)
-        return self._tree.root_of[names[0]] == self._tree.root_of[names[1]] and not any(
-            joint.kind in ("planar", "floating") for joint in (*first, *second)
+        first, second = map(self.tree.root_of.get, names)
+        return first == second and not any(
+            joint.kind in ("planar", "floating") for joint in self.between(names)
         )
 
     def _placed(self, way: Iterable[Joint], given: Mapping[str, float]) -> Transform:

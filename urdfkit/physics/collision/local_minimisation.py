@@ -7,7 +7,7 @@ seeds find the same collisions.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from math import inf
 from typing import NamedTuple
 
@@ -15,9 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.mesh.geometry import Floats, Integers
-from urdfkit.physics.collision.batch_kinematics import BatchTransform, Branch
+from urdfkit.physics.collision.batch_kinematics import slopes
 from urdfkit.physics.collision.bodies import TOUCH
-from urdfkit.physics.collision.bounds import apart
 from urdfkit.physics.collision.collision_geometry import DistanceQuery
 from urdfkit.physics.collision.pair_queries import Examiner, Pair, relative
 
@@ -64,7 +63,7 @@ def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
     columns = examiner.chain.between(*pair)
     lower, upper = (ends[columns] for ends in examiner.chain.limits)
     drawn = examiner.drawn[:, columns]
-    bodies = [_Bodies(examiner, pair, *gauged) for gauged in examiner.gauges(pair)]
+    bodies = [_Bodies(examiner, pair, *query) for query in examiner.queries(pair)]
     bounds = [one.bounds() for one in bodies]
     found, at = inf, drawn[0]
     nearest_first = sorted(range(len(bodies)), key=lambda number: bounds[number].min())
@@ -98,22 +97,18 @@ class _Bodies:
     """Two bodies, and how far they are apart, by the positions of the joints between."""
 
     def __init__(
-        self, examiner: Examiner, pair: Pair, first: int, second: int, gauge: DistanceQuery
+        self, examiner: Examiner, pair: Pair, first: int, second: int, query: DistanceQuery
     ) -> None:
-        self._chain, self._gauge = examiner.chain, gauge
-        self._columns = examiner.chain.between(*pair)
-        steps = examiner.chain.branches(*pair)
-        self._branches = [Branch(branch, self._columns) for branch in steps]
+        self._chain, self._pair, self._query = examiner.chain, pair, query
+        self._columns = self._chain.between(*pair)
+        self._branches = self._chain.branches(*pair)
+        self._links = {*pair, *(step.child for branch in self._branches for step in branch)}
         self._frames = [examiner.form(body).solid.frame for body in (first, second)]
-        self._drawn = [examiner.drawn_frames[link] for link in pair]
+        self._drawn = examiner.drawn_frames
 
     def bounds(self) -> Floats:
         """(m,): in the configurations that were drawn they are no nearer, in m."""
-        a, b = self._gauge.first, self._gauge.second
-        ends = zip(self._drawn, self._frames, strict=True)
-        rotation, translation = relative(*(link @ frame for link, frame in ends))
-        offset = translation + rotation @ b.center - a.center
-        return apart(a.half, b.half, a.radius + b.radius, rotation, offset, inf)
+        return self._query.bounds(*relative(*self._placed(self._drawn)), inf)
 
     def measured(self, positions: Floats, inside: Flags) -> _Measured:
         """At some positions (n, k): of the hulls, or where these overlap of the bodies themselves.
@@ -122,46 +117,36 @@ class _Bodies:
             positions: of the joints between.
             inside: (n,), where the hulls are known to overlap.
         """
-        ways = self._ways(positions)
-        frames = [way.end @ frame for way, frame in zip(ways, self._frames, strict=True)]
+        of_links = self._of_links(positions)
+        first, second = self._placed(of_links)
         count, inside = len(positions), inside.copy()
         distance, lines = np.zeros(count), np.zeros((count, 3, 3))
-        for at, there in enumerate(zip(*relative(*frames), strict=True)):
-            distance[at] = -inf if inside[at] else self._gauge.hulls(*there)
-            if distance[at] <= TOUCH and not self._gauge.is_exact:
-                inside[at], distance[at] = True, self._gauge.distance(*there, inf)
-            lines[at] = self._gauge.line
-        return _Measured(
-            distance, self._slope(ways, frames[0], *_directed(distance, lines)), inside
-        )
+        for at, there in enumerate(zip(*relative(first, second), strict=True)):
+            distance[at] = -inf if inside[at] else self._query.hulls(*there)
+            if distance[at] <= TOUCH and not self._query.is_exact:
+                inside[at], distance[at] = True, self._query.distance(*there, inf)
+            lines[at] = self._query.line
+        points, along = _directed(distance, lines)
+        rotation = first[:, :3, :3]
+        along = (rotation @ along[:, :, None])[..., 0]
+        points = (rotation @ points[:, :, None])[..., 0] + first[:, :3, 3]
+        slope = slopes(self._branches, self._columns, of_links, points, along)
+        return _Measured(distance, slope, inside)
 
     def exact(self, position: Floats) -> float:
         """The signed distance of the bodies themselves, in m, at a position (k,)."""
-        ends = zip(self._ways(position[None]), self._frames, strict=True)
-        rotation, translation = relative(*(way.end @ frame for way, frame in ends))
-        return self._gauge.distance(rotation[0], translation[0], inf)
+        rotation, translation = relative(*self._placed(self._of_links(position[None])))
+        return self._query.distance(rotation[0], translation[0], inf)
 
-    def _ways(self, positions: Floats) -> list[BatchTransform]:
-        return [branch.at(positions) for branch in self._branches]
+    def _of_links(self, positions: Floats) -> dict[int, Floats]:
+        """The frames (n, 4, 4) of the links on the branches to the two."""
+        rows = self._chain.default_with(self._columns, positions)
+        return self._chain.frames(rows, self._links)
 
-    def _slope(
-        self, ways: Sequence[BatchTransform], frame: Floats, points: Floats, directions: Floats
-    ) -> Floats:
-        """(n, k): a distance changes as its ends move along the line between them.
-
-        Args:
-            ways: to the two bodies.
-            frame: (n, 4, 4), of the first.
-            points: (n, 3), in that frame.
-            directions: (n, 3), of these lines, in the same frame.
-        """
-        directions = (frame[:, :3, :3] @ directions[:, :, None])[..., 0]
-        points = (frame[:, :3, :3] @ points[:, :, None])[..., 0] + frame[:, :3, 3]
-        first, second = (
-            branch.slopes(way, points, directions)
-            for branch, way in zip(self._branches, ways, strict=True)
-        )
-        return second - first
+    def _placed(self, of_links: Mapping[int, Floats]) -> list[Floats]:
+        """The frames (n, 4, 4) of the two bodies."""
+        ends = zip(self._pair, self._frames, strict=True)
+        return [of_links[link] @ frame for link, frame in ends]
 
 
 def _directed(distance: Floats, lines: Floats) -> tuple[Floats, Floats]:
@@ -171,7 +156,7 @@ def _directed(distance: Floats, lines: Floats) -> tuple[Floats, Floats]:
 
     Args:
         distance: (n,), in m.
-        lines: (n, 3, 3), of a gauge.
+        lines: (n, 3, 3), of a query.
     """
     start, end, normal = lines.swapaxes(0, 1)
     normal = np.where(distance[:, None] > TOUCH, end - start, normal)

@@ -1,7 +1,7 @@
 """Pairs of links in many configurations: who collides, who comes near.
 
-Boxes around the bodies and distances measured nearby decide most configurations at once; coal
-measures the rest: first convex hulls, then triangles.
+Boxes around the bodies decide most configurations at once; coal measures the rest: first convex
+hulls, then triangles.
 """
 
 from __future__ import annotations
@@ -12,12 +12,10 @@ from math import inf
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import Chain
 from urdfkit.physics.collision.bodies import TOUCH
-from urdfkit.physics.collision.bounds import DistanceBound, apart, moved, poses
 from urdfkit.physics.collision.collision_geometry import CollisionGeometry, DistanceQuery
 
 #: Two links, by their numbers in the chain, the first one before the second.
@@ -34,12 +32,12 @@ class PairSample(NamedTuple):
     """What some configurations show of one pair.
 
     Attributes:
-        hits: configurations in which the two collide.
-        distance: the least signed distance, in m; the limit that was given if none is less.
-        row: the configuration of that distance; -1 if none is less than the limit.
+        hits: the configurations in which the two collide, by their numbers.
+        distance: the least signed distance so far, in m; the limit that was given if none is less.
+        row: the configuration of that distance; -1 if it is none of these.
     """
 
-    hits: int
+    hits: list[int]
     distance: float
     row: int
 
@@ -83,11 +81,11 @@ class Examiner:
         """A body by its number."""
         return self._forms[body]
 
-    def look(self, pairs: Sequence[Pair], limits: Sequence[float] | None = None) -> PairQuery:
-        """Begin to measure pairs; those farther apart than the limits, in m, are left out."""
-        return PairQuery(self, pairs, [inf] * len(pairs) if limits is None else limits)
+    def look(self, pairs: Iterable[Pair], limit: float = inf) -> PairQuery:
+        """Begin to measure pairs; those farther apart than the limit, in m, are left out."""
+        return PairQuery(self, pairs, limit)
 
-    def gauges(self, pair: Pair) -> list[tuple[int, int, DistanceQuery]]:
+    def queries(self, pair: Pair) -> list[tuple[int, int, DistanceQuery]]:
         """What measures the bodies of two links, each with the numbers of the bodies."""
         return [
             (first, second, DistanceQuery(self._forms[first], self._forms[second]))
@@ -108,109 +106,55 @@ class Examiner:
 class PairQuery:
     """A look at some pairs, which goes from configurations to more of them."""
 
-    def __init__(self, examiner: Examiner, pairs: Sequence[Pair], limits: Sequence[float]) -> None:
+    def __init__(self, examiner: Examiner, pairs: Iterable[Pair], limit: float) -> None:
         self._examiner = examiner
-        self._links = sorted({link for pair in pairs for link in pair})
-        self._pairs = [
-            _Watch(examiner.gauges(pair), limit) for pair, limit in zip(pairs, limits, strict=True)
-        ]
+        self._searches = {pair: _Search(examiner.queries(pair), limit) for pair in pairs}
 
-    def at(self, configurations: Floats, *, count: bool) -> list[PairSample]:
+    def at(
+        self, configurations: Floats, pairs: Sequence[Pair] | None = None, *, count: bool
+    ) -> list[PairSample]:
         """What some configurations (n, dof) show, for each pair.
 
         Args:
             configurations: of the robot.
-            count: count the collisions; else a pair is done with when it collides once.
+            pairs: some of them; all if None.
+            count: find all collisions, not only one.
         """
-        alive = [watch for watch in self._pairs if count or watch.is_free]
-        frames = self._examiner.frames(configurations, self._links) if alive else {}
-        for watch in self._pairs:
-            watch.begin()
-            if count or watch.is_free:
-                watch.at(frames, count=count)
-        return [watch.seen for watch in self._pairs]
-
-    def hits(self, configurations: Floats) -> list[list[int]]:
-        """For each pair, in which of some configurations (n, dof) it collides."""
-        self.at(configurations, count=True)
-        return [sorted(watch.hit) for watch in self._pairs]
+        wanted = self._searches if pairs is None else pairs
+        links = sorted({link for pair in wanted for link in pair})
+        frames = self._examiner.frames(configurations, links)
+        return [self._searches[pair].at(frames, count=count) for pair in wanted]
 
 
-class _Watch:
-    """One pair of links."""
+class _Search:
+    """One pair of links, and the least distance so far."""
 
-    def __init__(self, gauges: list[tuple[int, int, DistanceQuery]], limit: float) -> None:
-        self._gauges = [(*gauge, DistanceBound()) for gauge in gauges]
-        self._best, self._row = limit, -1
-        self.hit: set[int] = set()
-        self.is_free = True
-
-    @property
-    def seen(self) -> PairSample:
-        return PairSample(len(self.hit), self._best, self._row)
-
-    def begin(self) -> None:
-        """Turn to other configurations."""
-        self.hit, self._row = set(), -1
+    def __init__(self, queries: list[tuple[int, int, DistanceQuery]], limit: float) -> None:
+        self._queries = queries
+        self._best = limit
 
     @property
     def _sure(self) -> float:
         """From this distance on, in m, nothing is new."""
         return (1 - SLACK) * max(self._best, 0.0)
 
-    def at(self, frames: dict[int, Floats], *, count: bool) -> None:
-        for first, second, gauge, cover in self._gauges:
-            self._compare(gauge, cover, *relative(frames[first], frames[second]), count=count)
-            if self.hit and not count:
-                break
-        self.is_free = self.is_free and not self.hit
-
-    def _compare(
-        self,
-        gauge: DistanceQuery,
-        cover: DistanceBound,
-        rotation: Floats,
-        translation: Floats,
-        *,
-        count: bool,
-    ) -> None:
-        """Measure two bodies where no bound decides, the nearest first."""
-        a, b = gauge.first, gauge.second
-        offset = translation + rotation @ b.center - a.center
-        bound = apart(a.half, b.half, a.radius + b.radius, rotation, offset, self._sure)
-        left = np.flatnonzero(bound < self._sure)
-        some = poses(rotation[left], offset[left], b.radius)
-        bound = np.maximum(bound[left], cover.bound(some))
-        while len(left):
-            nearest = int(np.argmin(bound))
-            if bound[nearest] >= self._sure:
-                return
-            sample = int(left[nearest])
-            distance = gauge.distance(rotation[sample], translation[sample], self._best)
-            self._note(sample, distance)
-            if distance < -TOUCH:
-                if not count:
-                    return
-            else:
-                bound = np.maximum(bound, distance - moved(some, some[nearest]))
-                cover.add(some[nearest], distance)
-            bound[nearest] = inf
-            left, bound, some = _thinned(left, bound, some, bound < self._sure)
-
-    def _note(self, sample: int, distance: float) -> None:
-        if distance < self._best:
-            self._best, self._row = distance, sample
-        if distance < -TOUCH:
-            self.hit.add(sample)
-
-
-def _thinned(
-    left: Integers, bound: Floats, some: Floats, keep: NDArray[np.bool_]
-) -> tuple[Integers, Floats, Floats]:
-    """The rows to keep, once they are few enough to be worth the copy."""
-    if 2 * np.count_nonzero(keep) > len(left):
-        return left, bound, some
-    return left[keep], bound[keep], some[keep]
+    def at(self, frames: dict[int, Floats], *, count: bool) -> PairSample:
+        """Measure the bodies where no bound decides, the nearest first."""
+        hits: set[int] = set()
+        row = -1
+        for first, second, query in self._queries:
+            rotation, translation = relative(frames[first], frames[second])
+            bound = query.bounds(rotation, translation, self._sure)
+            near = np.flatnonzero(bound < self._sure)
+            for sample in near[np.argsort(bound[near])].tolist():
+                if bound[sample] >= self._sure or (hits and not count):
+                    break
+                distance = query.distance(rotation[sample], translation[sample], self._best)
+                if distance < self._best:
+                    self._best, row = distance, sample
+                if distance < -TOUCH:
+                    hits.add(sample)
+        return PairSample(sorted(hits), self._best, row)
 
 
 def relative(first: Floats, second: Floats) -> tuple[Floats, Floats]:

@@ -62,11 +62,11 @@ class SampledPoses:
         known = [self._pair(*pair) for pair in pairs]
         bound = [pair for pair in known if self._is_bound(pair) and self.chain.between(*pair)]
         rows = self.chain.samples(samples, 0, 0)
-        hits = self._examiner.look(bound).hits(rows)
+        seen = self._examiner.look(bound).at(rows, count=True)
         poses = {
-            pair: self._poses(pair, rows[at[:_POSES]])
-            for pair, at in zip(bound, hits, strict=True)
-            if at
+            pair: self._poses(pair, rows[one.hits[:_POSES]])
+            for pair, one in zip(bound, seen, strict=True)
+            if one.hits
         }
         if not poses:
             return [None] * len(known)
@@ -76,15 +76,15 @@ class SampledPoses:
         ]
         every = np.concatenate(list(poses.values()))
         is_free = np.ones(len(every), dtype=bool)
-        for at in self._examiner.look(checked).hits(every):
-            is_free[at] = False
+        for one in self._examiner.look(checked).at(every, count=True):
+            is_free[one.hits] = False
         found: dict[Pair, Collision] = {}
         ends = np.cumsum([len(some) for some in poses.values()])[:-1]
         for (pair, some), free in zip(poses.items(), np.split(is_free, ends), strict=True):
             if free.any():
-                (seen,) = self._examiner.look([pair]).at(some[free], count=True)
-                pose = self.chain.pose(some[free][seen.row], *pair)
-                found[pair] = Collision(-seen.distance, pose)
+                (nearest,) = self._examiner.look([pair]).at(some[free], count=True)
+                pose = self.chain.pose(some[free][nearest.row], *pair)
+                found[pair] = Collision(-nearest.distance, pose)
         return [found.get(pair) for pair in known]
 
     def _poses(self, pair: Pair, rows: Floats) -> Floats:

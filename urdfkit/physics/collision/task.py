@@ -1,138 +1,149 @@
-"""What the processes that sample are given, and what they answer."""
+"""What a process finds out about some pairs of links, from the first configuration to the last."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple, Protocol
-
-import numpy as np
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import NamedTuple
 
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.local_minimisation import closest
-from urdfkit.physics.collision.pair_queries import Examiner, Pair
+from urdfkit.physics.collision.pair_queries import Examiner, Pair, PairQuery
+
+#: Samples in which the collisions of all pairs are counted; later, only pairs that have none
+#: are looked at.
+COUNTED = 1000
+#: More samples are given up when the last half of so many showed nothing new.
+ENOUGH = 10_000
+
+#: Frames of all links in a block of samples take about so many bytes.
+_MEMORY = 64e6
+_FRAME = 128
+_BLOCK = 1000
 
 
-class PairFindings(NamedTuple):
-    """What a task shows of one pair.
+@dataclass
+class PairFindings:
+    """What is known of a pair.
 
     Attributes:
-        hits: configurations in which the two collide, at least 1 if they do anywhere.
-        distance: the least, in m; the limit if none is less.
-        configuration: (dof,), of that distance; None if none is less than the limit.
+        hits_at_start: True if the two collide where the robot begins.
+        hits: of the samples that are counted, those in which they collide.
+        hits_elsewhere: True if they collide in another configuration.
+        samples: that were looked at.
+        distance: the least, in m.
+        configuration: (dof,), of that distance.
     """
 
-    hits: int
-    distance: float
-    configuration: Floats | None
+    hits_at_start: bool = False
+    hits: int = 0
+    hits_elsewhere: bool = False
+    samples: int = 0
+    distance: float = inf
+    configuration: Floats | None = None
+
+    @property
+    def is_free(self) -> bool:
+        """True if they were never found to collide."""
+        return not (self.hits_at_start or self.hits or self.hits_elsewhere)
 
 
-class Task(Protocol):
-    """Work for one process."""
-
-    def run(self, examiner: Examiner) -> list[PairFindings]:
-        """What it shows of each of its pairs."""
-
-    def parts(self) -> list[Task]:
-        """The same work, one task for each pair."""
-
-
-class Samples(NamedTuple):
-    """Pairs to look at in some samples.
+class Task(NamedTuple):
+    """Pairs to look at, one by one.
 
     Attributes:
         pairs: of numbers of links.
-        limits: for each, the least distance so far, in m.
-        blocks: number and size of each block of samples.
-        seed: of the samples.
-        counts: count collisions, or stop at the first one of a pair.
+        moves: for each, whether joints move one against the other.
+        start: (dof,), where the robot begins.
+        samples: to look at.
+        seed: of these.
     """
 
     pairs: tuple[Pair, ...]
-    limits: tuple[float, ...]
-    blocks: tuple[tuple[int, int], ...]
+    moves: tuple[bool, ...]
+    start: Floats
+    samples: int
     seed: int
-    counts: bool
 
     def run(self, examiner: Examiner) -> list[PairFindings]:
-        """What they show of each pair."""
-        blocks = (examiner.chain.samples(size, self.seed, at) for at, size in self.blocks)
-        return _looked(examiner, self.pairs, self.limits, blocks, count=self.counts)
+        """What is found out about each pair."""
+        return _Examination(self, examiner).findings()
 
     def parts(self) -> list[Task]:
-        """One task for each pair."""
-        return [
-            self._replace(pairs=(pair,), limits=(limit,))
-            for pair, limit in zip(self.pairs, self.limits, strict=True)
-        ]
+        """The same work, one task for each pair."""
+        pairs = zip(self.pairs, self.moves, strict=True)
+        return [self._replace(pairs=(pair,), moves=(moves,)) for pair, moves in pairs]
 
 
-class Pose(NamedTuple):
-    """Pairs to look at in one configuration (dof,)."""
+class _Examination:
+    """The run of one task: the start, samples to count in, descents, then ever more samples."""
 
-    pairs: tuple[Pair, ...]
-    configuration: Floats
+    def __init__(self, task: Task, examiner: Examiner) -> None:
+        self._task, self._examiner = task, examiner
+        self._query: PairQuery = examiner.look(task.pairs)
+        self._found = {pair: PairFindings() for pair in task.pairs}
 
-    def run(self, examiner: Examiner) -> list[PairFindings]:
-        """What it shows of each pair."""
-        limits = [np.inf] * len(self.pairs)
-        return _looked(examiner, self.pairs, limits, [self.configuration[None]], count=True)
+    def findings(self) -> list[PairFindings]:
+        task = self._task
+        for pair, hits in self._look(task.pairs, task.start[None], count=True):
+            self._found[pair].hits_at_start = hits > 0
+        moving = [pair for pair, moves in zip(task.pairs, task.moves, strict=True) if moves]
+        counted = min(task.samples, COUNTED)
+        if moving and counted:
+            self._count(moving, counted)
+            self._descend(moving)
+            self._search(moving, counted)
+        return list(self._found.values())
 
-    def parts(self) -> list[Task]:
-        """One task for each pair."""
-        return [self._replace(pairs=(pair,)) for pair in self.pairs]
+    def _count(self, pairs: Sequence[Pair], counted: int) -> None:
+        for rows in self._blocks(0, counted):
+            for pair, hits in self._look(pairs, rows, count=True):
+                self._found[pair].hits += hits
+        for pair in pairs:
+            self._found[pair].samples = counted
 
+    def _descend(self, pairs: Sequence[Pair]) -> None:
+        """Bring those together that were not found to collide: a rare collision is found so."""
+        for pair in self._free(pairs):
+            if self._examiner.chain.between(*pair):
+                found, nearest = self._found[pair], closest(self._examiner, pair)
+                found.hits_elsewhere = nearest.distance < -TOUCH
+                if nearest.distance < found.distance:
+                    found.distance, found.configuration = nearest
 
-class Minimise(NamedTuple):
-    """Pairs to bring as near together as they go.
+    def _search(self, pairs: Sequence[Pair], done: int) -> None:
+        """Look for a first collision of the others, as long as there is hope."""
+        free = self._free(pairs)
+        while free and done < self._task.samples:
+            before, end = free, min(self._task.samples, 2 * done)
+            for rows in self._blocks(done, end):
+                for pair, hits in self._look(free, rows, count=False):
+                    self._found[pair].hits_elsewhere = hits > 0
+                free = self._free(free)
+            done = end
+            for pair in before:
+                self._found[pair].samples = done
+            if done >= ENOUGH and free == before:
+                return
 
-    Attributes:
-        pairs: of numbers of links, with a joint that moves between the two.
-        limits: for each, the least distance so far, in m.
-    """
+    def _look(
+        self, pairs: Sequence[Pair], rows: Floats, *, count: bool
+    ) -> Iterator[tuple[Pair, int]]:
+        """In how many of some configurations (n, dof) each of some pairs collides."""
+        for pair, seen in zip(pairs, self._query.at(rows, pairs, count=count), strict=True):
+            found = self._found[pair]
+            if seen.row >= 0 and seen.distance < found.distance:
+                found.distance, found.configuration = seen.distance, rows[seen.row]
+            yield pair, len(seen.hits)
 
-    pairs: tuple[Pair, ...]
-    limits: tuple[float, ...]
+    def _free(self, pairs: Sequence[Pair]) -> list[Pair]:
+        return [pair for pair in pairs if self._found[pair].is_free]
 
-    def run(self, examiner: Examiner) -> list[PairFindings]:
-        """The nearest that each pair comes."""
-        found = []
-        for pair, limit in zip(self.pairs, self.limits, strict=True):
-            distance, configuration = closest(examiner, pair)
-            hits = int(distance < -TOUCH)
-            nearer = distance < limit
-            found.append(
-                PairFindings(hits, distance, configuration)
-                if nearer
-                else PairFindings(hits, limit, None)
-            )
-        return found
-
-    def parts(self) -> list[Task]:
-        """One task for each pair."""
-        return [
-            self._replace(pairs=(pair,), limits=(limit,))
-            for pair, limit in zip(self.pairs, self.limits, strict=True)
-        ]
-
-
-def _looked(
-    examiner: Examiner,
-    pairs: Sequence[Pair],
-    limits: Sequence[float],
-    blocks: Iterable[Floats],
-    *,
-    count: bool,
-) -> list[PairFindings]:
-    """What some blocks of configurations (n, dof) show of pairs."""
-    look = examiner.look(pairs, limits)
-    hits = [0] * len(pairs)
-    distances = list(limits)
-    nearest: list[Floats | None] = [None] * len(pairs)
-    for rows in blocks:
-        for index, seen in enumerate(look.at(rows, count=count)):
-            hits[index] += seen.hits
-            distances[index] = seen.distance
-            if seen.row >= 0:
-                nearest[index] = rows[seen.row]
-    return [PairFindings(*one) for one in zip(hits, distances, nearest, strict=True)]
+    def _blocks(self, start: int, end: int) -> Iterator[Floats]:
+        """The samples from one number to another in blocks that the memory can hold."""
+        chain = self._examiner.chain
+        size = max(10, min(_BLOCK, int(_MEMORY / _FRAME / max(1, len(chain.links)))))
+        for at in range(start, end, size):
+            yield chain.samples(min(size, end - at), self._task.seed, at)

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 import pinocchio as pin
@@ -117,31 +116,19 @@ class Dynamics:
                 are at 0.
         """
         x = np.array([pose.get(name, 0.0) for name in self.columns])
-        places = self._places
-        positions = places.factors @ x + places.shifts
-        q: Floats = places.neutral.copy()
-        q[places.plain] = positions[places.is_plain]
-        q[places.turning] = np.cos(positions[~places.is_plain])
-        q[places.turning + 1] = np.sin(positions[~places.is_plain])
+        q: Floats = pin.integrate(
+            self.model, pin.neutral(self.model), self.selection @ x + self._shifts
+        )
         return q
 
     @cached_property
-    def _places(self) -> _Places:
-        """Where the positions of the joints that one number moves stand in q."""
-        joints = [joint for joint in self._joints if _KINDS[joint.kind].nv == 1]
-        numbers = [self._joint(joint.name) for joint in joints]
-        factors = np.zeros((len(joints), self.nv))
-        shifts = np.zeros(len(joints))
-        for row, joint in enumerate(joints):
-            leader, factor, shift = self._laws[joint.name]
-            if leader in self.columns:
-                factors[row, self.columns.index(leader)] = factor
-            shifts[row] = shift
-        is_plain = np.array([number.nq == 1 for number in numbers], dtype=bool)
-        starts = np.array([number.idx_q for number in numbers], dtype=np.int64)
-        return _Places(
-            pin.neutral(self.model), factors, shifts, is_plain, starts[is_plain], starts[~is_plain]
-        )
+    def _shifts(self) -> Floats:
+        """Where the joints are with all leaders at zero, (6 + n,)."""
+        found = np.zeros(self.model.nv)
+        for joint in self._joints:
+            if _KINDS[joint.kind].nv == 1:
+                found[self._joint(joint.name).idx_v] = self._laws[joint.name].shift
+        return found
 
     def mass_properties(self, pose: Mapping[str, float] | None = None) -> MassProperties:
         """Mass, centre and tensor of the whole robot in the frame of its root; 0 if massless."""
@@ -198,25 +185,6 @@ class Dynamics:
             suggested = did_you_mean(link, self.tree.model.links_by_name)
             raise Unsuitable(f"no link '{link}'{suggested}")
         return link
-
-
-class _Places(NamedTuple):
-    """From coordinates to Pinocchio's q.
-
-    Attributes:
-        neutral: q with all joints at zero.
-        factors, shifts: positions of the joints are ``factors @ x + shifts``.
-        is_plain: of each joint, whether q holds its position, not the cosine and sine of it.
-        plain: where the positions go.
-        turning: where the cosines go; the sines follow them.
-    """
-
-    neutral: Floats
-    factors: Floats
-    shifts: Floats
-    is_plain: NDArray[np.bool_]
-    plain: NDArray[np.int64]
-    turning: NDArray[np.int64]
 
 
 def _downwards(tree: KinematicTree) -> list[Joint]:

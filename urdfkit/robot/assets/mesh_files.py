@@ -6,6 +6,7 @@ import os
 import re
 from functools import cached_property
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
@@ -99,7 +100,7 @@ class MeshFiles:
         first: dict[str, MeshReference] = {}
         for mesh in self.meshes:
             if mesh.located.path:
-                first.setdefault(os.path.realpath(mesh.located.path), mesh)
+                first.setdefault(disk.real(mesh.located.path), mesh)
         return tuple(first.values())
 
     @cached_property
@@ -296,8 +297,7 @@ def _content(mesh: MeshReference) -> bytes:
     """The bytes of a file; its path where they cannot be read, which equals no other."""
     path = mesh.located.path or ""
     try:
-        with open(path, "rb") as file:
-            return file.read()
+        return disk.read(path)
     except OSError:
         return path.encode("utf-8", "surrogateescape")
 

@@ -11,6 +11,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import (
     Vector,
@@ -161,7 +162,7 @@ def generate_part(
     _require_buildable(size)
     if not force:
         require_replaceable(path)
-    facts = sniff_file(path) if os.path.exists(path) else None
+    facts = sniff_file(path) if disk.exists(path) else None
     defect = facts.defect.reason if facts and facts.defect else "does not exist"
     text = "{:g} x {:g} x {:g} m".format(*(size or part.size))
     return GeneratedMesh(path, (), defect, part.build(size), f"{part.name}, {text}: as asked for")

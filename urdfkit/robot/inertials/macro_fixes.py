@@ -9,9 +9,9 @@ import re
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.editing.edits import insert_behind, replace
-from urdfkit.text.editing.tokens import TokenKind, tokens
 from urdfkit.text.source import Span
 from urdfkit.workspace.includes import is_included
 
@@ -108,17 +108,15 @@ def _frame(link: Link) -> CallFrame | None:
     frame = at.frame
     if frame is None or frame.kind != "macro" or frame.definition is None:
         return None
-    source, start, end = frame.definition.inner_span
-    body = source.data[start:end].decode("utf-8", "replace")
-    inner = [token for token in tokens(body) if token.kind is not TokenKind.COMMENT]
-    written = "".join(token.text for token in inner).strip()
     origin = at.child("origin")
     if at.frame is not frame or (origin and any(_numbers(origin))):
         return None
-    whole = "".join(
-        t.text for t in tokens(at.tag_at.whole_span.text) if t.kind is not TokenKind.COMMENT
-    )
-    return frame if written == whole else None
+    body, whole = map(_without_comments, (frame.definition.inner_span, at.tag_at.whole_span))
+    return frame if body == whole else None
+
+
+def _without_comments(span: Span) -> bytes:
+    return without_comments(span.source.data[span.start : span.end]).strip()
 
 
 def _numbers(origin: Element) -> list[str]:

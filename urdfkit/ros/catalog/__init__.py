@@ -7,8 +7,13 @@ facts were read. A file is loaded once, when a model first needs it.
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar
+
+from urdfkit.core.record import Record
+
+Entry = TypeVar("Entry", bound=Record)
 
 
 @cache
@@ -19,3 +24,20 @@ def data(name: str) -> dict[str, Any]:
     with open(os.path.join(os.path.dirname(__file__), f"{name}.json"), encoding="utf-8") as file:
         content: dict[str, Any] = load(file)
     return content
+
+
+def record(kind: type[Entry], entry: Mapping[str, Any], **more: object) -> Entry:
+    """What a file says of one thing, lists as tuples; fields that it lacks have their defaults.
+
+    Args:
+        kind: the class of the record, with the names of the file.
+        entry: from the file; keys that are no fields are left out.
+        more: fields that the entry does not have under their names.
+    """
+    given = {name: _frozen(entry[name]) for name in kind._fields if name in entry}
+    make: Callable[..., Entry] = kind
+    return make(**(given | more))
+
+
+def _frozen(value: object) -> object:
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
+
+_ROLES = ("required", "positive")
 
 
 class Parameters(Record):
@@ -38,37 +39,29 @@ class Parameters(Record):
 
 
 @cache
-def _content() -> dict[str, Any]:
-    return data("controllers")
-
-
-@cache
 def parameters_of(controller: str, ros: int) -> Parameters | None:
     """What a class of controller wants in ROS 1 or 2; None for one that is not known."""
-    entry = _content()[f"ros{ros}"].get(controller)
+    entry = data("controllers")[f"ros{ros}"].get(controller)
     return None if entry is None else _parameters(entry)
 
 
 @cache
 def of_manager() -> Parameters:
     """What the controller manager of ROS 2 wants of its own parameters."""
-    return _parameters(_content()["manager"])
+    return _parameters(data("controllers")["manager"])
 
 
 def successor(controller: str) -> str | None:
     """What took the place of a class of ROS 1 in ROS 2."""
-    found: str | None = _content()["moved"].get(controller)
-    return found
+    moved: dict[str, str] = data("controllers")["moved"]
+    return moved.get(controller)
 
 
 def classes(ros: int) -> list[str]:
     """The classes of ros_controllers or ros2_controllers."""
-    return list(_content()[f"ros{ros}"])
+    return list(data("controllers")[f"ros{ros}"])
 
 
 def _parameters(entry: dict[str, list[str]]) -> Parameters:
     types = {name: kind for kind, names in entry.items() for name in names if kind not in _ROLES}
     return Parameters(tuple(entry.get("required", ())), tuple(entry.get("positive", ())), types)
-
-
-_ROLES = ("required", "positive")

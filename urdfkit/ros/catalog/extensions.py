@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 from urdfkit.core.record import Record
-from urdfkit.ros.catalog import data
+from urdfkit.ros.catalog import data, record
 
 
 class Extension(Record):
@@ -24,37 +23,27 @@ class Extension(Record):
     tag: str
     on: str
     type: str
-    unit: str
-    words: str
-
-
-@cache
-def _content() -> dict[str, Any]:
-    return data("extensions")
+    unit: str = ""
+    words: str = ""
 
 
 @cache
 def extensions() -> dict[str, Extension]:
     """The tags that the converter handles, by name."""
-    return {
-        tag: Extension(tag, fact["on"], fact["type"], fact.get("unit", ""), fact.get("words", ""))
-        for tag, fact in _content()["tags"].items()
-    }
+    tags = data("extensions")["tags"]
+    return {tag: record(Extension, fact, tag=tag) for tag, fact in tags.items()}
 
 
 def copied(kind: str) -> list[str]:
     """The tags that SDF reads in a ``link``, ``joint``, ``model``, ``visual`` or ``collision``."""
-    found: list[str] = _content()["children"][kind]
-    return found
+    return list(data("extensions")["children"][kind])
 
 
 def suggested() -> dict[str, str]:
     """Wrong names that people write, with the right ones."""
-    found: dict[str, str] = _content()["meant"]
-    return found
+    return dict(data("extensions")["meant"])
 
 
 def rewritten() -> list[str]:
     """Parameters of model plugins in which the converter puts the survivor for a merged link."""
-    found: list[str] = _content()["rewritten"]
-    return found
+    return list(data("extensions")["rewritten"])

@@ -9,7 +9,7 @@ from typing import Any
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import is_typo
-from urdfkit.ros.catalog import data
+from urdfkit.ros.catalog import data, record
 
 #: The generations whose plugins a target loads.
 GENERATIONS = {
@@ -57,15 +57,34 @@ class Parameter(Record):
     words: tuple[str, ...] = ()
 
 
+class Drive(Record):
+    """How a plugin drives a robot.
+
+    Attributes:
+        separation: its parameter with the distance of left and right wheels; empty if it has none.
+        size: its parameter with the size of the wheels.
+        diameter: True if that is the diameter, False if it is the radius.
+        steered: True if wheels are steered, so that left and right say nothing about turning.
+        slips: True if turning makes the wheels slip, so that a larger separation is often given.
+    """
+
+    separation: str = ""
+    size: str = ""
+    diameter: bool = False
+    steered: bool = False
+    slips: bool = False
+
+
 class Plugin(Record):
     """A plugin of one generation.
 
     Attributes:
         id: the library and the generation.
         files: the names that it is loaded by.
-        fortress_files: those in Gazebo Fortress; empty if it is not there.
         generation: ``classic-ros1``, ``classic-ros2``, ``classic`` (without ROS) or ``gz``.
         kinds: what it belongs in: ``model``, ``sensor``, ``visual``, ``world``, ``system``...
+        parameters: the tags that it reads, by path.
+        fortress_files: those in Gazebo Fortress; empty if it is not there.
         sensors: the types of sensor that it serves; empty if it says nothing about them.
         package: that has it; empty if removed.
         class_name: of gz; the ``name`` that the model must give. Empty elsewhere.
@@ -78,27 +97,30 @@ class Plugin(Record):
         patterns: regular expressions of more names that it reads.
         node: True if its name becomes that of a ROS node.
         any_of: parameters of which one is required.
-        parameters: the tags that it reads, by path.
+        drive: how it drives a robot with wheels; None if it is no drive.
+        moves: of what moves a single joint, the parameter that names it; ``*`` for any.
     """
 
     id: str
     files: tuple[str, ...]
-    fortress_files: tuple[str, ...]
     generation: str
     kinds: tuple[str, ...]
-    sensors: tuple[str, ...]
-    package: str
-    class_name: str
-    fortress_class: str
-    removed: bool
-    successor: str | None
-    advice: str
-    missing: str
-    open: tuple[str, ...]
-    patterns: tuple[str, ...]
-    node: bool
-    any_of: tuple[str, ...]
     parameters: dict[str, Parameter]
+    fortress_files: tuple[str, ...] = ()
+    sensors: tuple[str, ...] = ()
+    package: str = ""
+    class_name: str = ""
+    fortress_class: str = ""
+    removed: bool = False
+    successor: str | None = None
+    advice: str = ""
+    missing: str = ""
+    open: tuple[str, ...] = ()
+    patterns: tuple[str, ...] = ()
+    node: bool = False
+    any_of: tuple[str, ...] = ()
+    drive: Drive | None = None
+    moves: str = ""
 
     def reads(self, path: str) -> bool:
         """True if it reads a tag or an attribute at a path in it, or something inside that tag."""
@@ -118,24 +140,19 @@ def _content() -> dict[str, dict[str, Any]]:
 
 
 @cache
-def _entries() -> dict[str, list[tuple[str, dict[str, Any]]]]:
-    """The plugins that each file name loads, and their generations."""
-    found: dict[str, list[tuple[str, dict[str, Any]]]] = {}
+def _numbers() -> dict[str, list[tuple[str, int]]]:
+    """The plugins that each file name loads: their generations, and their numbers there."""
+    found: dict[str, list[tuple[str, int]]] = {}
     for generation, content in _content().items():
-        for entry in content["plugins"]:
+        for number, entry in enumerate(content["plugins"]):
             for file in dict.fromkeys((*entry["files"], *entry.get("fortress_files", ()))):
-                found.setdefault(file, []).append((generation, entry))
+                found.setdefault(file, []).append((generation, number))
     return found
-
-
-@cache
-def _by_id() -> dict[str, Plugin]:
-    return {}
 
 
 def files() -> tuple[str, ...]:
     """Every file name of every plugin."""
-    return tuple(_entries())
+    return tuple(_numbers())
 
 
 @cache
@@ -158,27 +175,27 @@ def find(filename: str) -> tuple[Plugin, ...]:
     Gazebo Classic wants the name of the library as it is; gz-sim forgives a missing ``lib`` and
     ``.so``, and the version number in ``gz-sim8-``.
     """
-    entries = _entries().get(filename)
-    if not entries and "-" in filename and (match := re.match(_GZ_NAME, filename)):
-        entries = _entries().get("".join(match.groups()))
-    if not entries and "-" in filename and (match := re.match(_ROS2_CONTROL, filename)):
-        entries = _entries().get(match.group(1))
-    return tuple(_plugin(*entry) for entry in entries or ())
+    known = _numbers()
+    found = known.get(filename, ())
+    if not found and "-" in filename and (match := re.match(_GZ_NAME, filename)):
+        found = known.get("".join(match.groups()), ())
+    if not found and "-" in filename and (match := re.match(_ROS2_CONTROL, filename)):
+        found = known.get(match.group(1), ())
+    return tuple(_plugin(*one) for one in found)
 
 
 def all_plugins() -> tuple[Plugin, ...]:
     """Every plugin of every generation."""
     return tuple(
-        _plugin(generation, entry)
+        _plugin(generation, number)
         for generation, content in _content().items()
-        for entry in content["plugins"]
+        for number in range(len(content["plugins"]))
     )
 
 
 def renames() -> dict[str, str]:
     """What the tags of ROS 1 plugins are called in ROS 2, where the plugin has that tag."""
-    found: dict[str, str] = _content()["classic-ros2"]["renames"]
-    return found
+    return dict(_content()["classic-ros2"]["renames"])
 
 
 def often_unread() -> dict[str, list[str]]:
@@ -186,36 +203,23 @@ def often_unread() -> dict[str, list[str]]:
     return {name: content.get("unread", []) for name, content in _content().items()}
 
 
-def _plugin(generation: str, entry: dict[str, Any]) -> Plugin:
-    plugin = _by_id().get(entry["id"])
-    if plugin is None:
-        plugin = _by_id()[entry["id"]] = _read(generation, entry)
-    return plugin
-
-
-def _read(generation: str, entry: dict[str, Any]) -> Plugin:
-    ros_block = _content()[generation]["ros_block"] if entry.get("ros") else {}
-    written: dict[str, str] = {**ros_block, **entry["parameters"]}
+@cache
+def _plugin(generation: str, number: int) -> Plugin:
+    content = _content()[generation]
+    entry = content["plugins"][number]
+    written: dict[str, str] = (content["ros_block"] if entry.get("ros") else {}) | entry[
+        "parameters"
+    ]
     words = entry.get("words", {})
-    return Plugin(
-        entry["id"],
-        tuple(entry["files"]),
-        tuple(entry.get("fortress_files", ())),
-        generation,
-        tuple(entry["kinds"]),
-        tuple(entry.get("sensors", ())),
-        entry.get("package", ""),
-        entry.get("class", ""),
-        entry.get("fortress_class", ""),
-        entry.get("removed", False),
-        entry.get("successor"),
-        entry.get("advice", ""),
-        entry.get("missing", ""),
-        tuple(entry.get("open", ())),
-        tuple(entry.get("patterns", ())),
-        entry.get("node", False),
-        tuple(entry.get("any_of", ())),
-        {name: _parameter(name, text, words.get(name, ())) for name, text in written.items()},
+    return record(
+        Plugin,
+        entry,
+        generation=generation,
+        class_name=entry.get("class", ""),
+        drive=record(Drive, entry["drive"]) if "drive" in entry else None,
+        parameters={
+            name: _parameter(name, text, words.get(name, ())) for name, text in written.items()
+        },
     )
 
 

@@ -6,7 +6,7 @@ from functools import cache
 from typing import Any
 
 from urdfkit.core.record import Record
-from urdfkit.ros.catalog import data
+from urdfkit.ros.catalog import data, record
 
 
 class ControlTag(Record):
@@ -65,13 +65,8 @@ class ControllerType(Record):
 
     joints: tuple[str, ...]
     measures: tuple[Measure, ...]
-    interface: str
-    interfaces: str
-
-
-@cache
-def _content() -> dict[str, Any]:
-    return data("ros_control")
+    interface: str = ""
+    interfaces: str = ""
 
 
 def words(subject: str, kind: str) -> list[str]:
@@ -82,20 +77,18 @@ def words(subject: str, kind: str) -> list[str]:
         kind: ``types``, ``interfaces``, ``gazebo``, ``unprefixed`` of the one; ``joint``, ``imu``,
             ``force_torque`` of the other.
     """
-    found: list[str] = _content()[subject][kind]
-    return found
+    return list(data("ros_control")[subject][kind])
 
 
 def component_types() -> list[str]:
     """What ``<ros2_control type>`` may be."""
-    found: list[str] = _content()["types"]
-    return found
+    return list(data("ros_control")["types"])
 
 
 @cache
 def grammar() -> dict[str, ControlTag]:
     """The tags in ``<ros2_control>``, by name."""
-    return {name: _tag(entry) for name, entry in _content()["grammar"].items()}
+    return {name: _tag(entry) for name, entry in data("ros_control")["grammar"].items()}
 
 
 def since(tag: str, part: str) -> str:
@@ -103,8 +96,7 @@ def since(tag: str, part: str) -> str:
 
     Empty if all read it.
     """
-    found: str = _content()["since"].get(tag + part, "")
-    return found
+    return str(data("ros_control")["since"].get(tag + part, ""))
 
 
 def _tag(entry: dict[str, list[str]]) -> ControlTag:
@@ -119,21 +111,19 @@ def _tag(entry: dict[str, list[str]]) -> ControlTag:
 @cache
 def hardware() -> dict[str, Hardware]:
     """The hardware plugins of simulators, by class."""
-    return {
-        name: Hardware(name, entry["simulator"], entry["control"], tuple(entry["commands"]))
-        for name, entry in _content()["hardware"].items()
-    }
+    entries = data("ros_control")["hardware"]
+    return {name: record(Hardware, entry, name=name) for name, entry in entries.items()}
 
 
 def control_plugins() -> dict[str, str]:
     """What Gazebo loads, by the name of the control plugin."""
-    return {name: entry["load"] for name, entry in _content()["control"].items()}
+    return {name: entry["load"] for name, entry in data("ros_control")["control"].items()}
 
 
 def control_plugin(filename: str) -> str | None:
     """The control plugin that a ``filename`` means, with or without ``lib`` and ``.so``."""
     stem = filename.rpartition("/")[2].removesuffix(".so").removeprefix("lib")
-    for name, entry in _content()["control"].items():
+    for name, entry in data("ros_control")["control"].items():
         if stem in entry["files"]:
             return str(name)
     return None
@@ -142,21 +132,19 @@ def control_plugin(filename: str) -> str | None:
 @cache
 def controllers() -> dict[str, ControllerType]:
     """The types of controller whose parameters name joints."""
+    entries = data("ros_control")["controllers"]
     return {
-        name: ControllerType(
-            tuple(entry["joints"]),
-            tuple(
-                Measure(parameter, kind, tuple(map(tuple, sides)))
-                for parameter, kind, *sides in entry.get("geometry", ())
-            ),
-            entry.get("interface", ""),
-            entry.get("interfaces", ""),
-        )
-        for name, entry in _content()["controllers"].items()
+        name: record(ControllerType, entry, measures=_measures(entry.get("geometry", ())))
+        for name, entry in entries.items()
     }
+
+
+def _measures(rows: list[Any]) -> tuple[Measure, ...]:
+    return tuple(
+        Measure(parameter, kind, tuple(map(tuple, sides))) for parameter, kind, *sides in rows
+    )
 
 
 def parameters(controller: str) -> list[str]:
     """The names of parameters that a type of controller reads; empty if not all are known."""
-    found: list[str] = _content()["controllers"].get(controller, {}).get("parameters", [])
-    return found
+    return list(data("ros_control")["controllers"].get(controller, {}).get("parameters", []))

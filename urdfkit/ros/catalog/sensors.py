@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from urdfkit.core.record import Record
-from urdfkit.ros.catalog import data
+from urdfkit.ros.catalog import data, record
 
 
 class SensorType(Record):
@@ -27,16 +27,7 @@ class SensorType(Record):
 @cache
 def types() -> dict[str, SensorType]:
     """Every type, by name."""
-    return {
-        name: SensorType(
-            tuple(entry["block"]),
-            entry["classic"],
-            entry["gz"],
-            entry["gz_name"],
-            entry["classic_name"],
-        )
-        for name, entry in data("sensors")["types"].items()
-    }
+    return {name: record(SensorType, entry) for name, entry in data("sensors")["types"].items()}
 
 
 @cache

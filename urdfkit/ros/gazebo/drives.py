@@ -14,66 +14,8 @@ from urdfkit.ros.gazebo.plugins import PluginUse, Reference
 if TYPE_CHECKING:
     from urdfkit.robot.model import Joint, Link
     from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.catalog.plugins import Drive
     from urdfkit.text.document import Attribute, Element
-
-
-class DriveKind(Record):
-    """How a library drives.
-
-    Attributes:
-        separation: its parameter with the distance of left and right wheels; empty if it has none.
-        size: its parameter with the size of the wheels.
-        diameter: True if that is the diameter, False if it is the radius.
-        steered: True if wheels are steered, so that left and right say nothing about turning.
-        slips: True if turning makes the wheels slip, so that a larger separation is often given.
-    """
-
-    separation: str
-    size: str
-    diameter: bool
-    steered: bool = False
-    slips: bool = False
-
-
-#: By the id in the catalogue of plugins.
-KINDS = {
-    "gazebo_ros_diff_drive@classic-ros1": DriveKind("wheelSeparation", "wheelDiameter", True),
-    "gazebo_ros_diff_drive@classic-ros2": DriveKind("wheel_separation", "wheel_diameter", True),
-    "gazebo_ros_skid_steer_drive@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, slips=True
-    ),
-    "diffdrive_plugin_6w@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, slips=True
-    ),
-    "diffdrive_plugin_multi_wheel@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, slips=True
-    ),
-    "gz-sim-diff-drive-system@gz": DriveKind("wheel_separation", "wheel_radius", False),
-    "gz-sim-mecanum-drive-system@gz": DriveKind("wheel_separation", "wheel_radius", False),
-    "gz-sim-ackermann-steering-system@gz": DriveKind("", "wheel_radius", False, steered=True),
-    "gazebo_ros_tricycle_drive@classic-ros1": DriveKind(
-        "encoderWheelSeparation", "encoderWheelDiameter", True, steered=True
-    ),
-    "gazebo_ros_tricycle_drive@classic-ros2": DriveKind(
-        "wheel_separation", "encoder_wheel_diameter", True, steered=True
-    ),
-    "gazebo_ros_ackermann_drive@classic-ros2": DriveKind("", "", False, steered=True),
-    "DiffDrivePlugin@classic (no ROS)": DriveKind("", "", False),
-}
-
-#: Libraries that move single joints; the joint that each moves.
-_MOVERS = {
-    "gz-sim-joint-controller-system": "joint_name",
-    "gz-sim-joint-position-controller-system": "joint_name",
-    "gz-sim-joint-trajectory-controller-system": "joint_name",
-    "gz-sim-apply-joint-force-system": "joint_name",
-    "gz-sim-thruster-system": "joint_name",
-    "gz-sim-multicopter-motor-model-system": "jointName",
-    "rotors_gazebo_motor_model": "jointName",
-    "gazebo_motor_model": "jointName",
-    "hector_servo_plugin": "",
-    "roboticsgroup_upatras_gazebo_mimic_joint_plugin": "mimicJoint",
-}
 
 
 #: Cosine of the angle between axles up to which they count as parallel.
@@ -124,22 +66,18 @@ class Wheel(Record):
     rolling: DrivenWheel
 
 
-def drive_of(use: PluginUse) -> DriveKind | None:
+def drive_of(use: PluginUse) -> Drive | None:
     """How a plugin drives; None if it is no drive."""
-    return KINDS.get(use.plugin.id) if use.plugin else None
+    return use.plugin.drive if use.plugin else None
 
 
 def driven(use: PluginUse) -> list[Reference]:
     """The joints that a plugin moves."""
     if use.plugin is None:
         return []
-    references = [reference for reference in use.references() if reference.kind == "joint"]
-    if use.plugin.id in KINDS:
-        return references
-    only = _MOVERS.get(use.plugin.id.partition("@")[0])
-    if only is None:
-        return []
-    return [r for r in references if not only or r.parameter.name == only]
+    names = "*" if use.plugin.drive else use.plugin.moves
+    references = (one for one in use.references() if one.kind == "joint")
+    return [one for one in references if names in ("*", one.parameter.name)]
 
 
 def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[Wheel]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 
 if TYPE_CHECKING:
@@ -71,9 +72,8 @@ def _is_launch(path: str) -> bool:
 
 def _begin(path: str) -> bytes:
     try:
-        if not os.path.isfile(path):
+        if not disk.is_file(path):
             return b""
-        with open(path, "rb") as file:
-            return file.read(MAX_BYTES)
+        return disk.read(path, MAX_BYTES)
     except OSError:
         return b""

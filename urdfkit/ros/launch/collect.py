@@ -7,6 +7,7 @@ import shlex
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.launch.contents import (
     MAX_DEPTH,
@@ -75,7 +76,7 @@ class Collector:
         """Record that a file is needed; True if it exists."""
         if path.startswith(f"{UNKNOWN}/"):
             return False  # its package is reported already
-        exists = os.path.exists(path) or self.resolver.installed(path) is not None
+        exists = disk.exists(path) or self.resolver.installed(path) is not None
         self.files.append(FileUse(span.text, path, exists, span, purpose))
         return exists
 
@@ -100,7 +101,7 @@ class Collector:
         self, path: str, arguments: Mapping[str, str | None], span: Span, frame: CallFrame
     ) -> None:
         """A file that is the robot description, expanded with arguments; None is not known."""
-        if not os.path.exists(path):
+        if not disk.exists(path):
             path = self.resolver.installed(path) or path
         if self.file(path, span, "robot description"):
             known = {name: value for name, value in arguments.items() if value is not None}

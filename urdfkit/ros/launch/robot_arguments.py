@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import ast
-import os
 from collections.abc import Collection, Iterator
 from functools import lru_cache
 from itertools import islice
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch import read_launch
@@ -51,7 +51,7 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
         needed: names of the arguments that it lacks.
         resolver: finds packages, and reads files.
     """
-    real = os.path.realpath(robot)
+    real = disk.real(robot)
     own: dict[tuple[tuple[str, str], ...], RobotArguments] = {}
     others: dict[tuple[str, ...], RobotArguments] = {}
     package = resolver.packages.enclosing(robot)
@@ -60,7 +60,7 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
             arguments = description.arguments
             if not arguments.keys() >= set(needed):
                 continue
-            if os.path.realpath(description.path) == real:
+            if disk.real(description.path) == real:
                 key = tuple(sorted(arguments.items()))
                 own.setdefault(key, RobotArguments(arguments, launch, description.frame))
             elif resolver.packages.enclosing(description.path) == package:

@@ -1,14 +1,11 @@
-"""The programs that put models into Gazebo, and their command lines.
-
-Sources: ``create.cpp`` of gazebosim/ros_gz; ``spawn_entity.py`` and ``spawn_model`` of
-ros-simulation/gazebo_ros_pkgs (ros2 and noetic-devel).
-"""
+"""The programs that put models into Gazebo, and their command lines: ``catalog/launch.json``."""
 
 from __future__ import annotations
 
 import re
 
 from urdfkit.core.record import Record
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram, Word
 
 
@@ -24,7 +21,7 @@ class Spawner(Record):
     valued: frozenset[str]
     plain: frozenset[str]
     required: tuple[tuple[str, ...], ...]
-    is_strict: bool = True
+    is_strict: bool
 
     @property
     def known(self) -> frozenset[str]:
@@ -32,37 +29,17 @@ class Spawner(Record):
         return self.valued | self.plain
 
 
-_POSE = "x y z R P Y"
-_CREATE = Spawner(
-    frozenset(f"world file param string topic name flagfile {_POSE}".split()),
-    frozenset(("allow_renaming", "noallow_renaming", "stdin", "help")),
-    (("file", "param", "string", "topic", "stdin"),),
-    is_strict=False,
-)
-_ENTITY = Spawner(
-    frozenset(
-        "file topic database entity reference_frame gazebo_namespace robot_namespace timeout wait "
-        f"spawn_service_timeout {_POSE}".split()
-    ),
-    frozenset("stdin unpause package_to_model b h help".split()),
-    (("entity",), ("file", "topic", "database", "stdin")),
-)
-_MODEL = Spawner(
-    frozenset(
-        "file param database model reference_frame gazebo_namespace robot_namespace wait J "
-        f"{_POSE}".split()
-    ),
-    frozenset("urdf sdf stdin unpause package_to_model b h help".split()),
-    (("model",), ("urdf", "sdf"), ("file", "param", "database", "stdin")),
-)
-#: By package and executable.
-SPAWNERS = {
-    ("ros_gz_sim", "create"): _CREATE,
-    ("ros_ign_gazebo", "create"): _CREATE,
-    ("gazebo_ros", "spawn_entity.py"): _ENTITY,
-    ("gazebo_ros", "spawn_model"): _MODEL,
-}
 _NUMBER = re.compile(r"-[\d.]")
+
+
+def spawner_of(started: StartedProgram) -> Spawner | None:
+    """The program that is started, if it puts models into Gazebo."""
+    entry = data("launch")["spawners"].get(f"{started.package}/{started.executable}")
+    if entry is None:
+        return None
+    valued, plain = (frozenset(entry[key].split()) for key in ("valued", "plain"))
+    required = tuple(tuple(group.split()) for group in entry["required"])
+    return Spawner(valued, plain, required, entry["is_strict"])
 
 
 def options(started: StartedProgram, spawner: Spawner) -> tuple[dict[str, Word], bool]:

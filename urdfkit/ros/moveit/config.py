@@ -10,6 +10,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.located_yaml import Key, Node, Value, load
@@ -109,7 +110,7 @@ def _load(srdf: Srdf, name: str, resolver: Resolver) -> Node:
     above = os.path.dirname(folder)
     for place in (folder, above, os.path.join(above, "config")):
         path = os.path.join(place, name)
-        if os.path.isfile(path) and resolver.allows(path, srdf.path):
+        if disk.is_file(path) and resolver.allows(path, srdf.path):
             try:
                 return load(resolver.read(path))
             except UrdfkitError:

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from math import radians
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.model import number
@@ -74,6 +75,6 @@ def _find(description: RosDescription) -> str | None:
     folder = os.path.dirname(os.path.abspath(description.srdf.path))
     for place in (folder, os.path.join(os.path.dirname(folder), "config")):
         path = os.path.join(place, _FILE)
-        if os.path.isfile(path):
+        if disk.is_file(path):
             return path
     return None

@@ -131,17 +131,13 @@ class Srdf:
         virtual = {joint.get("name") or "" for joint in self.virtual_joints}
         return virtual | set(self.tree.model.joints_by_name)
 
-    def way(self, base: str, tip: str) -> list[Joint] | None:
+    def chain(self, base: str, tip: str) -> list[Joint] | None:
         """The joints from a link down to another one; None if the second is not below."""
-        joints: list[Joint] = []
-        name = tip
-        while name != base:
-            above = self.tree.parents.get(name)
-            if not above or above[0].parent is None or len(joints) > len(self.tree.parents):
-                return None
-            joints.append(above[0])
-            name = above[0].parent.value
-        return joints[::-1]
+        joints = self.tree.path(tip)
+        if base == tip:
+            return []
+        parents = [joint.parent.value for joint in joints if joint.parent]
+        return joints[parents.index(base) :] if base in parents else None
 
     def links_of(self, name: str, seen: frozenset[str] = frozenset()) -> set[str]:
         """The links of a group, with those of its subgroups; bounded where they are circular."""
@@ -163,7 +159,7 @@ class Srdf:
         if part.tag == "group":
             return self.links_of(name, seen)
         if part.tag == "chain":
-            joints = self.way(part.get("base_link") or "", part.get("tip_link") or "")
+            joints = self.chain(part.get("base_link") or "", part.get("tip_link") or "")
             return {joint.child.value for joint in joints or () if joint.child}
         return set()
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
 from urdfkit.workspace.file_head import read_head
@@ -64,10 +64,10 @@ def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
     package = description.resolver.packages.enclosing(description.source.path)
     if package is None:
         return
-    own = os.path.realpath(description.source.path)
+    own = disk.real(description.source.path)
     below = description.resolver.folders.files_below(package[1], _MAX_FOLDERS)
     paths = [path for path in below if path.endswith((".urdf", ".xacro"))]
-    robots = [path for path in paths if os.path.realpath(path) != own and _is_robot(path)]
+    robots = [path for path in paths if disk.real(path) != own and _is_robot(path)]
     xacros = 0
     for path in robots[:_MAX_FILES]:
         data = read_head(path, _MAX_BYTES)

@@ -108,7 +108,10 @@ def rewrite(at: Element | Attribute, text: str) -> tuple[Edit, ...] | None:
 
 def fix_value(at: Element | Attribute, text: str | None) -> Fix | None:
     """The fix that writes another value; None without one, or where it cannot be written."""
-    return Fix.of(f"write {text}", rewrite(at, text)) if text else None
+    if not text:
+        return None
+    title = f'write {at.name}="{text}"' if isinstance(at, Attribute) else f"write {text}"
+    return Fix.of(title, rewrite(at, text))
 
 
 def fix_tag(element: Element, tag: str | None) -> Fix | None:

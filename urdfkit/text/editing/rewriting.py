@@ -8,6 +8,7 @@ import os
 from array import array
 from collections.abc import Iterable
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UnwritableFile
 from urdfkit.text.diagnostic import Edit
@@ -147,7 +148,6 @@ def write(rewrites: Iterable[Rewrite]) -> None:
 def on_disk(path: str) -> bytes | None:
     """The bytes of a file; None if it cannot be read."""
     try:
-        with open(path, "rb") as file:
-            return file.read()
+        return disk.read(path)
     except (OSError, ValueError):
         return None

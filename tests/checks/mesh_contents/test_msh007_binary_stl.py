@@ -1,0 +1,27 @@
+from pathlib import Path
+
+import pytest
+
+from tests.mesh import made
+from tests.meshed import SOUND, link, mesh, messages
+from urdfkit.mesh.samples import box, stl
+
+MISLEADING = stl(box((0, 0, 0), (1, 1, 1)), b"solid part")
+TEXT = made.ascii_stl()
+
+
+def test_a_binary_one_that_says_solid(tmp_path: Path) -> None:
+    assert messages(tmp_path, "MSH007", link(mesh("a.stl")), {"a.stl": MISLEADING}) == [
+        "link 'arm': the collision mesh 'a.stl' is a binary STL and begins with 'solid'"
+    ]
+
+
+def test_a_file_is_reported_once(tmp_path: Path) -> None:
+    robot = link(mesh("a.stl"), mesh("b.stl"), mesh("a.stl"))
+    found = messages(tmp_path, "MSH007", robot, {"a.stl": MISLEADING, "b.stl": MISLEADING})
+    assert [message.split("'")[3] for message in found] == ["a.stl", "b.stl"]
+
+
+@pytest.mark.parametrize("data", [SOUND, TEXT])
+def test_others(tmp_path: Path, data: bytes) -> None:
+    assert messages(tmp_path, "MSH007", link(mesh("a.stl")), {"a.stl": data}) == []

@@ -1,0 +1,56 @@
+from pathlib import Path
+
+import pytest
+
+from tests.mesh import made
+from tests.reported import reported
+from tests.workspaces import add_file, mesh_link
+from urdfkit.text.diagnostic import Severity
+
+CODE = "MSH007"
+
+
+def message(tmp_path: Path, name: str, data: bytes) -> str | None:
+    add_file(tmp_path / name, data)
+    found = reported(CODE, mesh_link(name), str(tmp_path / "arm.urdf"))
+    if not found:
+        return None
+    assert found[0].severity is Severity.ERROR
+    return found[0].message.removeprefix(f"link 'arm': the visual mesh '{name}' ")
+
+
+def test_a_cad_file(tmp_path: Path) -> None:
+    step = b"ISO-10303-21;\nHEADER;\n"
+    for name in ("arm.step", "arm.stl"):
+        assert message(tmp_path, name, step) == "is a STEP file, which Gazebo does not read"
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "expected"),
+    [
+        ("a.stl", made.obj(), "is OBJ by content, and its name ends in '.stl'"),
+        ("a.DAE", made.binary_stl(), "is binary STL by content, and its name ends in '.DAE'"),
+        ("a.stlb", made.ascii_stl(), "is ASCII STL by content, and its name ends in '.stlb'"),
+        ("a.bin", made.collada(), "is COLLADA by content, and its name ends in '.bin'"),
+        ("mesh", made.collada(), "is COLLADA by content, and its name ends in ''"),
+    ],
+)
+def test_the_suffix_of_another_format(
+    tmp_path: Path, name: str, data: bytes, expected: str
+) -> None:
+    assert message(tmp_path, name, data) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [
+        *((f"mesh{suffix}", data) for (_, suffix), data in made.SOUND.items()),
+        ("a.STL", made.ascii_stl()),
+        ("a.stlb", made.binary_stl()),
+        ("a.fbx", b"Kaydara FBX Binary  "),  # new Gazebo and RViz read it
+        ("a.mesh", b"\x00\x10[MeshSerializer_v1.8]"),  # RViz reads it
+        ("a.stl", made.binary_stl()[:-1]),  # MSH009
+    ],
+)
+def test_what_some_reader_takes(tmp_path: Path, name: str, data: bytes) -> None:
+    assert message(tmp_path, name, data) is None

@@ -1,0 +1,89 @@
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("lxml")
+pytest.importorskip("manifold3d")
+
+from tests.meshed import SOUND, link, mesh, messages, reported
+from urdfkit.mesh.samples import box, collada, stl
+from urdfkit.text.editing.apply import apply_edits
+
+HUGE = stl(box((0, 0, 0), (80, 60, 300)))
+JOINT = (
+    '<joint name="j" type="fixed"><parent link="base"/><child link="arm"/>'
+    '<origin xyz="0 0 {}"/></joint>'
+)
+
+
+def robot(part: str, reach: float = 0.2) -> str:
+    return link(name="base") + link(part) + JOINT.format(reach)
+
+
+def test_a_part_of_300_m(tmp_path: Path) -> None:
+    assert messages(tmp_path, "MSH012", robot(mesh("a.stl")), {"a.stl": HUGE}) == [
+        (
+            "link 'arm': the collision mesh 'a.stl' is 300 m long, the rest of the robot 0.2 m; "
+            "in mm it would be 0.3 m"
+        )
+    ]
+
+
+@pytest.mark.parametrize("scale", ["", ' scale="1 1 1"', ' scale="0.5 0.5 -0.5"'])
+def test_the_fix_is_a_thousandth_of_the_scale(tmp_path: Path, scale: str) -> None:
+    text = robot(mesh("a.stl", more=scale))
+    (found,) = reported(tmp_path, "MSH012", text, {"a.stl": HUGE})
+    assert found.fix is not None
+    assert not found.fix.safe
+    expected = {"": "0.001 0.001 0.001", ' scale="1 1 1"': "0.001 0.001 0.001"}
+    wanted = expected.get(scale, "0.0005 0.0005 -0.0005")
+    after = apply_edits((tmp_path / "robot.urdf").read_bytes(), found.fix.edits).decode()
+    assert f'<mesh filename="a.stl" scale="{wanted}"/>' in after
+
+
+def test_the_rest_of_the_robot_decides(tmp_path: Path) -> None:
+    files = {"a.stl": HUGE, "b.stl": SOUND}
+    assert len(messages(tmp_path, "MSH012", robot(mesh("a.stl"), 14), files)) == 1
+    assert messages(tmp_path, "MSH012", robot(mesh("a.stl"), 16), files) == []
+    assert messages(tmp_path, "MSH012", robot(mesh("b.stl"), 0.001), files) == []
+    assert messages(tmp_path, "MSH012", link(mesh("a.stl")), files) == []  # a landscape
+
+
+def test_the_unit_of_the_file_and_the_scale_count(tmp_path: Path) -> None:
+    small = mesh("a.stl", more=' scale="0.001 0.001 0.001"')
+    assert messages(tmp_path, "MSH012", robot(small), {"a.stl": HUGE}) == []
+    inches = collada('<unit meter="25.4"/>')
+    found = messages(tmp_path, "MSH012", robot(mesh("a.dae")), {"a.dae": inches})
+    assert ["25.4 m long" in message for message in found] == [True]
+
+
+def test_scenery_has_no_measure(tmp_path: Path) -> None:
+    """One link with a field of 300 m and a tree in it, as Clearpath's worlds are."""
+    both = mesh("a.stl") + mesh("tree.stl")
+    files = {"a.stl": HUGE, "tree.stl": stl(box((0, 0, 0), (0.5, 0.5, 2)))}
+    assert messages(tmp_path, "MSH012", link(both), files) == []
+    assert len(messages(tmp_path, "MSH012", robot(both), files)) == 1
+
+
+FILES = {"a.stl": SOUND, "mm.stl": stl(box((0, 0, 0), (1.5, 2, 3)))}
+
+
+def test_a_part_of_30_cm(tmp_path: Path) -> None:
+    scaled = mesh("a.stl", more=' scale="0.001 0.001 0.001"')
+    assert messages(tmp_path, "MSH012", link(scaled), FILES) == [
+        ("link 'arm': the collision mesh 'a.stl' is 0.3 mm long by its scale, and 0.3 m without it")
+    ]
+
+
+@pytest.mark.parametrize(
+    "sound",
+    [
+        mesh("a.stl"),
+        mesh("a.stl", more=' scale="0.01 0.01 0.01"'),  # 3 mm
+        mesh("mm.stl", more=' scale="0.001 0.001 0.001"'),  # a pin
+        mesh("a.stl", more=' scale="0 0 0"'),  # GEO001
+    ],
+)
+def test_small_parts_and_other_scales(sound: str, tmp_path: Path) -> None:
+    assert messages(tmp_path, "MSH012", link(sound), FILES) == []

@@ -1,0 +1,69 @@
+from pathlib import Path
+
+import pytest
+
+from tests.mesh.made import glb
+from tests.meshed import link, mesh, messages, reported
+from urdfkit.mesh.samples import collada, gltf
+
+INCH = collada('<unit name="inch" meter="0.0254"/>')
+TAIL = "RViz and Gazebo multiply by it, MoveIt, Pinocchio and coal do not"
+
+
+def test_a_file_in_inches_is_reported_once(tmp_path: Path) -> None:
+    robot = link(mesh("a.dae", "visual"), mesh("a.dae"))
+    assert messages(tmp_path, "MSH013", robot, {"a.dae": INCH}) == [
+        f"link 'arm': the visual mesh 'a.dae' has the unit 0.0254 m: {TAIL}"
+    ]
+
+
+@pytest.mark.parametrize(
+    "asset", ["", '<unit meter="1"/>', '<unit meter="1.0000"/>', '<unit meter="0"/>', "<unit/>"]
+)
+def test_metres(tmp_path: Path, asset: str) -> None:
+    assert messages(tmp_path, "MSH013", link(mesh("a.dae")), {"a.dae": collada(asset)}) == []
+
+
+@pytest.mark.parametrize(
+    ("roles", "targets", "severity"),
+    [
+        (["visual"], (), "info"),
+        (["visual"], ("ros2", "gz-harmonic"), "info"),
+        (["visual"], ("ros2", "pinocchio"), "warning"),
+        (["collision"], ("ros2",), "warning"),
+        (["visual", "collision"], ("ros2",), "warning"),
+    ],
+)
+def test_a_visual_is_an_info(
+    tmp_path: Path, roles: list[str], targets: tuple[str, ...], severity: str
+) -> None:
+    robot = link(*(mesh("a.dae", role) for role in roles))
+    (found,) = reported(tmp_path, "MSH013", robot, {"a.dae": INCH}, targets)
+    assert found.severity.value == severity
+
+
+@pytest.mark.parametrize("axis", ["X_UP", "Y_UP"])
+def test_another_up_axis_is_reported_once(tmp_path: Path, axis: str) -> None:
+    other = collada(f"<up_axis>{axis}</up_axis>")
+    robot = link(mesh("c.dae"), mesh("a.dae"), mesh("b.dae"), mesh("a.dae"))
+    files = {"a.dae": other, "b.dae": other, "c.dae": collada("<up_axis>Z_UP</up_axis>")}
+    (found,) = reported(tmp_path, "MSH013", robot, files)
+    assert found.severity.value == "info"
+    assert f"'a.dae' has {axis} (and 1 more like this): Bullet rotates it" in found.message
+
+
+@pytest.mark.parametrize("asset", ["", "<up_axis>Z_UP</up_axis>", "<up_axis>up</up_axis>"])
+def test_z_up(tmp_path: Path, asset: str) -> None:
+    assert messages(tmp_path, "MSH013", link(mesh("a.dae")), {"a.dae": collada(asset)}) == []
+
+
+def test_gltf_is_reported_once(tmp_path: Path) -> None:
+    robot = link(mesh("c.dae"), mesh("a.gltf"), mesh("b.glb"), mesh("a.gltf"))
+    files = {"a.gltf": gltf(), "b.glb": glb(), "c.dae": collada()}
+    (found,) = reported(tmp_path, "MSH013", robot, files)
+    assert found.severity.value == "info"
+    assert "'a.gltf' is glTF, where y is up (and 1 more like this): RViz" in found.message
+
+
+def test_a_broken_gltf_is_not_reported(tmp_path: Path) -> None:
+    assert messages(tmp_path, "MSH013", link(mesh("a.glb")), {"a.glb": glb()[:-1]}) == []

@@ -1,0 +1,59 @@
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("lxml")
+pytest.importorskip("manifold3d")
+
+from tests.meshed import link, mesh, messages, reported
+from urdfkit.mesh.samples import box, stl
+
+CUBE = box((0, 0, 0), (1, 1, 1))
+MANY = stl(1667 * CUBE)
+
+
+def test_20_004_triangles(tmp_path: Path) -> None:
+    assert messages(tmp_path, "MSH019", link(mesh("a.stl")), {"a.stl": MANY}) == [
+        (
+            "link 'arm': the collision mesh 'a.stl' has 20,004 triangles; more than 20,000 make "
+            "collision checking slow"
+        )
+    ]
+
+
+def test_mujoco_rejects_it(tmp_path: Path) -> None:
+    (found,) = messages(tmp_path, "MSH019", link(mesh("a.stl")), {"a.stl": stl(16_667 * CUBE)})
+    assert found.endswith("slow, and MuJoCo rejects more than 200,000")
+
+
+def test_fewer_or_a_visual(tmp_path: Path) -> None:
+    files = {"a.stl": MANY, "b.stl": stl(1666 * CUBE)}
+    robot = link(mesh("a.stl", "visual"), mesh("b.stl"))
+    assert messages(tmp_path, "MSH019", robot, files) == []
+
+
+def test_a_visual_of_100_008_triangles(tmp_path: Path) -> None:
+    files = {"a.stl": stl(8334 * CUBE), "b.stl": stl(8333 * CUBE)}
+    robot = link(mesh("a.stl", "visual"), mesh("b.stl", "visual"))
+    (found,) = reported(tmp_path, "MSH019", robot, files)
+    assert found.severity.value == "info"
+    assert "'a.stl' has 100,008 triangles; more than 100,000 make rendering slow" in found.message
+    both = link(mesh("a.stl", "visual"), mesh("a.stl"))
+    (found,) = reported(tmp_path, "MSH019", both, files)
+    assert found.severity.value == "warning"
+
+
+@pytest.mark.parametrize(
+    ("cubes", "severity"), [(416, []), (417, ["info"]), (1666, ["info"]), (1667, ["warning"])]
+)
+def test_a_visual_mesh_used_for_collision(tmp_path: Path, cubes: int, severity: list[str]) -> None:
+    robot = link(mesh("a.stl", "visual"), mesh("a.stl"))
+    found = reported(tmp_path, "MSH019", robot, {"a.stl": stl(cubes * CUBE)})
+    assert [one.severity.value for one in found] == severity
+
+
+def test_another_file_or_another_link(tmp_path: Path) -> None:
+    files = {"a.stl": stl(500 * CUBE), "b.stl": stl(501 * CUBE)}
+    two = link(mesh("a.stl", "visual"), mesh("b.stl")) + link(mesh("a.stl"), name="b")
+    assert messages(tmp_path, "MSH019", two, files) == []

@@ -1,0 +1,212 @@
+from pathlib import Path
+
+import pytest
+
+from tests.xacros import codes, marked, reported, told_of, write
+
+MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:macro>\n'
+
+
+@pytest.mark.parametrize(
+    ("body", "place", "message", "help"),
+    [
+        (
+            '<link name="a${x}"/>',
+            "${x}",
+            "name 'x' is not defined in ${x}",
+            "define the property 'x' above its use, or correct the name",
+        ),
+        (
+            '<link name="${widht}"/><xacro:property name="width" value="1"/>',
+            "${widht}",
+            "name 'widht' is not defined in ${widht}",
+            "define the property 'widht' above its use, or correct the name; did you mean 'width'?",
+        ),
+        (
+            '<link name="${a}"/><xacro:property name="a" value="1"/>',
+            "${a}",
+            "name 'a' is not defined in ${a}",
+            "'a' is defined further down, at robot.xacro:2:20: move its definition above the use",
+        ),
+        ('<link name="${1/0}"/>', "${1/0}", "division by zero in ${1/0}", ""),
+        (
+            '<link name="${1 +}"/>',
+            "${1 +}",
+            "not an expression: invalid syntax in ${1 +}",
+            "write it as Python would read it",
+        ),
+        ('<link name="${1"/>', "${1", "'${1' is never closed", "write the missing '}'"),
+        ('<link name="$(arg"/>', "$(arg", "'$(arg' is never closed", "write the missing ')'"),
+        (
+            "<xacro:wheel/>",
+            "xacro:wheel",
+            "macro 'wheel' is not defined",
+            "define the macro above its call, or include the file that does",
+        ),
+        (
+            f"{MACRO}<xacro:mm/>",
+            "xacro:mm",
+            "macro 'mm' is not defined",
+            "define the macro above its call, or include the file that does; did you mean 'm'?",
+        ),
+        (
+            f'{MACRO}<xacro:m a="1" z="2"><x/></xacro:m>',
+            "2",
+            "macro 'm' has no parameter 'z'",
+            "it has: a, b, *c",
+        ),
+        (
+            f"{MACRO}<xacro:m><x/></xacro:m>",
+            "xacro:m",
+            "macro 'm' is called without a",
+            "give every parameter without a default",
+        ),
+        (
+            f'{MACRO}<xacro:m a="1"/>',
+            "xacro:m",
+            "macro 'm' is called without an element for *c",
+            "put an element for each of *c into the call",
+        ),
+        (
+            f'{MACRO}<xacro:m a="1"><x/><y/></xacro:m>',
+            "xacro:m",
+            "macro 'm' has no block parameter for <y>",
+            "delete it, or give the macro a parameter with * for it",
+        ),
+        (
+            '<xacro:insert_block name="z"/>',
+            "xacro:insert_block",
+            "block 'z' is not defined",
+            "insert_block takes the name of a parameter with *, or of a property with elements",
+        ),
+        (
+            '<xacro:if value="maybe"><link/></xacro:if>',
+            "maybe",
+            "the condition is 'maybe', neither true nor false",
+            "write true or false",
+        ),
+        (
+            '<xacro:property name="x" scope="parent" value="1"/>',
+            "parent",
+            'scope="parent" stands outside of every macro, where there is no parent',
+            "delete the scope",
+        ),
+        (
+            '<link name="$(env URDFKIT_NONE)"/>',
+            "$(env URDFKIT_NONE)",
+            "environment variable 'URDFKIT_NONE' is not set in $(env URDFKIT_NONE)",
+            "",
+        ),
+    ],
+)
+def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str, help: str) -> None:
+    (found,) = reported("XAC001", body)
+    assert (found.span.text, found.message) == (place, message)
+    default = "correct the expression or the call; the notes show what it refers to"
+    assert found.help == (help or default)
+
+
+@pytest.mark.parametrize(
+    ("before", "use", "help"),
+    [
+        (
+            '<xacro:if value="0"><xacro:property name="a" value="1"/></xacro:if>',
+            '<link name="${a}"/>',
+            "'a' is defined at robot.xacro:2:21, but the <xacro:if> around it does not hold",
+        ),
+        (
+            '<xacro:macro name="m"><xacro:property name="a" value="1"/></xacro:macro><xacro:m/>',
+            '<link name="${a}"/>',
+            "'a' is defined at robot.xacro:2:23, and known in that macro only",
+        ),
+        (
+            "<xacro:m/>",
+            '<xacro:macro name="m"><link name="w"/></xacro:macro>',
+            "'m' is defined further down, at robot.xacro:3:1: move its definition above the use",
+        ),
+    ],
+    ids=["condition", "macro", "later"],
+)
+def test_a_name_that_is_defined_elsewhere(before: str, use: str, help: str) -> None:
+    (found,) = reported("XAC001", f"{before}\n{use}")
+    assert found.help.startswith(help)
+
+
+def test_all_errors_are_told_each_at_its_place() -> None:
+    body = (
+        '<link name="${a}"/>\n<xacro:nope/>\n<xacro:property name="p" scope="parent" value="1"/>\n'
+        '<xacro:if value="${b}"/>\n<xacro:include filename="none.xacro"/>'
+    )
+    assert marked(reported("XAC001", body)) == [
+        (2, "${a}"),
+        (3, "xacro:nope"),
+        (4, "parent"),
+        (5, "${b}"),
+        (6, "none.xacro"),
+    ]
+
+
+def test_the_place_of_a_property_that_fails_is_its_definition() -> None:
+    body = '<xacro:property name="a" value="${b * 2}"/>\n<link name="${a}"/>\n<link name="x${a}"/>'
+    (found,) = reported("XAC001", body)
+    assert (found.span.line, found.span.text) == (2, "${b * 2}")
+    assert [(one.span.line, one.message) for one in found.related] == [
+        (3, "needed here for 'a'"),
+        (4, "needed here for 'a'"),
+    ]
+
+
+def test_a_call_shows_where_its_macro_is_defined() -> None:
+    (found,) = reported("XAC001", f"{MACRO}<xacro:m/>")
+    assert [(one.span.line, one.message) for one in found.related] == [
+        (2, "macro 'm' is defined here")
+    ]
+
+
+def test_a_macro_that_fails_in_every_call_is_one_finding() -> None:
+    body = '<xacro:macro name="m" params="a"><link name="${a + z}"/></xacro:macro>\n'
+    (found,) = reported("XAC001", body + '<xacro:m a="1"/>\n<xacro:m a="2"/>')
+    assert (found.span.line, found.span.text) == (2, "${a + z}")
+    assert sorted(call.via[0].span.line for call in found.calls) == [3, 4]
+
+
+class TestMissingFiles:
+    def test_a_file_like_it_is_named(self, tmp_path: Path) -> None:
+        write(tmp_path, robot='<xacro:include filename="arms.xacro"/><link name="a"/>', arm="")
+        (found,) = told_of("XAC001", tmp_path / "robot.xacro")
+        assert found.span.text == "arms.xacro"
+        assert found.message == f"file not found: {tmp_path}/arms.xacro"
+        assert found.help == "did you mean 'arm.xacro'?"
+
+    def test_a_folder_that_is_missing_is_named(self, tmp_path: Path) -> None:
+        (tmp_path / "config" / "ur5e").mkdir(parents=True)
+        write(tmp_path, robot="<link name=\"${xacro.load_yaml('config/ur5x/a.yaml')}\"/>")
+        (found,) = told_of("XAC001", tmp_path / "robot.xacro")
+        folder = tmp_path / "config"
+        assert found.help == f"directory 'ur5x' not found in {folder}; did you mean 'ur5e'?"
+
+    def test_what_lacks_because_of_it_is_not_told(self) -> None:
+        body = '<xacro:include filename="none.xacro"/><xacro:arm/><link name="${length}"/>'
+        assert codes(body) == ["XAC001"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        '<xacro:property name="a" value="1"/><link name="l${a}"/>',
+        f'{MACRO}<xacro:m a="1"><x/></xacro:m>',
+        '<xacro:if value="${1 &lt; 2}"><link name="a"/></xacro:if>',
+        '<xacro:unless value="false"><link name="a"/></xacro:unless>',
+        '<link name="$${a}"/>',
+        '<xacro:include filename="none.xacro" optional="true"/><link name="a"/>',
+        '<xacro:macro name="m" params=""><link name="${never}"/></xacro:macro><link name="a"/>',
+    ],
+)
+def test_what_xacro_expands(body: str) -> None:
+    assert reported("XAC001", body) == []
+
+
+def test_an_include_by_package_url() -> None:
+    (found,) = reported("XAC001", '<xacro:include filename="package://arm/urdf/arm.xacro"/>')
+    assert found.message == "xacro does not resolve package://arm/urdf/arm.xacro"
+    assert found.help == "write $(find arm)/urdf/arm.xacro"

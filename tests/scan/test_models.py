@@ -1,0 +1,72 @@
+"""What the sources of a scan stand for."""
+
+import tarfile
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.scan.models import Extraction, models
+
+
+@pytest.fixture
+def zoo(tmp_path: Path) -> Path:
+    for name in ("b/x.urdf", "a/y.URDF", "a/z.urdf.xacro", "a/mesh.stl", ".git/old.urdf"):
+        file = tmp_path / "zoo" / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("<robot/>")
+    return tmp_path / "zoo"
+
+
+def names(*sources: Path | str, below: Path) -> list[str]:
+    return [model.name.removeprefix(f"{below}/") for model in models(map(str, sources))]
+
+
+def test_a_directory_stands_for_its_descriptions(zoo: Path) -> None:
+    assert names(zoo, below=zoo) == ["a/y.URDF", "a/z.urdf.xacro", "b/x.urdf"]
+
+
+def test_a_file_counts_whatever_it_is_called(zoo: Path) -> None:
+    assert names(zoo / "a" / "mesh.stl", below=zoo) == ["a/mesh.stl"]
+
+
+def test_a_glob(zoo: Path) -> None:
+    assert names(f"{zoo}/**/*.urdf", below=zoo) == ["b/x.urdf"]
+    assert sorted(names(f"{zoo}/*", below=zoo)) == ["a/y.URDF", "a/z.urdf.xacro", "b/x.urdf"]
+
+
+def test_a_list_has_sources_relative_to_itself(zoo: Path) -> None:
+    (zoo / "some.txt").write_text("# chosen\nb/x.urdf\n\na\n")
+    assert names(zoo / "some.txt", below=zoo) == ["b/x.urdf", "a/y.URDF", "a/z.urdf.xacro"]
+
+
+@pytest.mark.parametrize("suffix", [".zip", ".tar", ".tar.gz"])
+def test_an_archive_is_extracted_when_a_model_is_wanted(zoo: Path, suffix: str) -> None:
+    archive = zoo.parent / f"zoo{suffix}"
+    if suffix == ".zip":
+        with zipfile.ZipFile(archive, "w") as packed:
+            for file in ("a/y.URDF", "a/mesh.stl", "b/x.urdf"):
+                packed.write(zoo / file, file)
+    else:
+        with tarfile.open(archive, "w:gz" if suffix.endswith("gz") else "w") as tar:
+            tar.add(zoo, "./")
+    found = [model for model in models([str(archive)]) if not model.name.endswith("xacro")]
+    ours = [model for model in found if "/." not in model.name.removeprefix(str(archive))]
+    assert [model.name for model in ours] == [f"{archive}/a/y.URDF", f"{archive}/b/x.urdf"]
+    with Extraction() as extraction:
+        path = Path(extraction.on_disk(ours[0]).path)
+        assert path.read_text() == "<robot/>"
+        assert path.with_name("mesh.stl").exists()
+    assert not path.exists()
+
+
+def test_a_damaged_archive_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "a.zip").write_bytes(b"PK\3\4 no archive")
+    with pytest.raises(UnreadableFile, match="not a readable archive"):
+        list(models([str(tmp_path / "a.zip")]))
+
+
+def test_a_missing_source_is_an_error(zoo: Path) -> None:
+    with pytest.raises(UnreadableFile, match=r"file not found; did you mean 'x\.urdf'"):
+        list(models([str(zoo / "b" / "xx.urdf")]))

@@ -1,0 +1,10 @@
+"""What the mesh files of a robot contain."""
+
+from __future__ import annotations
+
+from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if a mesh file is there."""
+    return any(mesh.facts for mesh in subject.files.meshes)

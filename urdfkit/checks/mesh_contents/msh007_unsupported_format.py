@@ -1,0 +1,65 @@
+"""A mesh is in a format that programs do not load, or take for another.
+
+By content it is a CAD or scene file (STEP, IGES, Blender, 3DS, VRML, X3D, AMF, 3MF, USD), which
+Gazebo, MuJoCo and Drake do not read at all, or it is a mesh with the suffix of another format:
+programs choose their loader by the suffix and then fail or load nothing. Export it as STL, COLLADA
+or OBJ. PLY, glTF and FBX are not reported: RViz, MoveIt and Pinocchio load them through assimp, new
+Gazebo loads glTF and FBX, Gazebo Classic loads none of the three.
+
+A binary STL that begins with `solid` is an info: ASCII files begin so, and the header of a binary
+one is free. RViz, Gazebo, MuJoCo and Python libraries load it, RViz with a warning; simple parsers
+take it for a broken ASCII file. `urdfkit mesh convert` writes it without the word.
+
+Sources:
+    RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
+    Gazebo Classic, MeshManager.cc: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/MeshManager.cc
+    assimp, STLLoader.cpp: https://github.com/assimp/assimp/blob/master/code/AssetLib/STL/STLLoader.cpp
+    ros2/rviz#888: https://github.com/ros2/rviz/issues/888
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
+"""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.mesh.io.facts import BY_SUFFIX
+from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.samples import mesh_xml
+
+BAD = mesh_xml("visual", "forearm.stl")
+GOOD = BAD.replace("forearm.stl", "hand.stl")
+FILES = {
+    "forearm.stl": b"ISO-10303-21;\nHEADER;\n",
+    "hand.stl": PLATE,
+}
+
+_NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
+
+
+@rule(
+    Severity.ERROR, needs=(Need.MODEL, Need.FILES), help="export it as STL, COLLADA (.dae) or OBJ"
+)
+def check(subject: Subject) -> Findings:
+    for mesh in subject.files.meshes:
+        facts, path = mesh.facts, mesh.located.path
+        if facts is None or path is None or facts.defect:
+            continue
+        suffix = os.path.splitext(path)[1]
+        if facts.format in _NOT_LOADED:
+            yield Finding(
+                mesh.at, f"{mesh.who} is a {facts.format} file, which Gazebo does not read"
+            )
+        elif _is_mesh(facts.format) and facts.format not in BY_SUFFIX.get(suffix.lower(), ()):
+            message = f"{mesh.who} is {facts.format} by content, and its name ends in '{suffix}'"
+            yield Finding(mesh.at, message, "give the file the suffix of its format")
+    for mesh in subject.files.each_file:
+        if mesh.facts and mesh.facts.starts_with_solid:
+            message = f"{mesh.who} is a binary STL and begins with 'solid'"
+            help = "urdfkit mesh convert FILE NEW.stl"
+            yield Finding(mesh.at, message, help, alike="solid", severity=Severity.INFO)
+
+
+def _is_mesh(form: str) -> bool:
+    return any(form in forms for forms in BY_SUFFIX.values())

@@ -1,0 +1,76 @@
+"""A mesh file cannot be read, or only a part of it.
+
+It is empty, as `touch` makes it, or holds no triangles; it is truncated, as by an interrupted
+download; it is something else: a web page saved instead of the file, the pointer that Git LFS
+leaves where `git lfs pull` was not run, an image, an archive; or its content contradicts itself: a
+vertex that is not three finite numbers, a face of a vertex that does not exist, XML with a wrong
+end tag. Some programs reject such a file, others silently load nothing or a part of it, and a
+physics engine loses a body whose collision has an infinite vertex. Export or download it again.
+
+It is a warning where only a part is broken, such as a reference to nothing or a colour that is no
+number: what RViz shows may be missing in Gazebo. `urdfkit mesh convert` writes what can be read.
+
+Sources:
+    RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    assimp, ColladaLoader.cpp: https://github.com/assimp/assimp/blob/master/code/AssetLib/Collada/ColladaLoader.cpp
+    Git LFS, pointers: https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md
+    STL: https://en.wikipedia.org/wiki/STL_(file_format)
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.context import Unavailable
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.mesh.io.facts import DefectKind
+from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.assets.mesh_defects import MeshDefect, losses
+from urdfkit.robot.samples import mesh_xml
+
+BAD = mesh_xml("visual", "meshes/comma.stl")
+GOOD = BAD.replace("comma", "plate")
+
+FILES = {
+    "meshes/comma.stl": PLATE.replace(b"1 0 0", b"1,0 0,0 0,0"),
+    "meshes/plate.stl": PLATE,
+}
+
+_HELP = {
+    DefectKind.NOT_A_MESH: "get the file itself: the raw link of the page, or git lfs pull",
+    DefectKind.TRUNCATED: "download or export the mesh again",
+}
+_HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE NEW.dae"
+
+
+@rule(
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="export the mesh again, or copy it from where the robot comes from",
+    about_files=True,
+)
+def check(subject: Subject) -> Findings:
+    for mesh in subject.files.meshes:
+        if mesh.facts is None:
+            continue
+        if defect := mesh.facts.defect:
+            pull = "run git lfs pull" if "Git LFS" in defect.reason else ""
+            help = pull or _HELP.get(defect.kind, "")
+            yield Finding(mesh.at, f"{mesh.who} {defect.reason}", help, alike=pull)
+        elif mesh.facts.non_finite:
+            help = "export the mesh again, or remove the triangle in a mesh editor"
+            message = f"{mesh.who} has a vertex that is not finite: {mesh.facts.non_finite}"
+            yield Finding(mesh.at, message, help)
+    yield from _partly(subject)
+
+
+def _partly(subject: Subject) -> Findings:
+    """Of files that look whole; none where meshes are not measured."""
+    try:
+        measured = subject.measured
+    except Unavailable:
+        return
+    for mesh in measured.unmeasured:
+        yield Finding(mesh.at, f"{mesh.who} {mesh.reason}", _HELP_PARTLY, severity=Severity.WARNING)
+    for use in measured.defects.get(MeshDefect.PARTLY_UNREADABLE, ()):
+        message = f"{use.who} is partly broken: {'; '.join(losses(use))}"
+        yield Finding(use.at, message, _HELP_PARTLY, severity=Severity.WARNING)

@@ -1,0 +1,99 @@
+"""Programs read the unit or the up axis of a mesh file in different ways.
+
+- `<unit meter="0.001"/>` in a COLLADA file says that its lengths are millimetres. RViz and Gazebo
+  multiply by it; MoveIt, Pinocchio, coal and most Python tools do not. The robot looks right, and
+  its planner avoids something a thousand times as large, or the other way round. Bake the unit into
+  the vertices with `urdfkit mesh convert`. A warning; an info for a mesh that is only a visual,
+  unless Pinocchio is a target.
+- `<up_axis>Y_UP</up_axis>` in a COLLADA file is ignored by RViz, Gazebo, MoveIt, Pinocchio and most
+  Python tools. Bullet, and viewers in the browser, rotate the mesh by 90 degrees. `urdfkit mesh
+  convert` writes Z_UP, with the same numbers. An info.
+- glTF 2.0 defines y as up, URDF z. RViz rotates such a mesh since 15.1.4 (ROS 2 Lyrical); so do
+  Drake, MeshCat and Blender. Gazebo, RViz before that, assimp and trimesh take the numbers as they
+  are. No file suits both: use COLLADA with Z_UP, OBJ or STL. `urdfkit mesh convert` keeps the
+  numbers, and with `--upright` rotates them as the new RViz does. An info.
+
+Sources:
+    COLLADA 1.4: https://www.khronos.org/files/collada_spec_1_4.pdf
+    ros-visualization/rviz#1045: https://github.com/ros-visualization/rviz/issues/1045
+    moveit/geometric_shapes#52: https://github.com/moveit/geometric_shapes/issues/52
+    mikedh/trimesh#1083: https://github.com/mikedh/trimesh/issues/1083
+    MoveIt, mesh_operations.cpp: https://github.com/ros-planning/geometric_shapes/blob/ros2/src/mesh_operations.cpp
+    PyBullet, COLLADA: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportColladaDemo/LoadMeshFromCollada.cpp
+    glTF 2.0, coordinates: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
+    ros2/rviz#1482: https://github.com/ros2/rviz/pull/1482
+    Gazebo, AssimpLoader.cc: https://github.com/gazebosim/gz-common/blob/main/graphics/src/AssimpLoader.cc
+    measured: of 517 public COLLADA files, 23 have another unit and 213 another axis
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
+from urdfkit.mesh.samples import collada
+from urdfkit.robot.samples import mesh_xml
+
+if TYPE_CHECKING:
+    from urdfkit.mesh.io.facts import MeshFacts
+
+BAD = mesh_xml("visual", "forearm.dae")
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.dae": collada('<unit name="millimeter" meter="0.001"/>'),
+    "hand.dae": collada('<unit name="meter" meter="1"/>'),
+}
+
+
+@rule(
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.FILES),
+    help="bake the unit into the vertices: urdfkit mesh convert FILE NEW.dae",
+)
+def check(subject: Subject) -> Findings:
+    collisions = {mesh.located.path for mesh in subject.files.meshes if mesh.role == "collision"}
+    for mesh in subject.files.each_file:
+        if mesh.facts and has_other_unit(mesh.facts):
+            is_only_visual = (
+                mesh.located.path not in collisions and "pinocchio" not in subject.targets.names
+            )
+            yield Finding(
+                mesh.at,
+                f"{mesh.who} has the unit {mesh.facts.unit:g} m: RViz and Gazebo multiply by it, "
+                "MoveIt, Pinocchio and coal do not",
+                alike=f"{mesh.facts.unit:g}",
+                severity=Severity.INFO if is_only_visual else None,
+            )
+    yield from _once(
+        subject,
+        has_other_up_axis,
+        lambda facts: f"has {facts.up_axis}",
+        "Bullet rotates it by 90 degrees, RViz, Gazebo, MoveIt and Pinocchio do not",
+        "none needed if RViz shows it right; urdfkit mesh convert writes Z_UP",
+    )
+    yield from _once(
+        subject,
+        is_gltf,
+        lambda _: "is glTF, where y is up",
+        "RViz since 15.1.4 and Drake rotate it by 90 degrees, Gazebo and earlier RViz do not",
+        "use COLLADA, OBJ or STL: urdfkit mesh convert [--upright] FILE OUT.dae",
+    )
+
+
+def _once(
+    subject: Subject,
+    concerns: Callable[[MeshFacts], bool],
+    describe: Callable[[MeshFacts], str],
+    effect: str,
+    help: str,
+) -> Findings:
+    """One info for all files of a robot that a predicate holds for."""
+    found = [mesh for mesh in subject.files.each_file if mesh.facts and concerns(mesh.facts)]
+    if found:
+        mesh, *others = found
+        assert mesh.facts
+        more = f" (and {len(others)} more like this)" if others else ""
+        message = f"{mesh.who} {describe(mesh.facts)}{more}: {effect}"
+        yield Finding(mesh.at, message, help, severity=Severity.INFO)

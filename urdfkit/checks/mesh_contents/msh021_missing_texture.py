@@ -1,0 +1,48 @@
+"""A mesh refers to an image or a material file that does not exist.
+
+The path of a texture stands in the mesh file or in its .mtl, relative to it; the colours of an OBJ
+stand in the file that its `mtllib` names. It was not copied along, was renamed, or the path is that
+of another machine. RViz and Gazebo draw the part white, grey or black and fill the log with
+warnings. Add the file next to the mesh, export the mesh with a plain colour, or delete the `mtllib`
+line and give the visual a `<material>` of URDF: an OBJ with one is not reported, and neither are
+collisions.
+
+Sources:
+    RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
+    COLLADA 1.4: https://www.khronos.org/files/collada_spec_1_4.pdf
+    Wavefront OBJ, mtllib: https://paulbourke.net/dataformats/obj/
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.mesh.samples import collada
+from urdfkit.robot.assets.mesh_defects import MeshDefect, missing_textures
+from urdfkit.robot.samples import mesh_xml
+
+BAD = mesh_xml("visual", "forearm.dae")
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.dae": collada(look='<diffuse><texture texture="image" texcoord="UV"/></diffuse>'),
+    "hand.dae": collada(look="<diffuse><color>1 0 0 1</color></diffuse>"),
+}
+
+
+@rule(
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.MESHES),
+    help="add the image next to the mesh, or give the mesh a plain colour",
+)
+def check(subject: Subject) -> Findings:
+    defects = subject.measured.defects
+    for use in defects.get(MeshDefect.MISSING_TEXTURES, ()):
+        names = missing_textures(use)
+        more = f" (and {len(names) - 1} more like this)" if len(names) > 1 else ""
+        yield Finding(use.at, f"{use.who} uses the image '{names[0]}', which does not exist{more}")
+    for use in defects.get(MeshDefect.MISSING_MATERIALS, ()):
+        yield Finding(
+            use.at,
+            f"{use.who} has its colours in '{use.measures.no_materials[0]}', which does not exist",
+            "add the file next to the mesh, or give the visual a <material>",
+            alike="materials",
+        )

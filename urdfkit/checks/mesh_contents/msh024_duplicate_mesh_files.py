@@ -1,0 +1,32 @@
+"""Two mesh files of a robot have the same content.
+
+One copy gets fixed some day and the other does not, and both are loaded. Refer to one file from
+both places; a `<mesh>` can be mirrored with its scale and moved with its `<origin>`.
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.mesh.samples import box, stl
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
+
+BAD = robot_xml(
+    link_xml("left", visual_xml('<mesh filename="left.stl"/>')),
+    link_xml("right", visual_xml('<mesh filename="right.stl"/>')),
+    joint_xml("fixed", name="axle", parent="left", child="right"),
+)
+GOOD = BAD.replace("right.stl", "left.stl")
+FILES = dict.fromkeys(("left.stl", "right.stl"), stl(box((0, 0, 0), (0.1, 0.1, 0.3))))
+
+
+@rule(Severity.INFO, needs=(Need.MODEL, Need.FILES), help="refer to one of them from both places")
+def check(subject: Subject) -> Findings:
+    if not subject.files.copies:
+        return
+    (copy, first), *others = subject.files.copies
+    more = f" (and {len(others)} more like this)" if others else ""
+    yield Finding(
+        copy.at,
+        f"{copy.who} has the same content as '{first.at.value}'{more}",
+        related=(Related(first.at.span, "the other file"),),
+    )

@@ -1,0 +1,51 @@
+"""A mesh file holds content that URDF programs ignore.
+
+Lines, cameras, lights, bones and animations that a modelling program exports along are not shown by
+RViz, and Gazebo Classic has drawn the lines as thick wire frames. They cost time to load. Export
+the selected mesh only, or write the file again with `urdfkit mesh convert`, which keeps the
+triangles.
+
+Some CAD programs store a colour in two spare bytes of each triangle of an STL file, in one of two
+ways that contradict each other. RViz, Gazebo and Python tools ignore it and show the part in the
+colour of its `<material>`, or grey. Give the visual a `<material>`, or export COLLADA.
+
+Sources:
+    COLLADA 1.4: https://www.khronos.org/files/collada_spec_1_4.pdf
+    Gazebo Classic, ColladaLoader.cc: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/ColladaLoader.cc
+    STL: https://en.wikipedia.org/wiki/STL_(file_format)
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.mesh.samples import collada
+from urdfkit.robot.assets.mesh_defects import COLOURS, MeshDefect, extras
+from urdfkit.robot.samples import mesh_xml
+
+BAD = mesh_xml("visual", "forearm.dae")
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.dae": collada(
+        more="""<lines count="1">
+      <input semantic="VERTEX" source="#corners" offset="0"/><p>0 1</p></lines>"""
+    ),
+    "hand.dae": collada(),
+}
+
+
+@rule(
+    Severity.INFO,
+    needs=(Need.MODEL, Need.MESHES),
+    help="export the mesh alone, or urdfkit mesh convert FILE NEW.dae",
+)
+def check(subject: Subject) -> Findings:
+    defects = subject.measured.defects
+    for use in defects.get(MeshDefect.EXTRAS, ()):
+        content = ", ".join(extras(use))
+        message = f"{use.who} also holds {content}; only triangles are shown"
+        yield Finding(use.at, message, alike=content)
+    for use in defects.get(MeshDefect.STL_COLOURS, ()):
+        (colours,) = (extra for extra in use.measures.extras if extra.startswith(COLOURS))
+        message = f"{use.who} holds {colours}, which URDF programs ignore"
+        help = "give the visual a <material>, or export COLLADA"
+        yield Finding(use.at, message, help, alike="colours")

@@ -1,0 +1,111 @@
+"""A `<mimic>` cannot drive its joint.
+
+- A joint that mimics itself, or joints that mimic one another in a cycle: none has a position of
+  its own. Drake and MuJoCo reject a joint that mimics itself, MoveIt drops every mimic of the
+  robot, Pinocchio rejects it where it is asked for mimic joints, and joint_state_publisher
+  recurses until Python stops it. Let one joint lead, without a `<mimic>`.
+- A leader that is fixed, floating or planar: only revolute, continuous and prismatic joints have
+  one position to follow. Drake rejects the robot; MuJoCo and MoveIt drop the coupling, so that the
+  follower moves freely. A fixed joint with a `<mimic>` is reported for Drake only.
+- A multiplier of 0: the follower stays at its offset. Leave the attribute out for 1.
+
+Sources:
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+    joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.robot.joints import MOVING, related, several
+from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.samples import hand_xml
+from urdfkit.text.schema import JOINT_TYPES
+
+_LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
+_OF_LEFT, _OF_RIGHT = '<mimic joint="left_joint"/>', '<mimic joint="right_joint"/>'
+BAD = hand_xml("prismatic", [_LIMIT, _OF_RIGHT], [_LIMIT, _OF_LEFT])
+GOOD = hand_xml("prismatic", [_LIMIT], [_LIMIT, _OF_LEFT])
+
+#: Joints that a message names.
+_MAX_NAMES = 6
+
+_IMMOBILE = frozenset(JOINT_TYPES) - frozenset(MOVING)
+
+
+@rule(Severity.ERROR)
+def check(subject: Subject) -> Findings:
+    for cycle in _cycles(subject.model):
+        yield _cycle_finding(cycle)
+    yield from _immobile(subject)
+    for joint in subject.model.joints:
+        mimic = joint.mimic
+        if mimic and mimic.joint and mimic.multiplier == 0:
+            yield Finding(
+                mimic.at.attributes.get("multiplier", mimic.at),
+                f"joint '{joint.name}' mimics '{mimic.joint.value}' with multiplier 0: it stays at "
+                f"{mimic.offset:g}",
+                "write the multiplier, such as 1",
+                severity=Severity.WARNING,
+            )
+
+
+def _cycle_finding(cycle: list[Joint]) -> Finding:
+    first = cycle[0]
+    assert first.mimic is not None
+    at = first.mimic.joint or first.mimic.at
+    if len(cycle) == 1:
+        return Finding(at, f"joint '{first.name}' mimics itself", "name the joint that leads")
+    names = [f"'{joint.name}'" for joint in cycle[:_MAX_NAMES]]
+    if len(cycle) > _MAX_NAMES:
+        names.append(f"{len(cycle) - _MAX_NAMES} more")
+    return Finding(
+        at,
+        f"mimic cycle: {' -> '.join([*names, names[0]])}",
+        "let one of them lead, without a <mimic>",
+        related=related((joint, joint.mimic.at.span) for joint in cycle if joint.mimic),
+    )
+
+
+def _cycles(model: RobotModel) -> Iterator[list[Joint]]:
+    """The cycles of mimicking joints, each once."""
+    joints = model.joints_by_name
+    visited: dict[str, int] = {}  # by which walk
+    for walk, start in enumerate(joints.values()):
+        path: list[Joint] = []
+        joint: Joint | None = start
+        while joint and joint.mimic and joint.mimic.joint and joint.name not in visited:
+            visited[joint.name] = walk
+            path.append(joint)
+            joint = joints.get(joint.mimic.joint.value)
+        if joint and visited.get(joint.name) == walk:
+            yield path[path.index(joint) :]
+
+
+def _immobile(subject: Subject) -> Findings:
+    """Leaders, and for Drake followers, without one position; one finding for each reason."""
+    known = subject.model.joints_by_name
+    drake = subject.targets.among(("drake",))
+    found: dict[str, list[Joint]] = {}
+    for joint in subject.model.joints:
+        leader = known.get(joint.mimic.joint.value) if joint.mimic and joint.mimic.joint else None
+        if leader is None or leader is joint:
+            continue
+        if joint.kind in _IMMOBILE and drake:
+            found.setdefault(f"<mimic> on a {joint.kind} joint", []).append(joint)
+        elif leader.kind in _IMMOBILE and joint.kind in MOVING:
+            reason = f"<mimic> of '{leader.name}', which is {leader.kind}"
+            found.setdefault(reason, []).append(joint)
+    for reason, joints in found.items():
+        assert joints[0].mimic is not None
+        yield Finding(
+            joints[0].mimic.at,
+            f"{several(joints)}: {reason}",
+            "remove the <mimic>, or give the joint a type that moves",
+            related=related((joint, joint.mimic.at.span) for joint in joints if joint.mimic),
+            severity=Severity.ERROR if drake else Severity.WARNING,
+            targets=drake,
+        )

@@ -1,0 +1,69 @@
+"""A joint that mimics another one leaves its own limits.
+
+Its position is the leader's times `multiplier` plus `offset`. Where the leader's range takes it
+beyond its own limits, a simulator that knows mimic pulls at a joint that stands at its stop, and
+the leader stops short or shakes; MoveIt and RViz show the joint outside of its limits. Often only
+the sign of the multiplier is wrong, or limits were copied from the leader.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.model import Joint
+from urdfkit.robot.samples import hand_xml
+
+_LIMIT = '<limit lower="0" upper="0.8" effort="20" velocity="2"/>'
+BAD = hand_xml("revolute", [_LIMIT], [_LIMIT, '<mimic joint="left_joint" multiplier="-1"/>'])
+GOOD = BAD.replace(' multiplier="-1"', "")
+
+#: Part of the range that is rounding.
+_TOLERANCE = 0.02
+
+
+@rule(Severity.WARNING)
+def check(subject: Subject) -> Findings:
+    known = subject.model.joints_by_name
+    for joint in subject.model.joints:
+        mimic, own = joint.mimic, bounds(joint)
+        leader = known.get(mimic.joint.value) if mimic and mimic.joint else None
+        leading = bounds(leader) if leader and leader is not joint else None
+        if mimic is None or own is None or leader is None or leading is None:
+            continue
+        if own[0] >= own[1] or leading[0] > leading[1]:
+            continue  # JNT003
+        taken = _taken(leading, mimic.multiplier, mimic.offset)
+        if _overshoot(taken, own) <= 0:
+            continue
+        assert leader.limit is not None
+        yield Finding(
+            mimic.at,
+            f"joint '{joint.name}': the mimic of '{leader.name}' drives it through [{taken[0]:g}, "
+            f"{taken[1]:g}] {unit(joint)}, beyond its limits [{own[0]:g}, {own[1]:g}]",
+            _remedy(joint, leading, own),
+            related=(Related(leader.limit.at.span, f"the limits of '{leader.name}'"),),
+            alike="beyond",
+        )
+
+
+def _taken(leading: tuple[float, float], multiplier: float, offset: float) -> tuple[float, float]:
+    ends = sorted(end * multiplier + offset for end in leading)
+    return ends[0] + 0.0, ends[1] + 0.0  # no -0
+
+
+def _overshoot(taken: tuple[float, float], own: tuple[float, float]) -> float:
+    """How far one range leaves another one; not positive if only by rounding."""
+    allowed = _TOLERANCE * max(taken[1] - taken[0], own[1] - own[0])
+    return max(own[0] - taken[0], taken[1] - own[1]) - allowed
+
+
+def _remedy(joint: Joint, leading: tuple[float, float], own: tuple[float, float]) -> str:
+    assert joint.mimic is not None
+    turned = _taken(leading, -joint.mimic.multiplier, joint.mimic.offset)
+    if _overshoot(turned, own) <= 0:
+        return f"with multiplier {-joint.mimic.multiplier:g} it stays within them"
+    return "correct multiplier and offset, or the limits of one of the two"

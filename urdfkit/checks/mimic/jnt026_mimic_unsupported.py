@@ -1,0 +1,75 @@
+"""Joints mimic others in a program that does not support mimic.
+
+RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress ignore
+`<mimic>`: the followers swing freely. From Harmonic on, only the physics engine
+bullet-featherstone couples them; the default one says so once and lets them swing. A joint that
+is listed in `<ros2_control>` follows by the control plugin, and for Classic there are mimic
+plugins. KDL treats a follower as an independent joint, and so does Pinocchio unless it is asked for
+mimic joints.
+
+Sources:
+    gz-sim, Physics.cc: https://github.com/gazebosim/gz-sim/blob/main/src/systems/physics/Physics.cc
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
+    ros-simulation/gazebo_ros_pkgs#251: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/251
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.robot.joints import MOVING, related, several
+from urdfkit.robot.model import RobotModel
+from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
+from urdfkit.ros.targets import GAZEBO
+
+_LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
+_INERTIAL = inertial_xml("0.015", "2.4e-6 2.4e-6 7.5e-7")
+BAD = robot_xml(
+    hand_xml("prismatic", [_LIMIT], [_LIMIT, '<mimic joint="left_joint"/>'], _INERTIAL),
+    '<gazebo>\n  <plugin name="control" filename="libgazebo_ros_control.so"/>\n</gazebo>',
+)
+_PLUGIN = """\
+  <plugin name="fingers" filename="libroboticsgroup_gazebo_mimic_joint_plugin.so">
+    <joint>left_joint</joint>
+    <mimicJoint>right_joint</mimicJoint>
+  </plugin>
+"""
+GOOD = BAD.replace("</gazebo>", f"{_PLUGIN}</gazebo>")
+
+
+@rule(
+    Severity.INFO,
+    help="add a mimic plugin, list the joints in <ros2_control>, or use bullet-featherstone",
+    by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
+)
+def check(subject: Subject) -> Findings:
+    """One finding for all: a hand has a dozen of them."""
+    if not subject.targets.any_of(GAZEBO):
+        return
+    coupled = _coupled(subject.model)
+    joints = [
+        joint
+        for joint in subject.model.joints
+        if joint.mimic and joint.kind in MOVING and joint.name not in coupled
+    ]
+    if joints and joints[0].mimic:
+        yield Finding(
+            joints[0].mimic.at,
+            f"{several(joints)}: Gazebo does not enforce the <mimic>",
+            related=related((joint, joint.mimic.at.span) for joint in joints if joint.mimic),
+        )
+
+
+def _coupled(model: RobotModel) -> set[str]:
+    """The joints that something else moves: a control plugin, a transmission or a mimic plugin."""
+    names = {
+        element.get("name") or ""
+        for owner in (*model.ros2_controls, *model.transmissions)
+        for element in owner.children
+        if element.tag.endswith("joint")  # passive_joint, gap_joint, ...
+    }
+    for block in model.gazebo:
+        for plugin in block.all("plugin"):
+            if "mimic" in (plugin.get("filename") or ""):
+                names.update(element.text.strip() for element in plugin.walk())
+    return names

@@ -1,0 +1,17 @@
+"""What reading a description met: errors of XML and of xacro."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True where reading met something."""
+    return bool(subject.reading.problems)
+
+
+def codes(subject: Subject) -> Collection[str]:
+    """The rules that have something to report."""
+    return {problem.code for problem in subject.reading.problems}

@@ -1,0 +1,44 @@
+"""The file cannot be expanded.
+
+A property is not defined, a macro does not exist or is called with other parameters than it has, an
+included file does not exist, Python cannot evaluate an expression. xacro stops at the first error
+and names no line; urdfkit lists all, each at its expression. Where the expression is in a property,
+the place is the property's definition, with its use as a note.
+
+A file that another one includes and that uses macros, properties or arguments of that file is no
+robot by itself: an info. Check the file at the top; findings in its parts are reported at their
+lines.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+    Albergo et al. 2021, misunderstandings of xacro: https://arxiv.org/abs/2109.09694
+    ros/xacro#267: https://github.com/ros/xacro/issues/267
+"""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
+from urdfkit.xacro.errors import UNBUILT
+
+BAD = xacro_xml('<link name="${prefix}base"/>')
+GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
+
+#: All uses of a name lack one definition, and all definitions without prefix the prefix.
+_UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
+
+
+@rule(
+    Severity.ERROR,
+    needs=(),
+    help="correct the expression or the call; the notes show what it refers to",
+)
+def check(subject: Subject) -> Findings:
+    for finding in reported(subject, "XAC001"):
+        if finding.message.startswith(UNBUILT):  # which is no defect of the robot
+            yield finding._replace(severity=Severity.WARNING)
+            continue
+        lacking = re.match(_UNDEFINED, finding.message)
+        yield finding._replace(alike=lacking[1] or lacking[0]) if lacking else finding

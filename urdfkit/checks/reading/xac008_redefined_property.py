@@ -1,0 +1,30 @@
+"""A property is defined twice in the same block before its first value is used.
+
+The first definition has no effect, so one of the two is left over, or has the wrong
+name. A conditional default (`<xacro:if>`) and a property that is used in between are no findings.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
+
+BAD = xacro_xml(
+    '<xacro:property name="width" value="0.3"/>',
+    '<xacro:property name="width" value="0.4"/>',
+    '<link name="base_${width}"/>',
+)
+GOOD = BAD.replace('name="width" value="0.4"', 'name="height" value="0.4"')
+
+
+@rule(
+    Severity.WARNING,
+    needs=(),
+    help="delete one of the two, or use default= where a value may already be given",
+)
+def check(subject: Subject) -> Findings:
+    return reported(subject, "XAC008")

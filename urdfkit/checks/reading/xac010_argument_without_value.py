@@ -1,0 +1,22 @@
+"""The model needs an argument that was not given and has no default.
+
+xacro stops with "Undefined substitution argument". Give it on the command line as `name:=value`,
+or give the `<xacro:arg>` a default, so that the model can be looked at on its own.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+    measured: 30 of 176 public entry points want an argument
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
+
+BAD = xacro_xml('<link name="$(arg prefix)base"/>')
+GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg prefix)base"/>')
+
+
+@rule(Severity.ERROR, needs=(), help="pass it as name:=value, or give the <xacro:arg> a default")
+def check(subject: Subject) -> Findings:
+    return reported(subject, "XAC010")

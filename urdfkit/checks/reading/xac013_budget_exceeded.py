@@ -1,0 +1,30 @@
+"""The expansion exceeds a limit of depth, size or time.
+
+Macros that call themselves, circular includes, a number with a million digits: limits of depth,
+number of elements, size of values and time stop them, so that a hostile or broken file cannot block
+the machine that checks it. They are a hundred times what the largest public robot needs.
+
+Sources:
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
+    measured: the largest public robot has 1 201 links
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.robot.samples import xacro_xml
+
+_CALL = '<xacro:again n="${n + 1}"/>'
+BAD = xacro_xml(
+    f'<xacro:macro name="again" params="n">{_CALL}</xacro:macro>', '<xacro:again n="0"/>'
+)
+GOOD = BAD.replace(_CALL, f'<xacro:if value="${{n &lt; 3}}">{_CALL}</xacro:if>')
+
+
+@rule(
+    Severity.ERROR,
+    needs=(),
+    help="look for a macro, an include or a property that refers to itself",
+)
+def check(subject: Subject) -> Findings:
+    return reported(subject, "XAC013")

@@ -1,0 +1,29 @@
+"""The file is not well-formed XML.
+
+Most parsers reject the whole file, among them xacro and Python's XML parsers. urdfdom accepts a
+stray `&`, a missing space, or content after the root element, which it ignores without a message.
+All errors are listed where they have to be fixed, not where a parser stops: a tag that is not
+closed, a missing quote, a stray `<` or `&`, an attribute given twice, a NUL byte, `--` inside a
+comment, an element or text after `</robot>`.
+
+Sources:
+    XML 1.0: https://www.w3.org/TR/REC-xml/
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+
+BAD = """\
+<robot name="r">
+  <!-- ros2 launch r show.launch.py --debug -->
+  <link name="a"/>
+</robot>"""
+FIXED = GOOD = BAD.replace("--debug", "- -debug")
+
+
+@rule(Severity.ERROR, needs=(), help="close every tag and quote; write < as &lt; and & as &amp;")
+def check(subject: Subject) -> Findings:
+    return reported(subject, "XML001")

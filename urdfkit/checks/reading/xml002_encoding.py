@@ -1,0 +1,27 @@
+"""The file is not in UTF-8, or not in the encoding that it declares.
+
+xacro stops with a UnicodeDecodeError, and strict XML parsers reject the file. It happens when an
+editor on Windows saves a comment as GBK, Latin-1 or CP-1252 while the file says UTF-8, which is
+also what XML assumes where nothing is declared; PowerShell's `>` writes UTF-16, which neither xacro
+nor urdfdom reads. Save the file as UTF-8.
+
+Sources:
+    XML 1.0: https://www.w3.org/TR/REC-xml/
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
+"""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+
+BAD = b'<robot name="r"><!-- gr\xf6\xdfe --><link name="a"/></robot>'
+GOOD = BAD.decode("latin-1").encode()
+
+
+@rule(
+    Severity.ERROR,
+    needs=(),
+    help="save the file as UTF-8, or declare its real encoding in the first line",
+)
+def check(subject: Subject) -> Findings:
+    return reported(subject, "XML002")

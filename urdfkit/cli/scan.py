@@ -1,0 +1,124 @@
+"""``urdfkit scan``: check collections of models."""
+
+from __future__ import annotations
+
+import os
+from importlib.util import find_spec
+from typing import Any
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.cli.epilog import examples
+from urdfkit.cli.progress import shown
+from urdfkit.core import atomic
+from urdfkit.lint.options import Options
+from urdfkit.scan import journal, page
+from urdfkit.scan.isolated import Settings
+from urdfkit.scan.run import scan
+from urdfkit.scan.summary import summarise
+from urdfkit.scan.tables import FINDINGS, MODELS, write_tables
+
+#: The page that ``urdfkit scan summary`` writes.
+PAGE = "summary.html"
+
+
+class _Scan(click.Command):
+    """The command, and under its name another one: ``urdfkit scan summary``."""
+
+    def make_context(
+        self,
+        info_name: str | None,
+        args: list[str],
+        parent: click.Context | None = None,
+        **more: Any,
+    ) -> click.Context:
+        if args[:1] == ["summary"]:
+            return summary.make_context(f"{info_name} summary", args[1:], parent, **more)
+        return super().make_context(info_name, args, parent, **more)
+
+
+@click.command(
+    "scan",
+    cls=_Scan,
+    epilog=examples(
+        "urdfkit scan partnet-mobility/ -o results",
+        "urdfkit scan 'zoo/**/*.urdf' more.zip list.txt -o results --jobs 8",
+        "urdfkit scan /data/models -o /data/results --engine dask --address tcp://host:8786",
+        "urdfkit scan summary results",
+    ),
+)
+@click.argument("sources", nargs=-1, required=True, metavar="SOURCE...")
+@click.option("-o", "--output", "folder", required=True, metavar="DIR", help="Of the results.")
+@click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
+@click.option("--seconds", type=click.FloatRange(0.01), default=60.0, help="Limit for a model.")
+@click.option("--memory", type=click.FloatRange(0.1), default=4.0, help="Limit in GiB.")
+@click.option("--engine", type=click.Choice(["local", "dask"]), default="local")
+@click.option(
+    "--address", default="", metavar="URL", show_default=False, help="Of a Dask scheduler."
+)
+@click.option("--select", multiple=True, metavar="CODES", help="Run only these rules.")
+@click.option("--ignore", multiple=True, metavar="CODES", help="Do not run these rules.")
+@click.option("--target", multiple=True, metavar="NAMES", help="Target program.")
+@click.option("--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package.")
+def command(
+    sources: tuple[str, ...],
+    folder: str,
+    jobs: int | None,
+    seconds: float,
+    memory: float,
+    engine: str,
+    address: str,
+    **values: Any,
+) -> int:
+    """Check collections of models: a row for each model and finding.
+
+    SOURCE is a directory (its .urdf and .urdf.xacro files), a description, a glob, a .zip or .tar
+    archive, or a .txt file that lists these. DIR gets results.jsonl as the models are done and, if
+    pyarrow is installed, models.parquet and findings.parquet at the end. The same command again
+    goes on where the last run ended. 'urdfkit scan summary DIR' summarises DIR.
+
+    A model that crashes, hangs or takes too much memory gets a row that says so.
+
+    Exit codes: 0 done, 2 usage or input error, 130 stopped by Ctrl-C.
+    """
+    chosen = Options(
+        packages=options.packages(values),
+        select=options.selected(values),
+        ignore=options.ignored(values),
+        targets=options.words(values, "target"),
+    )
+    if address and engine != "dask":
+        raise options.UsageError("--address needs --engine dask")
+    with shown("models", rated=True) as bar:
+        count = scan(
+            sources,
+            folder,
+            Settings(chosen, seconds, int(memory * 2**30)),
+            engine=engine,
+            address=address,
+            jobs=jobs or os.cpu_count() or 1,
+            progress=bar,
+        )
+    files = [journal.RESULTS]
+    if find_spec("pyarrow"):
+        write_tables(folder)
+        files += [MODELS, FINDINGS]
+    else:
+        options.warn("no Parquet files without pyarrow: pip install 'urdfkit[scan]'")
+    output.page([f"{count} models checked; {folder} has {', '.join(files)}"])
+    return 0
+
+
+@click.command("summary", epilog=examples("urdfkit scan summary results"))
+@click.argument("folder", metavar="DIR")
+def summary(folder: str) -> int:
+    """Summarise the results of a scan: on standard output, and as DIR/summary.html.
+
+    Rates per rule, models with the same content, outliers, and models that were not checked.
+    """
+    found = summarise(journal.rows(folder))
+    page_text = page.html(found, f"Scan {os.path.basename(os.path.abspath(folder))}")
+    atomic.write(os.path.join(folder, PAGE), output.encode(page_text))
+    output.page(page.text(found))
+    return 0

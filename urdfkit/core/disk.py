@@ -1,0 +1,182 @@
+"""The gate to the files that are read on behalf of a robot.
+
+Whatever a robot, a configuration or a folder makes urdfkit open, look for or list is asked for
+here, so that one place knows what a result depends on (`log_to`). Files of urdfkit itself, and
+what is written, do not pass.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from stat import S_ISDIR, S_ISLNK, S_ISREG
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import Protocol
+
+    class FileLog(Protocol):
+        """Notes what is asked for, by paths as they were asked, and what the answer was."""
+
+        def read(self, path: str, most: int, data: bytes | None, state: os.stat_result | None
+        ) -> None: ...  # fmt: skip
+        def state(self, path: str, state: os.stat_result | None) -> None: ...
+        def link(self, path: str, state: os.stat_result | None) -> None: ...
+        def listed(self, folder: str, names: list[str] | None) -> None: ...
+        def real(self, path: str, real: str) -> None: ...
+        def variable(self, name: str, value: str | None) -> None: ...
+
+
+_log: FileLog | None = None
+
+
+def log_to(log: FileLog | None) -> None:
+    """Note from now on what this process asks for; None ends it."""
+    global _log  # noqa: PLW0603 - one process answers one command line
+    _log = log
+
+
+def read(path: str | os.PathLike[str], most: int = -1) -> bytes:
+    """The bytes of a file.
+
+    Args:
+        path: of the file.
+        most: so many from its beginning; all if negative.
+
+    Raises:
+        OSError: it cannot be opened.
+        ValueError: there is a NUL in its name.
+    """
+    path = os.fspath(path)
+    try:
+        with open(path, "rb") as file:
+            data = file.read(most)
+            state = os.fstat(file.fileno()) if _log is not None else None
+    except OSError:
+        if _log is not None:
+            _log.read(path, most, None, None)
+        raise
+    if _log is not None:
+        _log.read(path, most, data, state)
+    return data
+
+
+def state(path: str) -> os.stat_result:
+    """What the system knows of a file; links are followed.
+
+    Raises:
+        OSError: there is none.
+        ValueError: there is a NUL in its name.
+    """
+    try:
+        found = os.stat(path)
+    except OSError:
+        if _log is not None:
+            _log.state(path, None)
+        raise
+    if _log is not None:
+        _log.state(path, found)
+    return found
+
+
+def exists(path: str) -> bool:
+    return _mode(path) != 0
+
+
+def is_file(path: str) -> bool:
+    """True of a regular file, or a link to one."""
+    return S_ISREG(_mode(path))
+
+
+def is_folder(path: str) -> bool:
+    """True of a directory, or a link to one."""
+    return S_ISDIR(_mode(path))
+
+
+def is_link(path: str) -> bool:
+    """True of a symbolic link, wherever it leads."""
+    return S_ISLNK(_link_mode(path))
+
+
+def has_name(path: str) -> bool:
+    """True if something is there, even a link that leads nowhere."""
+    return _link_mode(path) != 0
+
+
+def names(folder: str) -> list[str]:
+    """The names in a folder.
+
+    Raises:
+        OSError: it is none, or may not be read.
+        ValueError: there is a NUL in its name.
+    """
+    return [entry.name for entry in entries(folder)]
+
+
+def entries(folder: str) -> list[os.DirEntry[str]]:
+    """What is in a folder.
+
+    Raises:
+        OSError: it is none, or may not be read.
+        ValueError: there is a NUL in its name.
+    """
+    try:
+        with os.scandir(folder) as found:
+            inside = list(found)
+    except OSError:
+        if _log is not None:
+            _log.listed(folder, None)
+        raise
+    if _log is not None:
+        _log.listed(folder, [entry.name for entry in inside])
+    return inside
+
+
+def walk(folder: str) -> Iterator[tuple[str, list[str], list[str]]]:
+    """As ``os.walk``: folders, with the names of folders and files in each, from the top."""
+    for parent, folders, inside in os.walk(folder):
+        if _log is not None:
+            _log.listed(parent, [*folders, *inside])
+        yield parent, folders, inside
+
+
+def real(path: str) -> str:
+    """An absolute path without symbolic links on the way."""
+    found = os.path.realpath(path)
+    if _log is not None:
+        _log.real(path, found)
+    return found
+
+
+class Environment(Mapping[str, str]):
+    """The environment variables of the process."""
+
+    def __getitem__(self, name: str) -> str:
+        if _log is not None:
+            _log.variable(name, os.environ.get(name))
+        return os.environ[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(os.environ)
+
+    def __len__(self) -> int:
+        return len(os.environ)
+
+
+def _mode(path: str) -> int:
+    """What kind of file a path leads to; 0 for nothing."""
+    try:
+        return state(path).st_mode
+    except (OSError, ValueError):
+        return 0
+
+
+def _link_mode(path: str) -> int:
+    """What kind of file a path is itself; 0 for nothing."""
+    try:
+        found = os.lstat(path)
+    except (OSError, ValueError):
+        found = None
+    if _log is not None:
+        _log.link(path, found)
+    return found.st_mode if found is not None else 0

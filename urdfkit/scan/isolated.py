@@ -1,0 +1,165 @@
+"""A process that checks models, and that any of them may kill: by a crash, a hang, or its size.
+
+Of the standard pools, `concurrent.futures` has no limit of time for a task, and loses all its
+processes with one of them; pebble has both, but its licence is the LGPL; billiard cannot start
+from a process of Dask, which is daemonic. This one is a process and two pipes.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+import time
+from typing import IO, Any
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.options import Options
+from urdfkit.scan.models import Model
+from urdfkit.scan.rows import ModelRow, check_model
+from urdfkit.workspace.resolve import Resolver
+
+#: The folders of modules are handed over, so that nothing is imported from where we stand.
+_BOOT = "import sys; sys.path[:] = sys.argv[1:]; from urdfkit.scan.isolated import main; main()"
+#: Models after which a new process begins, so that nothing that it keeps adds up.
+_MODELS = 2000
+#: Processes of a scan share the processors; none may start threads of its own.
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+class Settings(Record):
+    """How models are checked.
+
+    Attributes:
+        options: of the check.
+        seconds: that a model may take.
+        memory: address space that a process may take, in bytes; Windows has no such limit.
+    """
+
+    options: Options
+    seconds: float = 60.0
+    memory: int = 4 * 2**30
+
+
+class Isolated:
+    """Checks models in a process of its own; use it in a ``with`` statement.
+
+    Args:
+        settings: how.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._process: subprocess.Popen[bytes] | None = None
+        self._left = 0
+
+    def __enter__(self) -> Isolated:  # noqa: PYI034 - Self is not in Python 3.10
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.end()
+
+    def check(self, model: Model) -> ModelRow:
+        """The row of a model, whatever happens to the process.
+
+        Raises:
+            UrdfkitError: the process cannot start, or does not understand the options.
+        """
+        if self._left == 0:
+            self._start()
+        start = time.perf_counter()
+        try:
+            row: ModelRow = self._ask(model)
+        except (EOFError, OSError, pickle.UnpicklingError):
+            return self._death(model, time.perf_counter() - start)
+        self._left = 0 if row.status == "memory" else self._left - 1
+        return row
+
+    def end(self) -> None:
+        """End the process, whatever it is doing."""
+        self._left = 0
+        if self._process is not None:
+            self._process.kill()
+            self._process.communicate()
+            self._process = None
+
+    def _start(self) -> None:
+        self.end()
+        self._process = subprocess.Popen(
+            [sys.executable, "-I", "-c", _BOOT, *sys.path],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env={**os.environ, **dict.fromkeys(_THREADS, "1")},
+        )
+        try:
+            problem = self._ask(self._settings)
+        except (EOFError, OSError, pickle.UnpicklingError) as error:
+            raise UrdfkitError("no process can be started within the limit of memory") from error
+        if problem:
+            raise problem
+        self._left = _MODELS
+
+    def _ask(self, value: object) -> Any:
+        process = self._process
+        assert process is not None
+        assert process.stdin is not None
+        assert process.stdout is not None
+        _send(process.stdin, value)
+        return pickle.load(process.stdout)
+
+    def _death(self, model: Model, seconds: float) -> ModelRow:
+        code = self._process.wait() if self._process else 0  # none: `end` was called meanwhile
+        self.end()
+        limit = self._settings.seconds
+        if seconds >= limit:
+            row = ModelRow(model.name, "timeout", f"not done after {limit:g} s")
+        else:
+            how = f"by signal {-code}" if code < 0 else f"with exit code {code}"
+            row = ModelRow(model.name, "died", f"its process ended {how}")
+        return row._replace(seconds=round(seconds, 4))
+
+
+def main() -> None:
+    """Check what standard input names until it ends, which it does when the caller dies."""
+    import faulthandler
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the caller hears Ctrl-C, too
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # libraries may print
+    settings: Settings = pickle.load(sys.stdin.buffer)
+    _limit(settings.memory)
+    try:
+        options = settings.options.resolved()
+    except UrdfkitError as error:
+        _send(answers, error)
+        return
+    _send(answers, None)
+    resolver = Resolver(options.packages)
+    while True:
+        try:
+            model = pickle.load(sys.stdin.buffer)
+        except EOFError:
+            return
+        # A thread of C, which no loop in native code holds up.
+        faulthandler.dump_traceback_later(settings.seconds, exit=True)
+        row = check_model(model, options, resolver)
+        faulthandler.cancel_dump_traceback_later()
+        _send(answers, row)
+
+
+def _limit(memory: int) -> None:
+    try:
+        import resource
+    except ImportError:  # Windows
+        return
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+
+
+def _send(pipe: IO[bytes], value: object) -> None:
+    pickle.dump(value, pipe)
+    pipe.flush()

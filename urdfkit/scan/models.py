@@ -1,0 +1,152 @@
+"""The models that the sources of a scan stand for, one after another."""
+
+from __future__ import annotations
+
+import glob
+import os
+import shutil
+import tarfile
+import tempfile
+import zipfile
+from collections.abc import Iterable, Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
+from urdfkit.text.source import why_unreadable
+from urdfkit.workspace.folders import walk
+
+#: What a directory or an archive stands for: every file with one of these suffixes.
+SUFFIXES = (".urdf", ".urdf.xacro")
+_LISTS = (".txt", ".lst")
+_TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
+_ARCHIVES = (".zip", *_TARS)
+
+
+class Model(Record):
+    """A description of a collection.
+
+    Attributes:
+        name: by which it is known in the results: the path as the source gives it; of a member of
+            an archive, the path of the archive and that in it.
+        path: where it is on disk.
+        archive: that it comes from; empty if from none.
+        folder: that the archive was extracted to.
+    """
+
+    name: str
+    path: str
+    archive: str = ""
+    folder: str = ""
+
+
+def models(sources: Iterable[str]) -> Iterator[Model]:
+    """The models of some sources; those in archives without a path as yet.
+
+    Args:
+        sources: descriptions, directories, archives, globs, and files that list these.
+
+    Raises:
+        UnreadableFile: a source does not exist, or is no list or archive though it is called so.
+    """
+    for source in sources:
+        name = source.lower()
+        if os.path.isdir(source):
+            yield from (Model(path, path) for path in walk(source) if _is_model(path))
+        elif os.path.isfile(source) and name.endswith(_ARCHIVES):
+            members = (member for member in _members(source) if _is_model(member))
+            yield from (Model(f"{source}/{member}", "", source) for member in members)
+        elif os.path.isfile(source) and name.endswith(_LISTS):
+            yield from models(_listed(source))
+        elif glob.has_magic(source) and not os.path.lexists(source):
+            yield from models(glob.iglob(source, recursive=True))
+        elif os.path.isfile(source):
+            yield Model(source, source)
+        else:
+            reason = why_unreadable(source, FileNotFoundError())
+            raise UnreadableFile(f"{source}: {reason}")
+
+
+class Extraction:
+    """The archives of a scan, each extracted when its first model is wanted.
+
+    Use it in a ``with`` statement: the files are removed at its end.
+    """
+
+    def __init__(self) -> None:
+        self._folders: dict[str, str] = {}
+
+    def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        for folder in self._folders.values():
+            shutil.rmtree(folder, ignore_errors=True)
+
+    def on_disk(self, model: Model) -> Model:
+        """A model with the path where it is.
+
+        Raises:
+            UnreadableFile: its archive is damaged, or too large for the disk.
+        """
+        if not model.archive:
+            return model
+        if model.archive not in self._folders:
+            self._folders[model.archive] = folder = tempfile.mkdtemp(prefix="urdfkit-scan-")
+            _extract(model.archive, folder)
+        folder = self._folders[model.archive]
+        path = os.path.join(folder, model.name[len(model.archive) + 1 :])
+        return model._replace(path=path, folder=folder)
+
+
+def _is_model(path: str) -> bool:
+    return path.lower().endswith(SUFFIXES)  # SolidWorks writes .URDF
+
+
+def _listed(path: str) -> Iterator[str]:
+    """The lines of a list; relative paths start at the directory of the list."""
+    folder = os.path.dirname(path)
+    try:
+        with open(path, encoding="utf-8") as file:
+            for line in map(str.strip, file):
+                if line and not line.startswith("#"):
+                    yield os.path.join(folder, line)
+    except (OSError, UnicodeDecodeError) as error:
+        raise UnreadableFile(f"{path}: not a list of files ({error})") from error
+
+
+def _members(archive: str) -> Iterator[str]:
+    """The names of the files in an archive, sorted."""
+    try:
+        if archive.lower().endswith(_TARS):
+            with tarfile.open(archive) as tar:
+                names = [member.name for member in tar if member.isfile()]
+        else:
+            with zipfile.ZipFile(archive) as packed:
+                names = packed.namelist()
+    except (OSError, EOFError, tarfile.TarError, zipfile.BadZipFile) as error:
+        raise UnreadableFile(f"{archive}: not a readable archive ({error})") from error
+    yield from sorted(os.path.normpath(name) for name in names if not name.endswith("/"))
+
+
+def _extract(archive: str, folder: str) -> None:
+    """Extract an archive; neither library writes outside of the directory."""
+    free = shutil.disk_usage(folder).free
+    try:
+        if archive.lower().endswith(_TARS):
+            with tarfile.open(archive) as tar:
+                _check_room(archive, sum(member.size for member in tar), free)
+                tar.extractall(folder, filter="data")
+        else:
+            with zipfile.ZipFile(archive) as packed:
+                _check_room(archive, sum(one.file_size for one in packed.infolist()), free)
+                packed.extractall(folder)
+    except (OSError, EOFError, RuntimeError, tarfile.TarError, zipfile.BadZipFile) as error:
+        raise UnreadableFile(f"{archive}: cannot be extracted ({error})") from error
+
+
+def _check_room(archive: str, needed: int, free: int) -> None:
+    if needed > free:
+        raise UnreadableFile(
+            f"{archive}: {needed / 1e9:.1f} GB when extracted; {free / 1e9:.1f} GB are free "
+            f"in {tempfile.gettempdir()} (set TMPDIR to another directory)"
+        )

@@ -1,0 +1,123 @@
+"""A summary of a scan for people: as text, and as one HTML file that opens offline."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from html import escape
+
+from urdfkit import __version__
+from urdfkit.scan.summary import EXAMPLES, FACTS, Summary
+
+_STYLE = """
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2em auto; max-width: 70em; padding: 0 1em }
+table { border-collapse: collapse; width: 100% } th { text-align: left }
+th, td { border-bottom: 1px solid #8884; padding: .25em .75em .25em 0; vertical-align: top }
+td.n, th.n { text-align: right } code { overflow-wrap: anywhere } .error { color: #c22 }
+.warning { color: #a60 } @media (prefers-color-scheme: dark) {
+body { background: #181818; color: #ddd } .error { color: #f77 } .warning { color: #fa4 } }
+"""
+
+#: A heading, the names of columns, and rows; numbers are aligned to the right.
+_Table = tuple[str, Sequence[str], list[tuple[object, ...]]]
+
+
+def text(summary: Summary) -> Iterator[str]:
+    """The lines of the summary."""
+    yield from _counts(summary)
+    for heading, columns, rows in _tables(summary):
+        if rows:
+            yield ""
+            yield heading
+            cells = [[str(cell) for cell in row] for row in [tuple(columns), *rows]]
+            widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+            for row, line in zip([columns, *rows], cells, strict=True):
+                yield (
+                    "  "
+                    + "  ".join(
+                        cell.rjust(width) if _is_number(raw) else cell.ljust(width)
+                        for raw, cell, width in zip(row, line, widths, strict=True)
+                    ).rstrip()
+                )
+
+
+def html(summary: Summary, title: str) -> str:
+    """The page."""
+    parts = [
+        f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>',
+        f"<style>{_STYLE}</style><h1>{escape(title)}</h1>",
+        "".join(f"<p>{escape(line)}</p>" for line in _counts(summary)),
+    ]
+    for heading, columns, rows in _tables(summary):
+        if rows:
+            parts.append(f"<h2>{escape(heading)}</h2>{_html_table(columns, rows)}")
+    return "\n".join([*parts, f"<p>urdfkit {__version__}</p>", ""])
+
+
+def _counts(summary: Summary) -> Iterator[str]:
+    statuses = ", ".join(f"{count} {status}" for status, count in summary.statuses.items())
+    yield f"{summary.models} models: {statuses}"
+    yield (
+        f"{summary.with_errors} with errors, {summary.with_warnings} with warnings only, "
+        f"{summary.clean} without either; {summary.redundant} copies of others; "
+        f"{summary.cpu_seconds:.1f} s of processor time"
+    )
+
+
+def _tables(summary: Summary) -> Iterator[_Table]:
+    yield (
+        "Rules",
+        ("models", "rate", "findings", "code", "severity", "rule", "for example"),
+        [
+            (
+                rate.models,
+                f"{100 * rate.models / summary.models:.1f} %",
+                rate.findings,
+                rate.code,
+                rate.severity,
+                rate.rule,
+                rate.examples[0],
+            )
+            for rate in summary.rules
+        ],
+    )
+    yield (
+        "Same content",
+        ("models", "for example"),
+        [(len(group), _listed(group)) for group in summary.duplicates],
+    )
+    yield (
+        "Outliers",
+        ("fact", "value", "middle half of the models", "model"),
+        [
+            (
+                one.fact,
+                f"{one.value:.4g} {FACTS[one.fact]}".strip(),
+                f"{one.low:.4g} to {one.high:.4g}",
+                one.model,
+            )
+            for one in summary.outliers
+        ],
+    )
+    yield ("Not checked", ("model", "status", "reason"), list(summary.failures))
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(names[:EXAMPLES]) + (", ..." if len(names) > EXAMPLES else "")
+
+
+def _is_number(cell: object) -> bool:
+    return isinstance(cell, int)
+
+
+def _html_table(columns: Sequence[str], rows: list[tuple[object, ...]]) -> str:
+    head = "".join(f"<th>{escape(name)}</th>" for name in columns)
+    return f"<table><tr>{head}</tr>{''.join(map(_html_row, rows))}</table>"
+
+
+def _html_row(row: Iterable[object]) -> str:
+    cells = []
+    for cell in row:
+        of_class = "n" if _is_number(cell) else str(cell) if cell in ("error", "warning") else ""
+        attribute = f' class="{of_class}"' if of_class else ""
+        cells.append(f"<td{attribute}>{escape(str(cell))}</td>")
+    return f"<tr>{''.join(cells)}</tr>"

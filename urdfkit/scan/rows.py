@@ -1,0 +1,222 @@
+"""What a scan keeps of a model: one row of facts, and one for each finding."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import time
+from collections.abc import Iterable
+from functools import lru_cache
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.engine import check_robots
+from urdfkit.lint.options import Options
+from urdfkit.robot.kinematics import frames
+from urdfkit.robot.shapes import primitive
+from urdfkit.scan.models import Model
+from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.source import shown, without_folder
+from urdfkit.workspace.resolve import Resolver
+
+
+class FindingRow(Record):
+    """A finding.
+
+    Attributes:
+        code, rule: of the rule, such as ``MSH001`` and ``missing-file``.
+        severity: ``error``, ``warning`` or ``info``.
+        message: one sentence.
+        path: of the file; in an archive, below the path of the archive.
+        line, column: in it, from 1.
+        element: path of the element after expansion.
+        places: how many expansions of a macro it has.
+    """
+
+    code: str
+    rule: str
+    severity: str
+    message: str
+    path: str
+    line: int
+    column: int
+    element: str
+    places: int
+
+
+class ModelRow(Record):
+    """A model.
+
+    Attributes:
+        model: its name in the scan.
+        status: ``ok``, ``unreadable`` (no file, no XML, does not expand), ``crashed`` (a bug in
+            urdfkit), ``timeout``, ``memory``, or ``died`` (its process was killed).
+        reason: why it is not ``ok``.
+        hash: SHA-256 of the expanded description and the mesh files that it names.
+        robot: the name in it.
+        links, joints, dof, visuals, collisions: how many.
+        meshes, missing: mesh files that were found, and references that lead to none.
+        mass: of all links, in kg.
+        size_x, size_y, size_z: of the box around all shapes in the zero configuration, in m; None
+            without shapes.
+        errors, warnings, infos: how many findings.
+        seconds: of the check.
+        cpu_seconds: of processor time.
+        findings: one row each.
+    """
+
+    model: str
+    status: str
+    reason: str = ""
+    hash: str = ""
+    robot: str = ""
+    links: int | None = None
+    joints: int | None = None
+    dof: int | None = None
+    visuals: int | None = None
+    collisions: int | None = None
+    meshes: int | None = None
+    missing: int | None = None
+    mass: float | None = None
+    size_x: float | None = None
+    size_y: float | None = None
+    size_z: float | None = None
+    errors: int = 0
+    warnings: int = 0
+    infos: int = 0
+    seconds: float = 0.0
+    cpu_seconds: float = 0.0
+    findings: tuple[FindingRow, ...] = ()
+
+
+def check_model(model: Model, options: Options, resolver: Resolver) -> ModelRow:
+    """Check a model and measure it.
+
+    Args:
+        model: on disk.
+        options: resolved.
+        resolver: what the models before have found of packages and directories.
+    """
+    start, start_cpu = time.perf_counter(), time.process_time()
+    row = _row(model, options, resolver)
+    return row._replace(
+        seconds=round(time.perf_counter() - start, 4),
+        cpu_seconds=round(time.process_time() - start_cpu, 4),
+    )
+
+
+def _row(model: Model, options: Options, resolver: Resolver) -> ModelRow:
+    try:
+        report, subjects = check_robots(options, model.path, resolver)
+        robots = [subject for subject in subjects if not is_launch(subject.source.path)]
+        row = _measured(model, robots[0]) if robots else ModelRow(model.name, "ok")
+    except UrdfkitError as error:
+        return ModelRow(model.name, "unreadable", _portable(str(error), model))
+    except Exception as error:
+        status = "memory" if isinstance(error, MemoryError) else "crashed"
+        return ModelRow(model.name, status, f"{type(error).__name__}: {error}")
+    if report.crashed:
+        reason = report.crashed[0].error
+        status = "memory" if reason.startswith("MemoryError") else "crashed"
+        row = row._replace(status=status, reason=f"{report.crashed[0].code} {reason}".strip())
+    return row._replace(
+        errors=report.count(Severity.ERROR),
+        warnings=report.count(Severity.WARNING),
+        infos=report.count(Severity.INFO),
+        findings=tuple(_finding(found, model) for found in report.diagnostics),
+    )
+
+
+def _measured(model: Model, subject: Subject) -> ModelRow:
+    """The facts of a robot; of one that cannot be read, why."""
+    try:
+        text, robot = subject.text, subject.model
+    except Unavailable as reason:
+        digest = hashlib.sha256(subject.source.data).hexdigest()
+        return ModelRow(model.name, "unreadable", str(reason), digest)
+    x, y, z = _size(subject)
+    return ModelRow(
+        model.name,
+        "ok",
+        hash=_digest(text, subject.files.paths),
+        robot=robot.name,
+        links=len(robot.links),
+        joints=len(robot.joints),
+        dof=robot.degrees_of_freedom,
+        visuals=sum(len(link.visuals) for link in robot.links),
+        collisions=sum(len(link.collisions) for link in robot.links),
+        meshes=len(subject.files.paths),
+        missing=sum(mesh.located.path is None for mesh in subject.files.meshes),
+        mass=robot.mass,
+        size_x=x,
+        size_y=y,
+        size_z=z,
+    )
+
+
+def _size(subject: Subject) -> tuple[float | None, float | None, float | None]:
+    """The edges of the box around all shapes in the zero configuration, along the root's axes.
+
+    Meshes count by their measures, which are cached, so that no triangle is read.
+    """
+    low, high = [float("inf")] * 3, [float("-inf")] * 3
+    for name, frame in frames(subject.tree, {}).items():
+        link = subject.model.links_by_name[name]
+        for body in (*link.visuals, *link.collisions):
+            part = primitive(body) or subject.mesh_solid(body)
+            if part is None:
+                continue
+            for axis, row in enumerate(frame.rotation):
+                x, y, z = row
+                at = frame.position[axis]
+                low[axis] = min(low[axis], at - part.reach((-x, -y, -z)))
+                high[axis] = max(high[axis], at + part.reach(row))
+    if low[0] > high[0]:
+        return None, None, None
+    x, y, z = (round(b - a, 9) for a, b in zip(low, high, strict=True))
+    return x, y, z
+
+
+def _digest(text: bytes, files: Iterable[str]) -> str:
+    digest = hashlib.sha256(text)
+    for path in files:
+        try:
+            status = os.stat(path)
+            digest.update(_file_digest(path, status.st_mtime_ns, status.st_size))
+        except OSError:
+            digest.update(b"unreadable")
+    return digest.hexdigest()
+
+
+@lru_cache(maxsize=4096)
+def _file_digest(path: str, modified: int, size: int) -> bytes:
+    """Of a mesh file, which many models of a collection may share."""
+    digest = hashlib.sha256()
+    with open(path, "rb") as file:
+        while block := file.read(1 << 20):
+            digest.update(block)
+    return digest.digest()
+
+
+def _finding(found: Diagnostic, model: Model) -> FindingRow:
+    line, column = found.span.source.position(found.span.start)
+    return FindingRow(
+        found.code,
+        found.name,
+        found.severity.value,
+        _portable(found.message, model),
+        _portable(shown(found.span.source.path), model),
+        line,
+        column,
+        found.element,
+        len(found.calls),
+    )
+
+
+def _portable(text: str, model: Model) -> str:
+    """A text with the archive where it names the directory that this was extracted to."""
+    if not model.folder:
+        return text
+    return without_folder(text, model.folder, f"{model.archive}/")

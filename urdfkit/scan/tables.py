@@ -1,0 +1,61 @@
+"""The results of a scan as two Parquet files: one row for a model, one for a finding."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from itertools import islice
+from typing import Any
+
+from urdfkit.errors import MissingLibrary
+from urdfkit.scan import journal
+from urdfkit.scan.rows import FindingRow, ModelRow
+
+MODELS, FINDINGS = "models.parquet", "findings.parquet"
+#: Models that are turned into rows at a time.
+_CHUNK = 5000
+
+
+def write_tables(folder: str) -> None:
+    """Write the Parquet files next to the results that they are made of, whole or not at all.
+
+    Args:
+        folder: of the results of a scan.
+
+    Raises:
+        MissingLibrary: pyarrow is not installed.
+        UnreadableFile: the directory holds no scan.
+    """
+    try:
+        import pyarrow
+        from pyarrow.parquet import ParquetWriter
+    except ImportError as error:
+        raise MissingLibrary("Parquet needs pyarrow: pip install 'urdfkit[scan]'") from error
+    kinds = {"str": pyarrow.string(), "int": pyarrow.int64(), "float": pyarrow.float64()}
+
+    def schema(fields: dict[str, str]) -> Any:
+        return pyarrow.schema([(name, kinds[kind.split(" ")[0]]) for name, kind in fields.items()])
+
+    models = {key: kind for key, kind in ModelRow.__annotations__.items() if key != "findings"}
+    findings = {"model": "str", **FindingRow.__annotations__}
+    paths = [os.path.join(folder, name) for name in (MODELS, FINDINGS)]
+    with (
+        ParquetWriter(f"{paths[0]}.tmp", schema(models), compression="zstd") as of_models,
+        ParquetWriter(f"{paths[1]}.tmp", schema(findings), compression="zstd") as of_findings,
+    ):
+        for chunk in _chunks(journal.rows(folder)):
+            of_models.write_table(_table(pyarrow, schema(models), chunk))
+            flat = [{"model": row["model"], **one} for row in chunk for one in row["findings"]]
+            of_findings.write_table(_table(pyarrow, schema(findings), flat))
+    for path in paths:
+        os.replace(f"{path}.tmp", path)
+
+
+def _table(pyarrow: Any, schema: Any, rows: list[dict[str, Any]]) -> Any:
+    return pyarrow.Table.from_pylist(rows, schema=schema)
+
+
+def _chunks(rows: Iterable[dict[str, Any]]) -> Iterator[list[dict[str, Any]]]:
+    rows = iter(rows)
+    while chunk := list(islice(rows, _CHUNK)):
+        yield chunk
