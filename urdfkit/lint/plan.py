@@ -158,7 +158,7 @@ class Plan:
     def note_without_robot(self, given: Iterable[str]) -> None:
         """Leave a note if directories hold no robot: a report on launch files is no verdict."""
         folders = list(filter(disk.is_folder, given))
-        launches = [job.source.path for job in self.jobs if is_launch(job.source.path)]
+        launches = [job.path for job in self.jobs if is_launch(job.path)]
         if not folders or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
             return
         if launches:
