@@ -24,11 +24,21 @@ for module in ("jinja2", "numpy", "starlette", "trimesh", "uvicorn"):
     pytest.importorskip(module)
 
 from urdfkit.errors import UnreadableFile
+from urdfkit.lint.options import Options
 from urdfkit.output.report.translations import Translator
 from urdfkit.viewer import server
-from urdfkit.viewer.state import ViewRequest
 
 BASE = MODELS / "good" / "mobile_base"
+
+
+#: The command, with small pictures: they are drawn anew after every change.
+VIEW = """
+import sys
+from urdfkit.cli import main
+from urdfkit.output.report import data_uris
+data_uris.SHEET = data_uris.MARKED = (128, 72)
+sys.exit(main(["view", *sys.argv[1:]]))
+"""
 
 
 class Running:
@@ -37,7 +47,7 @@ class Running:
     def __init__(self, folder: Path, *more: str) -> None:
         shutil.copytree(BASE, folder / "mobile_base")
         self.robot = folder / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
-        words = [sys.executable, "-m", "urdfkit", "view", str(self.robot), "--no-open", *more]
+        words = [sys.executable, "-c", VIEW, str(self.robot), "--no-open", *more]
         self.process = subprocess.Popen(words, cwd=ROOT, stderr=subprocess.PIPE, text=True)
         assert self.process.stderr
         self.address = self.process.stderr.readline().strip()
@@ -45,7 +55,7 @@ class Running:
     def get(self, path: str = "", body: bytes | None = None, **headers: str) -> tuple[int, bytes]:
         request = urllib.request.Request(self.address + path, body, headers)
         try:
-            with urllib.request.urlopen(request, timeout=20) as answer:
+            with urllib.request.urlopen(request, timeout=60) as answer:
                 return answer.status, answer.read()
         except urllib.error.HTTPError as error:
             return error.code, error.read()
@@ -224,7 +234,7 @@ def test_what_fails_is_told_once_and_does_not_end_the_viewer(
     file = str(MODELS / "good" / "gripper.urdf")
 
     async def follow() -> tuple[str, int, str]:
-        viewer = server.Viewer(ViewRequest(file, {}, {}), Translator())
+        viewer = server.Viewer(file, Options(), Translator())
         with monkeypatch.context() as broken:
             broken.setattr(server, "read", fail)
             await viewer.refresh()

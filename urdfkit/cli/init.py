@@ -15,7 +15,6 @@ from urdfkit.lint.argument_values import found_values
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import FolderContents, discover
-from urdfkit.lint.plan import missing_arguments
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.source import Source
 from urdfkit.workspace.config_file import nearest
@@ -86,7 +85,7 @@ class _Robot:
         self.file = os.path.relpath(file, folder).replace(os.sep, "/")
         subject = Subject(Source.read(file), resolver)
         self._xacro = subject.reading.xacro
-        self._needed = missing_arguments(subject)
+        self._needed = subject.missing_arguments
         self._resolver = resolver
         is_readable = subject.reading.document is not None
         self.targets = subject.targets.names if is_readable else ()

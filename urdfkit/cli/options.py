@@ -115,8 +115,8 @@ CHECK = (
         default="auto",
     ),
     Option("--changed", "FILEs are changed files: check the robots that use them."),
-    Option("--no-cache", "Do not read or write the cache of mesh measures."),
-    Option("--jobs", "Number of parallel processes. [default: 1]", "N"),
+    Option("--no-cache", "Do not read or write the cache."),
+    Option("--jobs", "Number of parallel processes. [default: auto]", "N"),
     Option("--config", "Configuration file. [default: the nearest one upwards]", "FILE"),
     Option("--isolated", "Ignore all configuration files."),
     Option("--variant", "Check only this variant of the configuration. [default: all]", "NAME"),
@@ -147,10 +147,12 @@ def files(values: Mapping[str, Any]) -> list[str]:
 
 
 def jobs(values: Mapping[str, Any]) -> int:
-    """The number of processes."""
-    word = values["jobs"] or "1"
+    """The number of processes; 0 for ``auto``."""
+    word = values["jobs"] or "auto"
+    if word == "auto":
+        return 0
     if not word.isdecimal() or int(word) < 1:
-        raise UsageError(f"--jobs {word}: write a number from 1")
+        raise UsageError(f"--jobs {word}: write a number from 1, or auto")
     return int(word)
 
 
@@ -238,6 +240,8 @@ def ignored(values: Mapping[str, Any]) -> list[str]:
 
 
 def warn(text: str) -> None:
+    """Say on standard error what is odd; the cache of results holds standard output only."""
+    disk.depends_on_more()
     from urdfkit.text.terminal import printable
 
     if sys.stderr is not None:

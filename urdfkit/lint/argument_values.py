@@ -59,14 +59,9 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
         resolver: finds packages, and reads files.
     """
     for problem in problems:
-        name = missing_argument(problem)
+        name = problem.argument
         found = found_values(name, xacro, resolver) if name else None
         yield problem._replace(help=f"{problem.help}; {reported(found)}") if found else problem
-
-
-def missing_argument(problem: Problem) -> str:
-    """The argument without which a xacro cannot be expanded; empty if that is not the problem."""
-    return problem.message.split("'")[1] if problem.code == "XAC010" else ""
 
 
 def reported(found: Values) -> str:

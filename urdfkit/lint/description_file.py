@@ -80,7 +80,7 @@ class DescriptionFile:
             self.source, self.resolver, self.arguments, trust=self.trust, frame=self.frame
         )
         met = xacro.problems
-        if any(problem.code == "XAC010" for problem in met):
+        if any(problem.argument for problem in met):
             from urdfkit.lint.argument_values import with_values
 
             met = tuple(with_values(met, xacro, self.resolver))
@@ -95,6 +95,18 @@ class DescriptionFile:
         """What reading met that a rule explains, in a description or a launch file."""
         read = self.launch if is_launch(self.source.path) else self.reading
         return [problem for problem in read.problems if problem.code == code]
+
+    @property
+    def without_arguments(self) -> frozenset[str]:
+        """The codes of problems that are but arguments without a value."""
+        problems = () if is_launch(self.source.path) else self.reading.problems
+        return frozenset(one.code for one in problems if one.argument)
+
+    @property
+    def missing_arguments(self) -> tuple[str, ...]:
+        """The arguments without which a xacro cannot be expanded."""
+        problems = () if is_launch(self.source.path) else self.reading.problems
+        return tuple(dict.fromkeys(one.argument for one in problems if one.argument))
 
     @property
     def is_fragment(self) -> bool:

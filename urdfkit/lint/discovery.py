@@ -19,9 +19,8 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.text.comments import comments, without_comments
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.folders import walk
+from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
@@ -102,25 +101,28 @@ def discover(folder: str, config: Config, resolver: Resolver) -> FolderContents:
 
 def _graph(folder: str, config: Config, resolver: Resolver) -> IncludeGraph:
     """The descriptions of a folder, and what looks like one whatever it is called."""
-    files = [*descriptions(folder, config), *_lookalikes(folder, config)]
-    return IncludeGraph(files, resolver, launch_files(folder, config))
+    folders = resolver.folders
+    files = [*descriptions(folder, config, folders), *_lookalikes(folder, config, folders)]
+    return IncludeGraph(files, resolver, launch_files(folder, config, folders))
 
 
-def _lookalikes(folder: str, config: Config) -> Iterator[str]:
+def _lookalikes(folder: str, config: Config, folders: Folders) -> Iterator[str]:
     """The files with the root ``<robot>`` whose suffix is not that of a description."""
-    for path in islice(walk(folder), MAX_FILES):
-        suffix = os.path.splitext(path)[1].lower()
-        if suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path):
-            continue
+    for path in islice(filter(_may_be_lookalike, folders.walk(folder)), MAX_FILES):
         head = without_comments(read_head(path, _HEAD)).removeprefix(_MARK)
         if _ROOT.match(head) and not matches(config.relative(path), config.exclude):
             yield path
 
 
-def launch_files(folder: str, config: Config) -> Iterator[str]:
+def _may_be_lookalike(path: str) -> bool:
+    suffix = os.path.splitext(path)[1].lower()
+    return not (suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path))
+
+
+def launch_files(folder: str, config: Config, folders: Folders) -> Iterator[str]:
     """The launch files below a folder that can be read, sorted."""
-    for path in islice(walk(folder), MAX_FILES):
-        is_chosen = is_launch(path) and not matches(config.relative(path), config.exclude)
+    for path in filter(is_launch, folders.walk(folder)):
+        is_chosen = not matches(config.relative(path), config.exclude)
         if is_chosen and disk.is_file(path) and os.access(path, os.R_OK):
             yield path
 
@@ -181,12 +183,12 @@ def _package_folder(file: str, resolver: Resolver) -> str:
     return package[1] if package else os.path.dirname(file)
 
 
-def descriptions(folder: str, config: Config) -> Iterator[str]:
+def descriptions(folder: str, config: Config, folders: Folders) -> Iterator[str]:
     """The files below a folder that may be descriptions or parts of them, sorted."""
     if not disk.is_folder(folder):
         raise UnreadableFile(f"{folder}: no such directory")
     count = 0
-    for path in walk(folder):
+    for path in folders.walk(folder):
         is_part = path.lower().endswith(_INCLUDED)
         is_chosen = is_part and not matches(config.relative(path), config.exclude)
         # A broken link is reported; a pipe or a device may never end.
@@ -216,7 +218,8 @@ class IncludeGraph:
     ) -> None:
         self.resolver = resolver
         self._launches = launches
-        self._sources: dict[str, Source] = {}
+        #: Of thousands of plain URDFs none is kept: hardly a question is about them.
+        self._xacros: dict[str, bytes] = {}
         self._names: dict[str, str] = {}
         self.closed: list[str] = []
         for path in files:
@@ -228,12 +231,16 @@ class IncludeGraph:
             # A .urdf counts whatever is in it: nothing, a pointer of Git LFS.
             if _ROBOT.search(source.data) or path.lower().endswith(".urdf"):
                 real = disk.real(path)
-                self._sources[real] = source
                 self._names[real] = path
-        self.includes = {path: self._includes(path) for path in self._sources}
+                if b"xacro" in source.data:
+                    self._xacros[real] = source.data
+        self.includes = {path: self._includes(path) for path in self._xacros}
+
+    def _text(self, path: str) -> bytes:
+        return self._xacros.get(path) or self.resolver.read(self._names[path]).data
 
     def _includes(self, path: str) -> frozenset[str]:
-        data = self._sources[path].data
+        data = self._xacros[path]
         if b"xacro:include" not in data:
             return frozenset()
         return self._named(_INCLUDE.findall(without_comments(data)), path)
@@ -241,9 +248,9 @@ class IncludeGraph:
     def _disabled(self) -> set[str]:
         """The files that only an include in a comment names."""
         found: set[str] = set()
-        for path, source in self._sources.items():
-            if b"<!--" in source.data and b"xacro:include" in source.data:
-                text = b"".join(comment[1] for comment in comments(source.data))
+        for path, data in self._xacros.items():
+            if b"<!--" in data and b"xacro:include" in data:
+                text = b"".join(comment[1] for comment in comments(data))
                 found |= self._named(_DISABLED.findall(text), path)
         return found
 
@@ -251,7 +258,7 @@ class IncludeGraph:
         """The files that the includes of a file may mean."""
         found: set[str] = set()
         for name in names:
-            found.update(self._targets(name.decode("utf-8", "replace"), self._sources[path].path))
+            found.update(self._targets(name.decode("utf-8", "replace"), self._names[path]))
         return frozenset(found - {path})
 
     def _targets(self, name: str, near: str) -> Iterator[str]:
@@ -270,7 +277,7 @@ class IncludeGraph:
         if not any(os.path.splitext(word)[0].strip(".") for word in pattern.split("*")):
             return  # nothing but an expression: it may mean any file
         folder = os.path.join(disk.real(_package_folder(near, self.resolver)), "")
-        for path in self._sources:
+        for path in self._names:
             if path.startswith(folder) and fnmatchcase(os.path.basename(path), pattern):
                 yield path
 
@@ -327,7 +334,7 @@ class IncludeGraph:
         ]
 
     def _is_nameless(self, path: str) -> bool:
-        return bool(_NAMELESS.search(without_comments(self._sources[disk.real(path)].data)))
+        return bool(_NAMELESS.search(without_comments(self._text(disk.real(path)))))
 
     def _lacks_parent(self, path: str) -> bool:
         """True for a file with a joint whose parent link is certainly in no file it includes.
@@ -335,9 +342,9 @@ class IncludeGraph:
         Not certain: a link whose name is an expression, and an include that is not found.
         """
         files = self.closure(disk.real(path))
-        if not files <= self._sources.keys():
+        if not files <= self._names.keys():
             return False
-        texts = [without_comments(self._sources[file].data) for file in files]
+        texts = [without_comments(self._text(file)) for file in files]
         for file, text in zip(files, texts, strict=True):
             if not all(self._named([name], file) for name in _INCLUDE.findall(text)):
                 return False
@@ -348,7 +355,7 @@ class IncludeGraph:
 
     def _is_robot(self, path: str) -> bool:
         """True for a file with the root ``<robot>`` that has links outside of macros."""
-        data = without_comments(self._sources[path].data)
+        data = without_comments(self._text(path))
         return bool(_ROOT.match(data) and _LINK.search(_MACRO.sub(b"", data)))
 
     def _launched(self, files: list[str]) -> list[str]:
@@ -374,9 +381,9 @@ class IncludeGraph:
             closure = self.closure(robot)
             if not self._lacking(closure):
                 continue
-            for path in closure.intersection(self._sources) - {robot}:
+            for path in closure.intersection(self._names) - {robot}:
                 name = self._names[path]
-                is_whole = _is_description(name) and _NAMED.search(self._sources[path].data)
+                is_whole = _is_description(name) and _NAMED.search(self._text(path))
                 if is_whole and not self.is_library(name) and not self._lacking(self.closure(path)):
                     yield name
 
@@ -384,8 +391,8 @@ class IncludeGraph:
         """The arguments that some files use together, and none of them gives a default."""
         used: set[bytes] = set()
         known: set[bytes] = set()
-        for path in self._sources.keys() & files:
-            data = without_comments(self._sources[path].data)
+        for path in self._names.keys() & files:
+            data = without_comments(self._text(path))
             used.update(_ARGUMENT.findall(data))
             known.update(_DEFAULT.findall(data))
         return used - known
@@ -402,7 +409,7 @@ class IncludeGraph:
         if package is not None and package == packages.enclosing(root):
             return True
         name = os.path.basename(file).encode("utf-8", "surrogateescape")
-        return any(name in self._sources[path].data for path in closure if path in self._sources)
+        return any(name in self._text(path) for path in closure if path in self._names)
 
     def closure(self, path: str) -> set[str]:
         """A file and everything that it includes, directly or not."""
@@ -417,8 +424,8 @@ class IncludeGraph:
 
     def is_library(self, path: str) -> bool:
         """True if a file only defines things: outside of macros it makes no link and calls none."""
-        if not _ROBOT.search(self._sources[disk.real(path)].data):
+        if not _ROBOT.search(self._text(disk.real(path))):
             return False
-        data = without_comments(self._sources[disk.real(path)].data)
+        data = without_comments(self._text(disk.real(path)))
         outside = _MACRO.sub(b"", data)
         return not _CONTENT.search(outside) and not _INCLUDE.search(outside)

@@ -48,9 +48,6 @@ _DISPUTED = "skipped: another robot uses this text and is correct as it is"
 #: First and last byte of an edit, and its text.
 _Piece = tuple[int, int, str]
 
-#: Rules about files of meshes, which a mesh made anew answers.
-_OF_FILES = ("MSH001", "MSH009")
-
 
 class UnappliedFix(Record):
     """A finding that is not fixed, and why.
@@ -204,7 +201,7 @@ def _with_meshes(
     left = tuple(
         one
         for one in fixes.left
-        if one.diagnostic.code not in _OF_FILES
+        if not rule_index.get(one.diagnostic.code).about_files
         or (real_path(one.diagnostic.span.source), *one.diagnostic.span[1:]) not in places
     )
     not_generated = tuple(one for one in found.values() if isinstance(one, NotGenerated))

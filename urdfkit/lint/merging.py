@@ -16,33 +16,29 @@ from urdfkit.text.source import shown
 Checked = tuple[Job, FileResult]
 
 
-def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnostic]) -> Report:
+def merged_report(plan: Plan, checked: list[Checked], unchecked: Iterable[Diagnostic]) -> Report:
     """The report on all descriptions of a plan.
 
     Args:
         plan: of the check.
         checked: the descriptions with their results, in the order of the plan.
-        unopened: findings about files that cannot be opened.
+        unchecked: findings about what nothing was checked of.
     """
     checked = _launched_once(checked)
     results = [result for _, result in checked]
-    files = Counter(job.source.path for job in plan.jobs)
+    files = Counter(job.path for job in plan.jobs)
     return Report(
         tuple(files),
-        _in_reading_order((*_distinct(checked), *unopened)),
+        in_reading_order((*_distinct(checked), *unchecked)),
         (*plan.skipped, *(skip for result in results for skip in result.skipped)),
         (*plan.crashed, *(crash for result in results for crash in result.crashed)),
         tuple(sorted({code for result in results for code in result.ran})),
-        tuple(
-            (job.source.path, result.targets)
-            for job, result in checked
-            if result.targets is not None
-        ),
+        tuple((job.path, result.targets) for job, result in checked if result.targets is not None),
         sum(result.suppressed for result in results),
         errors=tuple(
             tuple(
                 one
-                for one in (*result.diagnostics, *result.consequences)
+                for one in (*result.diagnostics, *result.silenced.findings)
                 if one.severity is Severity.ERROR
             )
             for result in results
@@ -57,6 +53,7 @@ def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnos
             for one in (results[0].unknown_arguments.items() if results else ())
             if all(one[0] in result.unknown_arguments for result in results)
         ),
+        silenced=tuple(result.silenced for result in results if result.silenced.findings),
     )
 
 
@@ -67,15 +64,13 @@ def _launched_once(checked: list[Checked]) -> list[Checked]:
     robot is checked otherwise.
     """
     read = {
-        disk.real(job.source.path)
-        for job, result in checked
-        if all(skip.code for skip in result.skipped)
+        disk.real(job.path) for job, result in checked if all(skip.code for skip in result.skipped)
     }
     return [
         (job, result._replace(diagnostics=(), skipped=()))
         if job.frame
         and any(not skip.code for skip in result.skipped)
-        and disk.real(job.source.path) in read
+        and disk.real(job.path) in read
         else (job, result)
         for job, result in checked
     ]
@@ -99,7 +94,7 @@ def _distinct(checked: list[Checked]) -> Iterator[Diagnostic]:
             found_in.setdefault(key, []).append(job)
     variants: dict[str, set[str]] = {}
     for job, _ in checked:
-        variants.setdefault(job.source.path, set()).add(job.name)
+        variants.setdefault(job.path, set()).add(job.name)
     for jobs, diagnostic in zip(found_in.values(), once.values(), strict=True):
         names = _partial(jobs, variants)
         yield diagnostic._replace(variants=names) if names else diagnostic
@@ -109,13 +104,13 @@ def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, .
     """The names of variants with a finding; none if it is in all those of some robot."""
     names: dict[str, dict[str, None]] = {}
     for job in found_in:
-        names.setdefault(job.source.path, {})[job.name] = None
+        names.setdefault(job.path, {})[job.name] = None
     if any("" in own or len(own) == len(variants[path] - {""}) for path, own in names.items()):
         return ()
     return tuple(dict.fromkeys(name for own in names.values() for name in own))
 
 
-def _in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     """By file, place, code and message."""
     found = tuple(diagnostics)
     names = {path: shown(path) for path in {one.span.source.path for one in found}}

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check
-from urdfkit.lint.rule_index import NOT_CHECKED
+from urdfkit.lint.rule_index import NOT_CHECKED, all_rules
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.editing.rewriting import diff
@@ -15,9 +15,6 @@ from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
     import os
-
-#: The rules that report what a generation of Gazebo does not have.
-RULES = ("GAZ012", "GAZ016", "GAZ040")
 
 
 class Migration(Record):
@@ -64,7 +61,7 @@ def migrate(
         path,
         arguments=arguments,
         packages=packages,
-        select=RULES,
+        select=[rule.code for rule in all_rules() if rule.migrates],
         ignore=(NOT_CHECKED,),  # which `unread` says
         targets=(target,),
         trust=trust,

@@ -38,7 +38,7 @@ class Job(Record):
     """One description to check.
 
     Attributes:
-        source: the file.
+        path: of the file.
         name: of the variant; empty if there is one only.
         arguments: for xacro.
         found: True if it was found in a folder, not named.
@@ -46,9 +46,11 @@ class Job(Record):
         parameters: the files of parameters that this launch file loads.
         launched: the arguments that it lacks by itself, and where their values are from.
         codes: of the rules that are asked; all if empty.
+        source: the text, if it was read already. That of a robot in a folder is read when its turn
+            comes: there may be thousands.
     """
 
-    source: Source
+    path: str
     name: str
     arguments: dict[str, str]
     found: bool
@@ -56,6 +58,15 @@ class Job(Record):
     parameters: tuple[FileUse, ...] = ()
     launched: tuple[Launched, ...] = ()
     codes: frozenset[str] = frozenset()
+    source: Source | None = None
+
+    def text(self, resolver: Resolver) -> Source:
+        """The text of the file.
+
+        Raises:
+            UnreadableFile: it is gone.
+        """
+        return self.source or resolver.read(self.path)
 
 
 def planned(
@@ -75,8 +86,10 @@ def planned(
     if options.changed:
         plan.add_changed(files)
     else:
+        files = list(files)
         for file in files:
             plan.add(file)
+        plan.note_without_robot([os.fspath(f) for f in files if not isinstance(f, Source)])
     return plan
 
 
@@ -91,8 +104,8 @@ class Plan:
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
-        #: Descriptions of a folder that cannot be opened.
-        self.closed: list[str] = []
+        #: Why nothing of a file, or of a folder with it, is checked, and what to do about it.
+        self.unchecked: list[tuple[str, str, str]] = []
         #: The arguments with which the robots of a folder are checked, by path.
         self._launched: dict[str, list[dict[str, str]]] = {}
 
@@ -104,7 +117,7 @@ class Plan:
             from urdfkit.lint.discovery import discover, launch_files
 
             folder, config = os.fspath(file), self.config
-            launches = list(launch_files(folder, config))
+            launches = list(launch_files(folder, config, self.resolver.folders))
             try:
                 self._add_found(discover(folder, config, self.resolver), folder)
             except UnreadableFile:
@@ -132,26 +145,38 @@ class Plan:
         if found.robots and not robots:
             raise ConfigError(f"no robot has a variant '{self.variant}'")
         for robot in robots:
-            source = self.resolver.read(_spelt(robot.file, given))
-            self._add(source, robot.name, robot.arguments, found=True)
+            self._add_robot(_spelt(robot.file, given), robot.name, robot.arguments)
         for library in found.libraries:
             reason = "defines no link, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
         self.skipped += (Skipped("", path, reason) for path, reason in found.others.items())
         for path in found.closed:
-            self.closed.append(path)
-            self.skipped.append(
-                Skipped(
-                    "", path, "cannot be opened; check the symbolic link and the file permissions"
-                )
-            )
+            help = "check the symbolic link and the file permissions"
+            self.unchecked.append((path, "robot not checked: the file cannot be opened", help))
+            self.skipped.append(Skipped("", path, f"cannot be opened; {help}"))
+
+    def note_without_robot(self, given: Iterable[str]) -> None:
+        """Leave a note if directories hold no robot: a report on launch files is no verdict."""
+        folders = list(filter(disk.is_folder, given))
+        launches = [job.path for job in self.jobs if is_launch(job.path)]
+        if not folders or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
+            return
+        if launches:
+            what = f"only {len(launches)} launch file{'s'[len(launches) == 1 :]}"
+            help = "check the package of the robot, too, or pass --package NAME=DIRECTORY"
+        else:
+            what = "only macros and parts of robots"
+            help = "check a robot that uses them; urdfkit check --show-files lists the files"
+        named = ", ".join(f"'{shown(folder)}'" for folder in folders)
+        first = [*launches, *(skip.path for skip in self.skipped), *folders][0]
+        self.unchecked.append((first, f"no robot checked in {named}: {what}", help))
 
     def _add_source(self, source: Source) -> None:
         if is_launch(source.path):
             self._add_launch(source)
             return
         for robot in self.config.entries(source.path, self.arguments, self.variant):
-            self.jobs.append(Job(source, robot.name, robot.arguments, False))
+            self.jobs.append(Job(source.path, robot.name, robot.arguments, False, source=source))
 
     def _add_launch(self, source: Source, *, found: bool = False) -> None:
         """A launch file, and the robots that it describes.
@@ -164,7 +189,7 @@ class Plan:
         from urdfkit.lint import rule_index
         from urdfkit.ros.launch import read_launch
 
-        self.jobs.append(Job(source, "", self.arguments, False))
+        self.jobs.append(Job(source.path, "", self.arguments, False, source=source))
         try:
             launch = read_launch(source, self.resolver, self.arguments)
         except UrdfkitError:
@@ -178,7 +203,7 @@ class Plan:
             is_new = not found or self._is_other(one)
             if not is_new and not parameters:
                 continue
-            robot = self.resolver.read(_spelt(one.path, source.path))
+            robot = _spelt(one.path, source.path)
             arguments = {**self.config.arguments, **one.arguments}
             job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
             self.jobs.append(job if is_new else job._replace(codes=codes))
@@ -191,9 +216,10 @@ class Plan:
         sets.append(description.arguments)
         return True
 
-    def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
+    def _add_robot(self, path: str, name: str, arguments: Mapping[str, str]) -> None:
+        """A robot that was found."""
         every = {**self.config.arguments, **arguments, **self.arguments}
-        self.jobs.append(Job(source, name, every, found))
+        self.jobs.append(Job(path, name, every, True))
 
 
 def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
@@ -208,18 +234,18 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         read: makes the description of a job.
     """
     subject = read(job)
-    if is_launch(job.source.path) or not (names := missing_arguments(subject)):
+    if is_launch(job.path) or not (names := subject.missing_arguments):
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
     found, failed = [], {}
-    sets = given(job.source.path, names, subject.resolver)
+    sets = given(job.path, names, subject.resolver)
     for one in sets[:MAX_GIVEN]:
         values = {name: (one.arguments[name], one.launch) for name in names}
         arguments = {**one.arguments, **job.arguments}
         now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
         pair = (now, read(now))
-        if missing_arguments(pair[1]):
+        if pair[1].missing_arguments:
             failed[tuple(one.arguments[name] for name in names)] = pair[1]
         else:
             found.append(pair)
@@ -250,7 +276,7 @@ def _as_found(
             found.append(pair)
         else:
             failed[tuple(given.values())] = pair[1]
-        more += missing_arguments(pair[1])
+        more += pair[1].missing_arguments
     if found:
         _note_unchecked(found, offered, failed)
     if found or set(more) <= set(names):
@@ -295,17 +321,7 @@ def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched
     origins: dict[str, dict[str, str]] = {}
     for name, (value, origin) in values.items():
         origins.setdefault(origin, {})[name] = value
-    return tuple(Launched(job.source.path, *one) for one in origins.items())
-
-
-def missing_arguments(subject: Subject) -> tuple[str, ...]:
-    """The arguments without which a xacro cannot be expanded."""
-    problems = subject.problems("XAC010")
-    if not problems:
-        return ()
-    from urdfkit.lint.argument_values import missing_argument
-
-    return tuple(dict.fromkeys(map(missing_argument, problems)))
+    return tuple(Launched(job.path, *one) for one in origins.items())
 
 
 def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:

@@ -137,6 +137,8 @@ class Rule(Record):
             parts has found the cause, its findings are consequences.
         computes_fix: True for fixes that compute from other values of the robot; they wait until
             those are fixed.
+        migrates: True for a rule that reports what another generation of Gazebo does not have.
+        about_files: True for a rule about mesh files, which a generated mesh answers.
     """
 
     code: str
@@ -154,6 +156,8 @@ class Rule(Record):
     hides_parts: tuple[str, ...] = ()
     reports_missing: bool = False
     computes_fix: bool = False
+    migrates: bool = False
+    about_files: bool = False
 
     def option(self, subject: Subject, name: str) -> float:
         """The value of an option: as configured, else its default."""
@@ -236,6 +240,8 @@ def rule(
     hides_parts: tuple[str, ...] = (),
     reports_missing: bool = False,
     computes_fix: bool = False,
+    migrates: bool = False,
+    about_files: bool = False,
 ) -> Callable[[Check], Rule]:
     """Declare a rule; the decorated function becomes its Rule.
 
@@ -268,6 +274,8 @@ def rule(
             hides_parts,
             reports_missing,
             computes_fix,
+            migrates,
+            about_files,
         )
 
     return declare

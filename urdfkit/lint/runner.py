@@ -10,7 +10,7 @@ from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
 from urdfkit.lint.options import Options
-from urdfkit.lint.report import Crashed, Skipped, crash
+from urdfkit.lint.report import Crashed, Silenced, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
 from urdfkit.text.document import Attribute, Element, Step
@@ -47,7 +47,7 @@ class FileResult(Record):
         targets: the programs that severities depend on; None if none does.
         suppressed: how many findings the model's comments or the configuration suppress.
         unknown_arguments: those given that the description never mentions, with the one meant.
-        consequences: findings that follow from others, which are reported in their place.
+        silenced: findings that follow from others, which are reported in their place.
     """
 
     diagnostics: tuple[Diagnostic, ...]
@@ -57,7 +57,7 @@ class FileResult(Record):
     targets: Targets | None
     suppressed: int
     unknown_arguments: Mapping[str, str] = {}
-    consequences: tuple[Diagnostic, ...] = ()
+    silenced: Silenced = Silenced((), ())
 
 
 def run_rules(
@@ -82,7 +82,8 @@ def run_rules(
     run.ignores = run.guarded(lambda: subject.ignores, ())
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
-        wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
+        lacking = subject.without_arguments
+        wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
         is_unexplained = wants_arguments or not run.says_why()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
@@ -227,7 +228,7 @@ class _Run:
     def verdict(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
-        diagnostics, consequences = _without_consequences(diagnostics, self._asked)
+        diagnostics, silenced = _without_consequences(diagnostics, self._asked)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return FileResult(
             diagnostics,
@@ -236,7 +237,7 @@ class _Run:
             frozenset(self.ran),
             targets,
             left_out,
-            consequences=consequences,
+            silenced=silenced,
         )
 
     def _distinct_crashes(self) -> Iterator[Crashed]:
@@ -257,11 +258,11 @@ class _Run:
 
 def _without_consequences(
     diagnostics: tuple[Diagnostic, ...], rules: Mapping[str, Rule]
-) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
+) -> tuple[tuple[Diagnostic, ...], Silenced]:
     """Findings without what follows from others, which are then as severe as that; and that."""
     causes = [one for one in diagnostics if _hides_parts(one, rules[one.code])]
     if not causes:
-        return diagnostics, ()
+        return diagnostics, Silenced((), ())
     kept: list[Diagnostic] = []
     hidden: list[Diagnostic] = []
     for one in diagnostics:
@@ -270,7 +271,7 @@ def _without_consequences(
         if found in causes:
             worst = min((found, *hidden), key=lambda one: one.severity.rank)
             kept[place] = found._replace(severity=worst.severity)
-    return tuple(kept), tuple(hidden)
+    return tuple(kept), Silenced(tuple(causes), tuple(hidden))
 
 
 def _hides_parts(diagnostic: Diagnostic, rule: Rule) -> bool:

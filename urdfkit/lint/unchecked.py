@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.argument_values import found_values, missing_argument, reported
+from urdfkit.lint.argument_values import found_values, reported
 from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, shown
@@ -24,7 +24,7 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
         source: its file.
         resolver: finds packages, and reads files.
     """
-    names = tuple(dict.fromkeys(filter(None, map(missing_argument, reading.problems))))
+    names = tuple(dict.fromkeys(one.argument for one in reading.problems if one.argument))
     if not names or reading.xacro is None:
         errors = (p for p in reading.problems if get(p.code).severity is Severity.ERROR)
         first = next(errors, None)

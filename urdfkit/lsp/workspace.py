@@ -20,7 +20,6 @@ from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.fix import fix
 from urdfkit.lint.options import Options
-from urdfkit.lint.plan import missing_arguments
 from urdfkit.lint.rules import Need
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.names import NameIndex
@@ -243,7 +242,7 @@ class Workspace:
             subject = Subject(resolver.read(robot.file), resolver, config.arguments)
         except UrdfkitError:
             return robot
-        if names := missing_arguments(subject):
+        if names := subject.missing_arguments:
             for one in given(robot.file, names, resolver)[:1]:
                 self._launched[robot.file] = one.arguments
                 return robot._replace(arguments=one.arguments)

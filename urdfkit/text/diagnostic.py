@@ -84,6 +84,7 @@ class Problem(Record):
         related: other places that explain it.
         fix: as text edits.
         severity: if it is not that of the rule.
+        argument: the xacro argument that lacks a value, if that is the problem.
     """
 
     code: str
@@ -94,6 +95,7 @@ class Problem(Record):
     related: tuple[Related, ...] = ()
     fix: Fix | None = None
     severity: Severity | None = None
+    argument: str = ""
 
 
 class Call(Record):

@@ -112,7 +112,9 @@ def _made(
     token = located.token if located.token.startswith("$") else ""
     if code in ("XAC001", "XAC009", "XAC013") and token and token[:60] not in message:
         message += f" in {token}"
-    return Problem(code, at.span, message, help, at.frame)
+    cause = root_cause(error)
+    argument = str(cause) if isinstance(cause, MissingArgument) else ""
+    return Problem(code, at.span, message, help, at.frame, argument=argument)
 
 
 def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
@@ -145,7 +147,8 @@ def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Prob
                 f"argument '{argument.name}' must be given: with its default '{default}' "
                 "files are missing that the model needs"
             )
-            return Problem("XAC010", at, message, _pass(defined, argument.name))
+            help = _pass(defined, argument.name)
+            return Problem("XAC010", at, message, help, argument=argument.name)
     return None
 
 

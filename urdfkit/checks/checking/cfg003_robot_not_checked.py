@@ -4,7 +4,8 @@ It wants arguments for which no file has values, or it cannot be read for a reas
 is configured to ignore. Nothing of the robot was checked, and a report without findings would hide
 that. The same holds for single values of an argument: more than 16, or a directory with whose name
 the robot does not expand. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore
-comment above the root element and `per-file-ignores` accept robots that stay unchecked.
+comment above the root element and `per-file-ignores` accept robots that stay unchecked. A directory
+that has launch files or macros, and no robot, is reported in the same way.
 
 Values for arguments are taken from the launch files of the package and of the workspace, from the
 choices and defaults that launch files declare under the same name, from defaults in the files
@@ -40,16 +41,15 @@ def check(subject: Subject) -> Findings:
     # A part of a robot is checked through the file that includes it, which XAC001 names.
     if subject.reading.document is not None or subject.is_fragment:
         return
-    from urdfkit.lint.argument_values import missing_argument
     from urdfkit.lint.unchecked import why_unchecked
 
     why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
-    wanting = [one for one in subject.reading.problems if missing_argument(one)]
+    wanting = [one for one in subject.reading.problems if one.argument]
     yield Finding(
         Location(_top(subject)),
         f"robot not checked: {why}",
         help,
-        related=tuple(Related(one.span, f"argument '{missing_argument(one)}'") for one in wanting),
+        related=tuple(Related(one.span, f"argument '{one.argument}'") for one in wanting),
     )
 
 

@@ -39,7 +39,10 @@ _NONE = "no successor is known"
 
 
 @rule(
-    Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO), by_target=dict.fromkeys(GAZEBO, Severity.ERROR)
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
+    migrates=True,
 )
 def check(subject: Subject) -> Findings:
     targets = [name for name in subject.targets.names if name in GENERATIONS]

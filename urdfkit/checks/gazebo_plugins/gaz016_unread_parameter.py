@@ -42,7 +42,7 @@ _MAX_TAGS = 6
 _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "classic": "no ROS"}
 
 
-@rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it")
+@rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it", migrates=True)
 def check(subject: Subject) -> Findings:
     foreign: dict[tuple[PluginUse, bool], list[UnreadParameter]] = {}
     found_unread = [(use, one) for use in subject.plugins for one in unread(use)]

@@ -55,6 +55,7 @@ _ON_JOINTS = {"force_torque"}
     Severity.ERROR,
     help="use a type that Gazebo knows, such as ray, gpu_lidar, camera, imu or contact",
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
+    migrates=True,
 )
 def check(subject: Subject) -> Findings:
     known = types()

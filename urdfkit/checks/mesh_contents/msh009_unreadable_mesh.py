@@ -46,6 +46,7 @@ _HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE NEW.dae"
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
     help="export the mesh again, or copy it from where the robot comes from",
+    about_files=True,
 )
 def check(subject: Subject) -> Findings:
     for mesh in subject.files.meshes:
@@ -68,8 +69,8 @@ def _partly(subject: Subject) -> Findings:
         measured = subject.measured
     except Unavailable:
         return
-    for mesh in measured.unmeasured:
-        yield Finding(mesh.at, f"{mesh.who} {mesh.reason}", _HELP_PARTLY, severity=Severity.WARNING)
+    for mesh, reason in measured.unmeasured:
+        yield Finding(mesh.at, f"{mesh.who} {reason}", _HELP_PARTLY, severity=Severity.WARNING)
     for use in measured.defects.get(MeshDefect.PARTLY_UNREADABLE, ()):
         message = f"{use.who} is partly broken: {'; '.join(losses(use))}"
         yield Finding(use.at, message, _HELP_PARTLY, severity=Severity.WARNING)

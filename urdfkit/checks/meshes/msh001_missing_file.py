@@ -49,6 +49,7 @@ _REMOTE = ("http", "https", "ftp", "fuel")
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
     help="add the file, or generate one: urdfkit mesh generate --model ROBOT",
+    about_files=True,
 )
 def check(subject: Subject) -> Findings:
     missing = set(map(id, subject.files.missing))
