@@ -158,9 +158,7 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
         went,
         tuple(notes),
         allowed,
-        directories=tuple(
-            dict.fromkeys(directory for one in (old, new) for directory in _directories(one))
-        ),
+        directories=tuple(dict.fromkeys((*_directories(old), *_directories(new)))),
     )
 
 
