@@ -10,12 +10,14 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
-from urdfkit.robot.model import Body, Placed, RobotModel, Shape
+from urdfkit.robot.model import Body, Link, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
 from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
 #: Folders of a package that are searched for a file of the wanted name.
 MAX_FOLDERS = 2000
+#: Directories of a missing file that lead to one of several files of its name for sure.
+MIN_COMMON_FOLDERS = 2
 
 _SEPARATORS = str.maketrans("_-.", "   ")
 
@@ -25,22 +27,24 @@ class MeshReference(Record):
 
     Attributes:
         at: the file name as it is after expansion.
-        link: name of the link.
+        link: the link.
         role: ``visual`` or ``collision``.
+        body: the visual or collision.
         located: where it leads.
         facts: what the file's bytes say; None if there is no file.
     """
 
     at: Placed[str]
-    link: str
+    link: Link
     role: str
+    body: Body
     located: ResolvedReference
     facts: MeshFacts | None
 
     @property
     def who(self) -> str:
         """The subject of a message."""
-        return f"link '{self.link}': the {self.role} mesh '{self.at.value}'"
+        return f"link '{self.link.name}': the {self.role} mesh '{self.at.value}'"
 
     @property
     def literal(self) -> Attribute | None:
@@ -85,11 +89,14 @@ class MeshFiles:
         References with an unexpanded ``${`` or ``$(`` are left out: they name no file yet.
         """
         return tuple(
-            self._mesh(link.name, role, filename)
+            self._mesh(link, role, body, body.shape.filename)
             for link in self._model.links
             for role, bodies in (("visual", link.visuals), ("collision", link.collisions))
-            for filename in _filenames(bodies)
-            if "${" not in filename.value and "$(" not in filename.value
+            for body in bodies
+            if body.shape
+            and body.shape.filename
+            and "${" not in body.shape.filename.value
+            and "$(" not in body.shape.filename.value
         )
 
     @cached_property
@@ -188,13 +195,14 @@ class MeshFiles:
         """The file that a reference to a missing one probably means.
 
         A file of the same name elsewhere in the package, else one of a similar name in the same
-        directory. It is sure if it is the only candidate and no other link uses it.
+        directory, else one of another format elsewhere. It is sure if it is the only candidate
+        and no other link uses it.
         """
-        path = self._same_name_elsewhere(mesh.located)
+        path, sure = self._same_name_elsewhere(mesh.located)
         if path is None:
             path, sure = self._similar_name(mesh.located)
-        else:
-            sure = True
+        if path is None:
+            path, sure = self._same_name_elsewhere(mesh.located, any_format=True)
         if path is None:
             return None
         sure = sure and path not in self._used
@@ -217,10 +225,10 @@ class MeshFiles:
     def _used(self) -> set[str]:
         return {mesh.located.path for mesh in self.meshes if mesh.located.path}
 
-    def _mesh(self, link: str, role: str, filename: Placed[str]) -> MeshReference:
+    def _mesh(self, link: Link, role: str, body: Body, filename: Placed[str]) -> MeshReference:
         located = self.resolver.locate(filename.value, _tag(filename).source.path, self.top)
         facts = self.facts(located.path) if located.path else None
-        return MeshReference(filename, link, role, located, facts)
+        return MeshReference(filename, link, role, body, located, facts)
 
     def _expected(self, located: ResolvedReference) -> tuple[str, str]:
         """The folder below which a missing file should be, and its path there."""
@@ -230,8 +238,13 @@ class MeshFiles:
             return self._folder, located.relative
         return os.path.split(located.tried[0])
 
-    def _same_name_elsewhere(self, located: ResolvedReference) -> str | None:
-        """The only file of the wanted name in the package; None if there are several."""
+    def _same_name_elsewhere(
+        self, located: ResolvedReference, *, any_format: bool = False
+    ) -> tuple[str | None, bool]:
+        """The file of the wanted name in the package, and whether it certainly is the wanted one.
+
+        Of several the one in the most directories of the wanted names; none if that is not one.
+        """
         base = located.folder
         if base is None:
             package = self.resolver.packages.enclosing(self.top)
@@ -239,15 +252,22 @@ class MeshFiles:
         if base not in self._below:
             self._below[base] = self.resolver.folders.files_below(base, MAX_FOLDERS)
         folder, wanted = os.path.split(located.relative)
-        numbers = _numbers(folder)
-        found = [
-            path
-            for path in self._below[base]
-            if os.path.basename(path).casefold() == wanted.casefold()
+        found: dict[int, list[str]] = {}
+        for path in self._below[base]:
+            name = os.path.basename(path)
+            if name.casefold() != wanted.casefold() and not (
+                any_format and _suffix(name) in BY_SUFFIX and _stem(name) == _stem(wanted)
+            ):
+                continue
+            common, ours, theirs = _without_common_end(folder, _relative(path, base))
             # Not the same part of another model of the series.
-            and (not numbers or _numbers(_relative(path, base)) in ([], numbers))
-        ]
-        return found[0] if len(found) == 1 else None
+            if not (numbers := _numbers(ours)) or _numbers(theirs) in ([], numbers):
+                found.setdefault(common, []).append(path)
+        best = max(found, default=0)
+        if len(found.get(best, ())) != 1:
+            return None, False
+        is_only = len(found) == 1 or best >= MIN_COMMON_FOLDERS
+        return found[best][0], is_only and not any_format
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
         """A mesh file of a similar name in the same folder, and whether that is a typo."""
@@ -266,6 +286,16 @@ class MeshFiles:
         if stem is None:
             return None, False
         return os.path.join(folder, stems[stem]), is_typo(wanted, stems[stem])
+
+
+def _without_common_end(folder: str, path: str) -> tuple[int, str, str]:
+    """How many directories a wanted folder and that of a path end in alike, and what is left."""
+    ours, theirs = folder.split("/"), path.split("/")[:-1]
+    common = 0
+    while ours and theirs and ours[-1] == theirs[-1]:
+        ours, theirs = ours[:-1], theirs[:-1]
+        common += 1
+    return common, "/".join(ours), "/".join(theirs)
 
 
 def _content(mesh: MeshReference) -> bytes:
@@ -302,6 +332,10 @@ def _words(name: str) -> list[str]:
     return os.path.splitext(name)[0].casefold().translate(_SEPARATORS).split()
 
 
+def _stem(name: str) -> str:
+    return os.path.splitext(name)[0].casefold()
+
+
 def _suffix(name: str) -> str:
     return os.path.splitext(name)[1].lower()
 
@@ -316,7 +350,3 @@ def _tag(placed: Placed[str]) -> Tag:
     if isinstance(at, Attribute):
         return at.written_in or at.element.tag_at
     return at.tag_at
-
-
-def _filenames(bodies: tuple[Body, ...]) -> list[Placed[str]]:
-    return [body.shape.filename for body in bodies if body.shape and body.shape.filename]
