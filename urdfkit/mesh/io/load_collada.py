@@ -242,21 +242,6 @@ def _moves(kind: str, numbers: Floats) -> Floats | None:
         if any(numbers[:3]):
             axis = unit(vector(numbers[:3]))
             matrix[:3, :3] = rotation_about(axis, radians(numbers[3]))
-    elif kind == "lookat" and len(numbers) >= 9:
-        return _look_at(numbers[:9].reshape(3, 3))
     else:
         return None
-    return matrix
-
-
-def _look_at(points: Floats) -> Floats | None:
-    """At a place, looking along -z to a second one, with y upwards."""
-    eye, interest, up = points
-    back = eye - interest
-    right = np.cross(up, back)
-    if not np.linalg.norm(back) or not np.linalg.norm(right):
-        return None
-    back, right = back / np.linalg.norm(back), right / np.linalg.norm(right)
-    matrix = np.eye(4)
-    matrix[:3, :4] = np.stack([right, np.cross(back, right), back, eye], axis=1)
     return matrix
