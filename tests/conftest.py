@@ -133,7 +133,7 @@ SAMPLED = {
     "tests/xacro/test_budget.py": 4,
     "tests/xacro/test_identity.py": 6,
     "tests/xacro/test_places.py::test_every_element": 0,
-    "tests/physics/collision/test_sampling.py::test_three_seeds": 3,
+    "tests/physics/collision/test_sampling.py::test_two_seeds": 2,
 }
 #: The same of tests with a parameter for each robot of the corpus.
 SAMPLED_ROBOTS = 10

@@ -8,9 +8,9 @@ import pytest
 
 from tests.xacros import xacro
 from urdfkit.cli import main, view
+from urdfkit.lint.options import Options
 from urdfkit.lsp.workspace import Workspace
 from urdfkit.output.report.document import describe
-from urdfkit.viewer import state
 
 ARM = xacro(
     """<link name="$(arg side)_base"><inertial><mass value="1"/>
@@ -174,14 +174,11 @@ def test_packages_and_trust_of_the_configuration(robot: Path, capsys) -> None:
 
 
 def test_the_viewer(robot: Path, monkeypatch, capsys) -> None:
-    seen: list[state.ViewRequest] = []
-    monkeypatch.setattr(view, "serve", lambda wish, *_, **__: seen.append(wish))
+    seen: list[tuple[str, Options]] = []
+    monkeypatch.setattr(view, "serve", lambda *given, **_: seen.append(given[:2]))
     configure(robot, TWO)
     assert main(["view", str(robot), "--variant", "right", "--no-open"]) == 0
-    (wish,) = seen
-    reported = describe(
-        wish.file, arguments=wish.arguments, config=wish.config, variant=wish.variant, quick=True
-    )
+    reported = describe(*seen[0], quick=True)
     assert reported.subject.arguments == {"side": "right"}
 
 

@@ -191,7 +191,8 @@ def test_processes_print_the_same(project: Project) -> None:
     assert project.check(".", "--jobs", "2") == project.check(".")
     for wrong in ("0", "-1", "x", "1.5"):
         code, out, err = project.check(".", f"--jobs={wrong}")
-        assert (code, out, err) == (2, "", f"error: --jobs {wrong}: write a number from 1\n")
+        expected = f"error: --jobs {wrong}: write a number from 1, or auto\n"
+        assert (code, out, err) == (2, "", expected)
 
 
 def test_exit_zero_hides_findings_but_no_mistake(project: Project) -> None:

@@ -93,7 +93,7 @@ def test_what_is_not_convex_is_cut_into_no_more_pieces_than_it_takes() -> None:
 
 
 def test_of_what_is_beyond_the_bound_the_simplest_is_taken_that_is_hardly_worse() -> None:
-    dented = solids.box((1, 1, 1)) - solids.ball(0.3, (0, 0, 0.5))
+    dented = solids.box((1, 1, 1)) - solids.ball(0.3).translate((0, 0, 0.5))
     for away, kind in ((0.31, "box"), (0.45, "hull")):  # of the corner that is cut off below
         cut = dented.trim_by_plane((1, 1, 1), away - 3**0.5 / 2)
         found = fit(solids.as_mesh(cut), 1e-9, most=1)

@@ -24,9 +24,9 @@ for module in ("jinja2", "numpy", "starlette", "trimesh", "uvicorn"):
     pytest.importorskip(module)
 
 from urdfkit.errors import UnreadableFile
+from urdfkit.lint.options import Options
 from urdfkit.output.report.translations import Translator
 from urdfkit.viewer import server
-from urdfkit.viewer.state import ViewRequest
 
 BASE = MODELS / "good" / "mobile_base"
 
@@ -224,7 +224,7 @@ def test_what_fails_is_told_once_and_does_not_end_the_viewer(
     file = str(MODELS / "good" / "gripper.urdf")
 
     async def follow() -> tuple[str, int, str]:
-        viewer = server.Viewer(ViewRequest(file, {}, {}), Translator())
+        viewer = server.Viewer(file, Options(), Translator())
         with monkeypatch.context() as broken:
             broken.setattr(server, "read", fail)
             await viewer.refresh()

@@ -13,10 +13,11 @@ pytest.importorskip("PIL")
 pytest.importorskip("jinja2")
 
 from tests.mesh import made
+from urdfkit.lint.options import Options
 from urdfkit.mesh import samples
 from urdfkit.output.report.document import ReportInput, describe
 from urdfkit.viewer import state as module
-from urdfkit.viewer.state import ViewRequest, read
+from urdfkit.viewer.state import read
 
 ROBOT = """<robot name="r"><link name="l"><visual><geometry>
 <mesh filename="{}"/></geometry></visual></link></robot>"""
@@ -50,7 +51,7 @@ def folder(tmp_path: Path) -> Path:
 def test_a_change_of_any_file_is_seen(folder: Path, mesh: str, changed: str) -> None:
     robot = folder / "robot.urdf"
     robot.write_text(ROBOT.format(mesh))
-    state = read(ViewRequest(str(robot), {}, {}))
+    state = read(str(robot), Options())
     assert not state.is_stale
     with (folder / changed).open("a") as file:
         file.write("\n")
@@ -60,8 +61,7 @@ def test_a_change_of_any_file_is_seen(folder: Path, mesh: str, changed: str) -> 
 def test_so_is_one_while_it_is_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     robot = folder / "robot.urdf"
     robot.write_text(ROBOT.format("a.obj"))
-    wish = ViewRequest(str(robot), {}, {})
-    known = read(wish).stamps
+    known = read(str(robot), Options()).stamps
 
     def described(*words: Any, **more: Any) -> ReportInput:
         reported = describe(*words, **more)
@@ -69,6 +69,6 @@ def test_so_is_one_while_it_is_read(folder: Path, monkeypatch: pytest.MonkeyPatc
         return reported
 
     monkeypatch.setattr(module, "describe", described)
-    state = read(wish, [*known, str(folder / "of_an_older_state.stl")])
+    state = read(str(robot), Options(), [*known, str(folder / "of_an_older_state.stl")])
     assert state.is_stale
     assert str(folder / "of_an_older_state.stl") not in state.stamps

@@ -5,6 +5,7 @@ from math import factorial, inf
 from typing import Any
 
 import pytest
+import xacro
 
 from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro import sandbox as module
@@ -93,3 +94,40 @@ def test_the_budget_of_one_expansion() -> None:
     budget.charge(30_000_000)
     with pytest.raises(DocumentTooLarge):
         budget.charge(1000)  # it looks no more often
+
+
+class Charged(Budget):
+    """A budget that remembers what was charged."""
+
+    def __init__(self) -> None:
+        super().__init__(inf)
+        self.units: list[int] = []
+
+    def charge(self, units: int) -> None:
+        self.units.append(units)
+
+
+def name_space(parent: Any, **names: Any) -> Any:
+    found = xacro.NameSpace(parent)
+    found.update(names)
+    return found
+
+
+#: Values, and for how many characters and items each is charged.
+CHARGED: dict[str, tuple[Any, int]] = {
+    "a text": ("abc", 3),
+    "a list": (["abc", (1, 2)], 7),
+    "a range": (range(9), 9),
+    "a table": ({"k": "ab"}, 5),
+    "a slice": (slice(1, 2), 3),
+    "a name space": (name_space(None, a="xyz"), 6),
+    "a name space and what it leads to": (name_space({"k": "abc"}, a="xyz"), 12),
+}
+
+
+@pytest.mark.parametrize("what", CHARGED)
+def test_what_is_made_is_charged_for_with_all_that_it_holds(what: str) -> None:
+    value, units = CHARGED[what]
+    budget = Charged()
+    assert Sandbox(budget).keep(value) is value
+    assert budget.units == [units]

@@ -95,7 +95,7 @@ def _files(values: Mapping[str, Any], chosen: Options) -> str:
     """The descriptions that would be checked, with their arguments, and those that would not."""
     plan = planned(options.files(values), Resolver(chosen.with_config().packages), chosen)
     lines = [
-        " ".join((job.source.path, *(f"{name}:={value}" for name, value in job.arguments.items())))
+        " ".join((job.path, *(f"{name}:={value}" for name, value in job.arguments.items())))
         for job in plan.jobs
     ]
     lines += [f"not checked: {skip.path}: {skip.reason}" for skip in plan.skipped]

@@ -11,7 +11,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.progress import shown
-from urdfkit.cli.robot import last_file, with_robot_and_targets
+from urdfkit.cli.robot import check_options, last_file, with_robot_and_targets
 from urdfkit.core import atomic
 from urdfkit.output.comparison import KINDS, compare
 from urdfkit.output.comparison.differences import Tolerances
@@ -75,16 +75,13 @@ def command(
             raise options.UsageError("--lang is for HTML: write -o diff.html, or --format html")
         render = partial(render, language=lang)
     counted = _kinds(fail_on)
+    before, after = files
     with shown("steps") as bar:
         comparison = compare(
-            *files,
-            arguments=options.arguments(values),
-            packages=options.packages(values),
+            before,
+            after,
+            check_options(values, last_file(files)),
             tolerances=_tolerances(tolerance),
-            targets=options.words(values, "target"),
-            trust=values["trust"],
-            config=options.config(values, last_file(files)),
-            variant=values["variant"],
             has_pictures=name == "html",
             progress=bar,
         )

@@ -116,7 +116,7 @@ CHECK = (
     ),
     Option("--changed", "FILEs are changed files: check the robots that use them."),
     Option("--no-cache", "Do not read or write the cache of mesh measures."),
-    Option("--jobs", "Number of parallel processes. [default: 1]", "N"),
+    Option("--jobs", "Number of parallel processes. [default: auto]", "N"),
     Option("--config", "Configuration file. [default: the nearest one upwards]", "FILE"),
     Option("--isolated", "Ignore all configuration files."),
     Option("--variant", "Check only this variant of the configuration. [default: all]", "NAME"),
@@ -147,10 +147,12 @@ def files(values: Mapping[str, Any]) -> list[str]:
 
 
 def jobs(values: Mapping[str, Any]) -> int:
-    """The number of processes."""
-    word = values["jobs"] or "1"
+    """The number of processes; 0 for ``auto``."""
+    word = values["jobs"] or "auto"
+    if word == "auto":
+        return 0
     if not word.isdecimal() or int(word) < 1:
-        raise UsageError(f"--jobs {word}: write a number from 1")
+        raise UsageError(f"--jobs {word}: write a number from 1, or auto")
     return int(word)
 
 

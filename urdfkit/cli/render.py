@@ -13,7 +13,7 @@ import click
 from urdfkit.cli import options, progress
 from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.posing import posed, positions
-from urdfkit.cli.robot import last_file, one_robot
+from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.terminal import printable
@@ -154,22 +154,14 @@ def _animation(
 def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, Any]) -> Scene:
     """Both states side by side; and the second one."""
     from urdfkit import render
-    from urdfkit.output.comparison.states import read
+    from urdfkit.output.comparison.states import RobotState
 
     with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
         scenes = []
-        config = options.config(asked, last_file(files))
+        chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
-            robot = read(
-                file,
-                os.path.join(os.path.realpath(folder), name),
-                arguments=options.arguments(asked),
-                packages=options.packages(asked),
-                targets=(),
-                trust=asked["trust"],
-                config=config,
-                variant=asked["variant"],
-            ).subject
+            where = os.path.join(os.path.realpath(folder), name)
+            robot = RobotState(file, where, chosen).subject
             scenes.append(_scene(robot, positions(robot, asked), values))
         before, after = scenes
         image = render.difference(

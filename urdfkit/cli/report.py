@@ -8,12 +8,11 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import options, output, stdin
+from urdfkit.cli import output, stdin
 from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.progress import shown
-from urdfkit.cli.robot import only_file, with_robot_and_targets
+from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
-from urdfkit.lint.config import Config
 from urdfkit.output.report.csv import COLUMNS
 from urdfkit.output.report.translations import LANGUAGES
 from urdfkit.output.report.writing import form_of, report
@@ -52,23 +51,17 @@ def command(
     Exit codes: 0 done, 1 findings at or above --fail-on, 2 usage or input error.
     """
     file, counts = only_file(values), dict.fromkeys(Severity, 0)
-    config, arguments = options.config(values, file), options.arguments(values)
-    source = stdin.opened(file)
-    variants = (config or Config()).entries(file, arguments, values["variant"])
+    chosen, source = check_options(values, file), stdin.opened(file)
+    variants = chosen.config.entries(file, chosen.arguments, chosen.variant)
     for variant in variants:
         with shown() as bar:
             text, document = report(
                 source,
                 form_of(output_file) if output_file else "markdown",
+                chosen._replace(variant=variant.name),
                 language=lang,
                 table=table,
                 quick=quick,
-                arguments=arguments,
-                packages=options.packages(values),
-                targets=options.words(values, "target"),
-                trust=values["trust"],
-                config=config,
-                variant=variant.name,
                 progress=bar,
             )
         if output_file:

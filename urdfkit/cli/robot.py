@@ -28,6 +28,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read
+from urdfkit.lint.options import Options
 from urdfkit.lint.plan import unknown_arguments
 from urdfkit.mesh.io.facts import counted
 from urdfkit.text.diagnostic import Severity
@@ -86,6 +87,18 @@ def only_file(values: Mapping[str, Any]) -> str:
     if os.path.isdir(files[0]):
         raise options.UsageError(f"{files[0]}: is a directory; {_robots_in(files[0])}")
     return files[0]
+
+
+def check_options(values: Mapping[str, Any], file: str) -> Options:
+    """How a command about one robot checks its file."""
+    return Options(
+        arguments=options.arguments(values),
+        packages=options.packages(values),
+        targets=options.words(values, "target") if "target" in values else (),
+        trust=values["trust"],
+        config=options.config(values, file) or Config(),
+        variant=values["variant"],
+    )
 
 
 def last_file(states: Sequence[str]) -> str:

@@ -10,10 +10,9 @@ import click
 
 from urdfkit.cli import options
 from urdfkit.cli.decorators import with_examples
-from urdfkit.cli.robot import only_file, with_robot_and_targets
+from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.output.report.translations import LANGUAGES, Translator
 from urdfkit.viewer.server import serve
-from urdfkit.viewer.state import ViewRequest
 
 
 @with_examples("view", "urdfkit view robot.urdf.xacro prefix:=left_")
@@ -32,15 +31,6 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
     file = only_file(values)
     if file == "-":
         raise options.UsageError("standard input cannot be watched; pass a file")
-    wish = ViewRequest(
-        file,
-        options.arguments(values),
-        options.packages(values),
-        tuple(options.words(values, "target")),
-        values["trust"],
-        options.config(values, file),
-        values["variant"],
-    )
 
     def opened(address: str) -> None:
         print(f"{address}\nPress Ctrl-C to stop.", file=sys.stderr)
@@ -48,7 +38,7 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
             webbrowser.open(address)
 
     try:
-        serve(wish, Translator(lang), port=port, opened=opened)
+        serve(file, check_options(values, file), Translator(lang), port=port, opened=opened)
     except KeyboardInterrupt:
         pass  # which is how it ends
     return 0

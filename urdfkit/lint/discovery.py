@@ -19,7 +19,6 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.text.comments import comments, without_comments
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.folders import walk
 from urdfkit.workspace.package_references import FIND
@@ -216,7 +215,8 @@ class IncludeGraph:
     ) -> None:
         self.resolver = resolver
         self._launches = launches
-        self._sources: dict[str, Source] = {}
+        #: Of thousands of plain URDFs none is kept: hardly a question is about them.
+        self._xacros: dict[str, bytes] = {}
         self._names: dict[str, str] = {}
         self.closed: list[str] = []
         for path in files:
@@ -228,12 +228,16 @@ class IncludeGraph:
             # A .urdf counts whatever is in it: nothing, a pointer of Git LFS.
             if _ROBOT.search(source.data) or path.lower().endswith(".urdf"):
                 real = disk.real(path)
-                self._sources[real] = source
                 self._names[real] = path
-        self.includes = {path: self._includes(path) for path in self._sources}
+                if b"xacro" in source.data:
+                    self._xacros[real] = source.data
+        self.includes = {path: self._includes(path) for path in self._xacros}
+
+    def _text(self, path: str) -> bytes:
+        return self._xacros.get(path) or self.resolver.read(self._names[path]).data
 
     def _includes(self, path: str) -> frozenset[str]:
-        data = self._sources[path].data
+        data = self._xacros[path]
         if b"xacro:include" not in data:
             return frozenset()
         return self._named(_INCLUDE.findall(without_comments(data)), path)
@@ -241,9 +245,9 @@ class IncludeGraph:
     def _disabled(self) -> set[str]:
         """The files that only an include in a comment names."""
         found: set[str] = set()
-        for path, source in self._sources.items():
-            if b"<!--" in source.data and b"xacro:include" in source.data:
-                text = b"".join(comment[1] for comment in comments(source.data))
+        for path, data in self._xacros.items():
+            if b"<!--" in data and b"xacro:include" in data:
+                text = b"".join(comment[1] for comment in comments(data))
                 found |= self._named(_DISABLED.findall(text), path)
         return found
 
@@ -251,7 +255,7 @@ class IncludeGraph:
         """The files that the includes of a file may mean."""
         found: set[str] = set()
         for name in names:
-            found.update(self._targets(name.decode("utf-8", "replace"), self._sources[path].path))
+            found.update(self._targets(name.decode("utf-8", "replace"), self._names[path]))
         return frozenset(found - {path})
 
     def _targets(self, name: str, near: str) -> Iterator[str]:
@@ -270,7 +274,7 @@ class IncludeGraph:
         if not any(os.path.splitext(word)[0].strip(".") for word in pattern.split("*")):
             return  # nothing but an expression: it may mean any file
         folder = os.path.join(disk.real(_package_folder(near, self.resolver)), "")
-        for path in self._sources:
+        for path in self._names:
             if path.startswith(folder) and fnmatchcase(os.path.basename(path), pattern):
                 yield path
 
@@ -327,7 +331,7 @@ class IncludeGraph:
         ]
 
     def _is_nameless(self, path: str) -> bool:
-        return bool(_NAMELESS.search(without_comments(self._sources[disk.real(path)].data)))
+        return bool(_NAMELESS.search(without_comments(self._text(disk.real(path)))))
 
     def _lacks_parent(self, path: str) -> bool:
         """True for a file with a joint whose parent link is certainly in no file it includes.
@@ -335,9 +339,9 @@ class IncludeGraph:
         Not certain: a link whose name is an expression, and an include that is not found.
         """
         files = self.closure(disk.real(path))
-        if not files <= self._sources.keys():
+        if not files <= self._names.keys():
             return False
-        texts = [without_comments(self._sources[file].data) for file in files]
+        texts = [without_comments(self._text(file)) for file in files]
         for file, text in zip(files, texts, strict=True):
             if not all(self._named([name], file) for name in _INCLUDE.findall(text)):
                 return False
@@ -348,7 +352,7 @@ class IncludeGraph:
 
     def _is_robot(self, path: str) -> bool:
         """True for a file with the root ``<robot>`` that has links outside of macros."""
-        data = without_comments(self._sources[path].data)
+        data = without_comments(self._text(path))
         return bool(_ROOT.match(data) and _LINK.search(_MACRO.sub(b"", data)))
 
     def _launched(self, files: list[str]) -> list[str]:
@@ -374,9 +378,9 @@ class IncludeGraph:
             closure = self.closure(robot)
             if not self._lacking(closure):
                 continue
-            for path in closure.intersection(self._sources) - {robot}:
+            for path in closure.intersection(self._names) - {robot}:
                 name = self._names[path]
-                is_whole = _is_description(name) and _NAMED.search(self._sources[path].data)
+                is_whole = _is_description(name) and _NAMED.search(self._text(path))
                 if is_whole and not self.is_library(name) and not self._lacking(self.closure(path)):
                     yield name
 
@@ -384,8 +388,8 @@ class IncludeGraph:
         """The arguments that some files use together, and none of them gives a default."""
         used: set[bytes] = set()
         known: set[bytes] = set()
-        for path in self._sources.keys() & files:
-            data = without_comments(self._sources[path].data)
+        for path in self._names.keys() & files:
+            data = without_comments(self._text(path))
             used.update(_ARGUMENT.findall(data))
             known.update(_DEFAULT.findall(data))
         return used - known
@@ -402,7 +406,7 @@ class IncludeGraph:
         if package is not None and package == packages.enclosing(root):
             return True
         name = os.path.basename(file).encode("utf-8", "surrogateescape")
-        return any(name in self._sources[path].data for path in closure if path in self._sources)
+        return any(name in self._text(path) for path in closure if path in self._names)
 
     def closure(self, path: str) -> set[str]:
         """A file and everything that it includes, directly or not."""
@@ -417,8 +421,8 @@ class IncludeGraph:
 
     def is_library(self, path: str) -> bool:
         """True if a file only defines things: outside of macros it makes no link and calls none."""
-        if not _ROBOT.search(self._sources[disk.real(path)].data):
+        if not _ROBOT.search(self._text(disk.real(path))):
             return False
-        data = without_comments(self._sources[disk.real(path)].data)
+        data = without_comments(self._text(disk.real(path)))
         outside = _MACRO.sub(b"", data)
         return not _CONTENT.search(outside) and not _INCLUDE.search(outside)

@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index, rules
@@ -20,6 +21,14 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future, ProcessPoolExecutor
+
+#: Robots for each process that make a further one worth while.
+FEW = 10
+#: Robots that go to a process at a time.
+MOST_OF_A_BATCH = 16
 
 
 def check(
@@ -129,7 +138,7 @@ def subjects(
     resolver = Resolver(options.packages, texts=options.texts)
     for planned_job in planned(files, resolver, options).jobs:
         for job, subject in as_launched(planned_job, _reader(options, resolver)):
-            yield None if is_launch(job.source.path) or job.codes else subject
+            yield None if is_launch(job.path) or job.codes else subject
 
 
 def _reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
@@ -142,7 +151,7 @@ def _reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
 
     def read(job: Job) -> Subject:
         return Subject(
-            job.source,
+            job.text(resolver),
             resolver,
             job.arguments,
             trust=options.trust,
@@ -168,52 +177,105 @@ def _checked(jobs: list[Job], options: Options, resolver: Resolver) -> list[Chec
     return checked
 
 
-def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterable[list[Checked]]:
-    if options.jobs <= 1:
-        return (_check_one_of_many(job, options, resolver) for job in jobs)
-    return _in_processes(jobs, options)
+def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[list[Checked]]:
+    count = processes(options.jobs, len(jobs))
+    if count > 1:
+        yield from _in_processes(jobs, options, count)
+        return
+    for job in jobs:
+        yield _check_one_of_many(job, options, resolver)
 
 
-def _in_processes(jobs: list[Job], options: Options) -> Iterable[list[Checked]]:
-    """Each job in a process.
+def processes(asked: int, robots: int) -> int:
+    """How many processes check some robots.
+
+    Args:
+        asked: by the user; 0 for as many as are worth while.
+        robots: how many there are.
+    """
+    if asked:
+        return min(asked, robots)
+    return min(os.cpu_count() or 1, robots // FEW)
+
+
+def _in_processes(jobs: list[Job], options: Options, count: int) -> Iterator[list[Checked]]:
+    """The results of some jobs in their order, by several processes.
 
     A process that dies takes the others of its pool with it. What they had not done is checked
-    again by one process, which shows the robot that it dies of.
+    again one by one, which shows the robot that it dies of.
     """
-    import time
-    from concurrent.futures import ProcessPoolExecutor
+    from collections import deque
     from concurrent.futures.process import BrokenProcessPool
 
-    count = min(options.jobs, len(jobs))
-    done = 0
-    with ProcessPoolExecutor(count, initializer=_begin, initargs=(rule_index.foreign(),)) as pool:
-        # Not `map`, which cancels what is left and trips over it when the processes are gone.
-        futures = [pool.submit(_check_alone, job, options) for job in jobs]
+    size = max(1, min(MOST_OF_A_BATCH, len(jobs) // (8 * count)))
+    batches = deque(jobs[start : start + size] for start in range(0, len(jobs), size))
+    waiting: deque[tuple[list[Job], Future[list[list[Checked]]]]] = deque()
+    with _pool(count, options) as pool:
         try:
-            for future in futures:
-                yield future.result()
-                done += 1
+            while batches or waiting:
+                while batches and len(waiting) < 4 * count:  # results must not pile up
+                    waiting.append((batches[0], pool.submit(_check_batch, batches[0])))
+                    batches.popleft()
+                done = waiting[0][1].result()
+                waiting.popleft()
+                yield from done
         except BrokenProcessPool:
-            time.sleep(1)  # the others may have heard Ctrl-C first; then it is raised here
-            if count == 1:
+            _wait_for_ctrl_c()
+    if waiting:
+        yield from _one_by_one([job for batch, _ in waiting for job in batch], options)
+    if batches:
+        yield from _in_processes([job for batch in batches for job in batch], options, count)
+
+
+def _one_by_one(jobs: list[Job], options: Options) -> Iterator[list[Checked]]:
+    """The results of some jobs, each of which may kill its process."""
+    from concurrent.futures.process import BrokenProcessPool
+
+    done = 0
+    while done < len(jobs):
+        with _pool(1, options) as pool:
+            try:
+                for job in jobs[done:]:
+                    yield from pool.submit(_check_batch, [job]).result()
+                    done += 1
+            except BrokenProcessPool:
+                _wait_for_ctrl_c()
                 died = RuntimeError("the process of its check died")
                 yield [(jobs[done], _failed(jobs[done], died))]
                 done += 1
-    if jobs[done:]:
-        yield from _in_processes(jobs[done:], options._replace(jobs=1))
 
 
-def _begin(foreign: Mapping[str, str]) -> None:
+def _wait_for_ctrl_c() -> None:
+    """The processes may have heard it first; then it is raised here."""
+    import time
+
+    time.sleep(1)
+
+
+def _pool(count: int, options: Options) -> ProcessPoolExecutor:
+    from concurrent.futures import ProcessPoolExecutor
+
+    return ProcessPoolExecutor(count, initializer=_begin, initargs=(rule_index.foreign(), options))
+
+
+#: Of a process of a pool: the options, and what it has found of packages and folders.
+_own: tuple[Options, Resolver]
+
+
+def _begin(foreign: Mapping[str, str], options: Options) -> None:
     """A process begins, which knows no rules of other packages."""
     import signal
 
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     rule_index.register(foreign)
+    global _own  # noqa: PLW0603 - a process has one
+    _own = (options, Resolver(options.packages, texts=options.texts))
 
 
-def _check_alone(job: Job, options: Options) -> list[Checked]:
-    return _check_one_of_many(job, options, Resolver(options.packages, texts=options.texts))
+def _check_batch(jobs: list[Job]) -> list[list[Checked]]:
+    options, resolver = _own
+    return [_check_one_of_many(job, options, resolver) for job in jobs]
 
 
 def _check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
@@ -242,7 +304,7 @@ def _check_job(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
 
 def _failed(job: Job, error: Exception) -> FileResult:
     """The result of a robot on which urdfkit itself fails."""
-    return FileResult((), (), (crash("", job.source.path, error),), frozenset(), None, 0)
+    return FileResult((), (), (crash("", job.path, error),), frozenset(), None, 0)
 
 
 def _result(job: Job, subject: Subject, options: Options) -> FileResult:

@@ -74,13 +74,11 @@ def subject_of(
         source, given = _described(source, resolver, given)
 
     def described(job: Job) -> Subject:
-        return Subject(
-            job.source, resolver, job.arguments, trust=trust, cache=cache, progress=progress
-        )
+        return Subject(source, resolver, job.arguments, trust=trust, cache=cache, progress=progress)
 
-    (job, subject), *others = as_launched(Job(source, "", given, False), described)
+    (job, subject), *others = as_launched(Job(source.path, "", given, False), described)
     if others:
-        return described(Job(source, "", given, False))
+        return described(Job(source.path, "", given, False))
     subject.launched = job.launched
     return subject
 

@@ -26,18 +26,14 @@ def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnos
     """
     checked = _launched_once(checked)
     results = [result for _, result in checked]
-    files = Counter(job.source.path for job in plan.jobs)
+    files = Counter(job.path for job in plan.jobs)
     return Report(
         tuple(files),
         _in_reading_order((*_distinct(checked), *unopened)),
         (*plan.skipped, *(skip for result in results for skip in result.skipped)),
         (*plan.crashed, *(crash for result in results for crash in result.crashed)),
         tuple(sorted({code for result in results for code in result.ran})),
-        tuple(
-            (job.source.path, result.targets)
-            for job, result in checked
-            if result.targets is not None
-        ),
+        tuple((job.path, result.targets) for job, result in checked if result.targets is not None),
         sum(result.suppressed for result in results),
         errors=tuple(
             tuple(
@@ -67,15 +63,13 @@ def _launched_once(checked: list[Checked]) -> list[Checked]:
     robot is checked otherwise.
     """
     read = {
-        disk.real(job.source.path)
-        for job, result in checked
-        if all(skip.code for skip in result.skipped)
+        disk.real(job.path) for job, result in checked if all(skip.code for skip in result.skipped)
     }
     return [
         (job, result._replace(diagnostics=(), skipped=()))
         if job.frame
         and any(not skip.code for skip in result.skipped)
-        and disk.real(job.source.path) in read
+        and disk.real(job.path) in read
         else (job, result)
         for job, result in checked
     ]
@@ -99,7 +93,7 @@ def _distinct(checked: list[Checked]) -> Iterator[Diagnostic]:
             found_in.setdefault(key, []).append(job)
     variants: dict[str, set[str]] = {}
     for job, _ in checked:
-        variants.setdefault(job.source.path, set()).add(job.name)
+        variants.setdefault(job.path, set()).add(job.name)
     for jobs, diagnostic in zip(found_in.values(), once.values(), strict=True):
         names = _partial(jobs, variants)
         yield diagnostic._replace(variants=names) if names else diagnostic
@@ -109,7 +103,7 @@ def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, .
     """The names of variants with a finding; none if it is in all those of some robot."""
     names: dict[str, dict[str, None]] = {}
     for job in found_in:
-        names.setdefault(job.source.path, {})[job.name] = None
+        names.setdefault(job.path, {})[job.name] = None
     if any("" in own or len(own) == len(variants[path] - {""}) for path, own in names.items()):
         return ()
     return tuple(dict.fromkeys(name for own in names.values() for name in own))

@@ -34,7 +34,7 @@ class Options(Record):
         variant: the name of the only one, of those in the configuration, that is checked.
         changed: the files are changed files of any kind; the robots that they are part of are
             checked, each once.
-        jobs: processes that check at the same time.
+        jobs: processes that check at the same time; 0 for as many as are worth while.
         cache: keep the measures of mesh files for the next run.
         only_errors: of the rules that need one of these, only those that may report errors run.
         texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
@@ -71,6 +71,12 @@ class Options(Record):
             packages={**config.packages, **self.packages},
             targets=tuple(self.targets) or config.targets,
             trust=self.trust or config.trust,
+        )
+
+    def for_one(self, arguments: Mapping[str, str]) -> Options:
+        """Those for one robot with all of its arguments; of options with the configuration."""
+        return self._replace(
+            arguments=arguments, config=self.config._replace(robots=()), variant=""
         )
 
     def resolved(self) -> Options:

@@ -38,7 +38,7 @@ class Job(Record):
     """One description to check.
 
     Attributes:
-        source: the file.
+        path: of the file.
         name: of the variant; empty if there is one only.
         arguments: for xacro.
         found: True if it was found in a folder, not named.
@@ -46,9 +46,11 @@ class Job(Record):
         parameters: the files of parameters that this launch file loads.
         launched: the arguments that it lacks by itself, and where their values are from.
         codes: of the rules that are asked; all if empty.
+        source: the text, if it was read already. That of a robot in a folder is read when its turn
+            comes: there may be thousands.
     """
 
-    source: Source
+    path: str
     name: str
     arguments: dict[str, str]
     found: bool
@@ -56,6 +58,15 @@ class Job(Record):
     parameters: tuple[FileUse, ...] = ()
     launched: tuple[Launched, ...] = ()
     codes: frozenset[str] = frozenset()
+    source: Source | None = None
+
+    def text(self, resolver: Resolver) -> Source:
+        """The text of the file.
+
+        Raises:
+            UnreadableFile: it is gone.
+        """
+        return self.source or resolver.read(self.path)
 
 
 def planned(
@@ -132,8 +143,7 @@ class Plan:
         if found.robots and not robots:
             raise ConfigError(f"no robot has a variant '{self.variant}'")
         for robot in robots:
-            source = self.resolver.read(_spelt(robot.file, given))
-            self._add(source, robot.name, robot.arguments, found=True)
+            self._add_robot(_spelt(robot.file, given), robot.name, robot.arguments)
         for library in found.libraries:
             reason = "defines no link, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
@@ -151,7 +161,7 @@ class Plan:
             self._add_launch(source)
             return
         for robot in self.config.entries(source.path, self.arguments, self.variant):
-            self.jobs.append(Job(source, robot.name, robot.arguments, False))
+            self.jobs.append(Job(source.path, robot.name, robot.arguments, False, source=source))
 
     def _add_launch(self, source: Source, *, found: bool = False) -> None:
         """A launch file, and the robots that it describes.
@@ -164,7 +174,7 @@ class Plan:
         from urdfkit.lint import rule_index
         from urdfkit.ros.launch import read_launch
 
-        self.jobs.append(Job(source, "", self.arguments, False))
+        self.jobs.append(Job(source.path, "", self.arguments, False, source=source))
         try:
             launch = read_launch(source, self.resolver, self.arguments)
         except UrdfkitError:
@@ -178,7 +188,7 @@ class Plan:
             is_new = not found or self._is_other(one)
             if not is_new and not parameters:
                 continue
-            robot = self.resolver.read(_spelt(one.path, source.path))
+            robot = _spelt(one.path, source.path)
             arguments = {**self.config.arguments, **one.arguments}
             job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
             self.jobs.append(job if is_new else job._replace(codes=codes))
@@ -191,9 +201,10 @@ class Plan:
         sets.append(description.arguments)
         return True
 
-    def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
+    def _add_robot(self, path: str, name: str, arguments: Mapping[str, str]) -> None:
+        """A robot that was found."""
         every = {**self.config.arguments, **arguments, **self.arguments}
-        self.jobs.append(Job(source, name, every, found))
+        self.jobs.append(Job(path, name, every, True))
 
 
 def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
@@ -208,12 +219,12 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         read: makes the description of a job.
     """
     subject = read(job)
-    if is_launch(job.source.path) or not (names := subject.missing_arguments):
+    if is_launch(job.path) or not (names := subject.missing_arguments):
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
     found, failed = [], {}
-    sets = given(job.source.path, names, subject.resolver)
+    sets = given(job.path, names, subject.resolver)
     for one in sets[:MAX_GIVEN]:
         values = {name: (one.arguments[name], one.launch) for name in names}
         arguments = {**one.arguments, **job.arguments}
@@ -295,7 +306,7 @@ def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched
     origins: dict[str, dict[str, str]] = {}
     for name, (value, origin) in values.items():
         origins.setdefault(origin, {})[name] = value
-    return tuple(Launched(job.source.path, *one) for one in origins.items())
+    return tuple(Launched(job.path, *one) for one in origins.items())
 
 
 def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:

@@ -201,7 +201,7 @@ def _sphere(points: Floats) -> _Shape:
 
     center, _ = minimum_nsphere(points)
     radius = np.linalg.norm(points - center, axis=1).max()
-    shape = solids.as_mesh(solids.ball(float(radius), (0.0, 0.0, 0.0)))
+    shape = solids.as_mesh(solids.ball(float(radius)))
     return "sphere", (float(radius), 0.0, 0.0), Transform(position=vector(center)), shape
 
 

@@ -6,7 +6,6 @@ Lengths in m. Everything comes from manifold3d, so every solid is closed and ori
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import cos, pi, sin
 
 import numpy as np
 from manifold3d import CrossSection, JoinType, Manifold, Mesh64, OpType
@@ -95,7 +94,7 @@ def _part(solid: Manifold, material: MeshMaterial | None = None) -> MeshPart:
     return MeshPart(*arrays_of(solid), material)
 
 
-def _on_grid(solid: Manifold) -> Manifold:
+def on_grid(solid: Manifold) -> Manifold:
     """A solid with its vertices on a grid.
 
     Faces of one plane are then exactly coplanar, and a boolean joins them;
@@ -113,17 +112,16 @@ def _section(outline: Sequence[Point]) -> CrossSection:
     return CrossSection([_rounded(np.asarray(outline, dtype=float))])
 
 
-def box(size: Vector, center: Vector = (0.0, 0.0, 0.0)) -> Manifold:
-    """A box along the axes."""
-    return _on_grid(Manifold.cube(size, True).translate(center))
+def box(size: Vector) -> Manifold:
+    """A box along the axes, about its middle."""
+    return on_grid(Manifold.cube(size, True))
 
 
-def rounded_box(size: Vector, center: Vector, radius: float, chamfer: float = 0.0) -> Manifold:
-    """A box whose edges along z are rounded.
+def rounded_box(size: Vector, radius: float, chamfer: float = 0.0) -> Manifold:
+    """A box about its middle whose edges along z are rounded.
 
     Args:
         size: outer edges.
-        center: of the box.
         radius: of those edges.
         chamfer: bevel of the edges around bottom and top.
     """
@@ -131,18 +129,15 @@ def rounded_box(size: Vector, center: Vector, radius: float, chamfer: float = 0.
     plane = CrossSection.square((x - 2 * radius, y - 2 * radius), True)
     outline = plane.offset(radius, JoinType.Round, 2.0, 32)
     if chamfer <= 0:
-        return _on_grid(outline.extrude(height).translate((0, 0, -height / 2)).translate(center))
+        return on_grid(outline.extrude(height).translate((0, 0, -height / 2)))
     inner = plane.offset(max(radius - chamfer, 1e-6), JoinType.Round, 2.0, 32)
     middle = outline.extrude(height - 2 * chamfer).translate((0, 0, chamfer))
-    whole = (middle + inner.extrude(height)).hull().translate((0, 0, -height / 2))
-    return _on_grid(whole.translate(center))
+    return on_grid((middle + inner.extrude(height)).hull().translate((0, 0, -height / 2)))
 
 
-def cylinder(
-    radius: float, low: float, high: float, center: Point = (0.0, 0.0), sides: int = SIDES
-) -> Manifold:
+def cylinder(radius: float, low: float, high: float, sides: int = SIDES) -> Manifold:
     """A cylinder along z, from ``low`` to ``high``."""
-    return _on_grid(Manifold.cylinder(high - low, radius, radius, sides).translate((*center, low)))
+    return on_grid(Manifold.cylinder(high - low, radius, radius, sides).translate((0, 0, low)))
 
 
 def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
@@ -152,20 +147,14 @@ def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
         profile: a closed polygon of (distance from z, height).
         sides: of its circles.
     """
-    return _on_grid(_section(profile).revolve(sides))
+    return on_grid(_section(profile).revolve(sides))
 
 
 def extruded(outline: Sequence[Point], low: float, high: float) -> Manifold:
     """A polygon in x and y drawn out along z."""
-    return _on_grid(_section(outline).extrude(high - low).translate((0.0, 0.0, low)))
+    return on_grid(_section(outline).extrude(high - low).translate((0.0, 0.0, low)))
 
 
-def ball(radius: float, center: Vector, sides: int = SIDES) -> Manifold:
-    """A ball."""
-    return Manifold.sphere(radius, sides).translate(center)
-
-
-def ring(count: int, radius: float, start: float = 0.0) -> list[Point]:
-    """Places around a circle, evenly, as (x, y); ``start`` in rad."""
-    angles = (start + 2 * pi * number / count for number in range(count))
-    return [(radius * cos(angle), radius * sin(angle)) for angle in angles]
+def ball(radius: float) -> Manifold:
+    """A ball about the origin."""
+    return Manifold.sphere(radius, SIDES)

@@ -97,20 +97,12 @@ class Camera(NamedTuple):
 
     def positions(self, x: Floats, y: Floats, nearness: Floats) -> Floats:
         """Points (n, 3) of the camera's frame, from what `project` returns."""
-        width, height = self.size
-        if self.is_orthographic:
-            depth = np.float32(_far(self)) - nearness
-            factor = np.full_like(depth, 1 / self.scale)
-        else:
-            depth = 1 / nearness
-            factor = depth * np.float32(1 / self.scale)
-        return np.stack(
-            ((x - np.float32(width / 2)) * factor, (np.float32(height / 2) - y) * factor, -depth),
-            axis=1,
-        )
+        depth = np.float32(_far(self)) - nearness if self.is_orthographic else 1 / nearness
+        half = np.float32(0.5)
+        return np.stack(self.places(x - half, y - half, depth), axis=1)
 
     def places(
-        self, column: Integers, row: Integers, depth: Floats
+        self, column: Integers | Floats, row: Integers | Floats, depth: Floats
     ) -> tuple[Floats, Floats, Floats]:
         """x, y and z in the camera's frame of what lies at some depth at the middle of pixels."""
         width, height = self.size

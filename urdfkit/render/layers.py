@@ -10,7 +10,7 @@ from math import pi
 
 import numpy as np
 
-from urdfkit.core.spatial import Rotation, Transform, Vector
+from urdfkit.core.spatial import IDENTITY, Transform, Vector, basis, transposed
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject
@@ -40,7 +40,6 @@ _NOTHING = {
     "joints": "no joint moves",
     "mass": "no link has a mass",
     "inertia": "no link has a mass",
-    "ellipsoids": "no link has a mass",
     "contacts": "no links overlap",
 }
 #: Labels about inertias that are not drawn.
@@ -103,8 +102,8 @@ def _frames(scene: Scene, _subject: Subject, size: float, _given: Mapping[str, f
     """x, y and z of every link in red, green and blue."""
     arrow = _arrow(FRAME * size)
     for name in scene.frames:
-        for axis, colour in (((1, 0, 0), RED), ((0, 1, 0), GREEN), ((0, 0, 1), BLUE)):
-            yield _sign(name, "frames", arrow, Transform(_towards(axis)), colour)
+        for axis, colour in zip(IDENTITY, (RED, GREEN, BLUE), strict=True):
+            yield _sign(name, "frames", arrow, Transform(transposed(basis(axis))), colour)
 
 
 def _names(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, float]) -> Drawn:
@@ -130,7 +129,7 @@ def _joints(scene: Scene, subject: Subject, size: float, given: Mapping[str, flo
         ends = subject.tree.ends(joint)
         if ends is None or ends[1] not in scene.frames or joint.name not in at:
             continue
-        here = joint.origin @ Transform(_towards(direction(joint)))
+        here = joint.origin @ Transform(transposed(basis(direction(joint))))
         yield _sign(ends[0], "joints", _arrow(FRAME * size, both=True), here, AXIS)
         if joint.kind in TURNING:
             yield from _turning(ends[0], joint, here, ARC * size, at[joint.name])
@@ -185,34 +184,7 @@ def _with_mass(scene: Scene, subject: Subject) -> list[Link]:
 
 
 def _boxes(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
-    """The box of even density that has the mass and the inertia of each link, as Gazebo shows."""
-    yield from _equivalent(scene, subject, size, 12.0, primitives.box)
-
-
-def _ellipsoids(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
-    """The ellipsoid of even density that has the mass and the inertia of each link."""
-    ball = primitives.sphere(1.0)
-    yield from _equivalent(
-        scene,
-        subject,
-        size,
-        5.0,
-        lambda x, y, z: Triangles(
-            ball.vertices * np.array((x, y, z), dtype=np.float32),
-            ball.faces,
-            ball.vertices / np.maximum(np.array((x, y, z), dtype=np.float32), 1e-9),
-        ),
-    )
-
-
-def _equivalent(
-    scene: Scene,
-    subject: Subject,
-    size: float,
-    factor: float,
-    solid: Callable[[float, float, float], Triangles],
-) -> Drawn:
-    """Solids of even density with the moments of the links.
+    """The box of even density that has the mass and the inertia of each link, as Gazebo shows.
 
     One larger than the robot, or of a light link than half of it, hides what there is to see, and
     is written in words.
@@ -224,15 +196,15 @@ def _equivalent(
         assert inertial is not None
         if inertial.tensor is None:
             continue
-        edges, axes = uniform_solid(inertial.tensor.value, link.mass, factor)
+        edges, axes = uniform_solid(inertial.tensor.value, link.mass)
         longest, most = max(edges), size if link.mass > total / 10 else size / 2
         if scene.items and longest > most:
             text = f"{link.name}: inertia of {longest:.3g} m"
             large.append(Label(text, link.name, inertial.origin.position))
         elif longest > 0:
+            box = primitives.box(*(max(edge, longest * 1e-3) for edge in edges))
             frame = inertial.origin @ Transform(axes)
-            x, y, z = (max(edge, longest * 1e-3) for edge in edges)
-            yield _sign(link.name, "inertia", solid(x, y, z), frame, INERTIA)
+            yield _sign(link.name, "inertia", box, frame, INERTIA)
     yield from large[:_MOST]
     if len(large) > _MOST:
         *_, last = large
@@ -278,7 +250,6 @@ LAYERS: dict[
     "joints": _joints,
     "mass": _masses,
     "inertia": _boxes,
-    "ellipsoids": _ellipsoids,
     "contacts": _contacts,
     "names": _names,
 }
@@ -305,17 +276,3 @@ def _sector(radius: float, low: float, high: float) -> Triangles:
     vertices = np.concatenate((np.zeros((1, 3)), rim)).astype(np.float32)
     index = np.arange(1, count, dtype=np.int32)
     return Triangles(vertices, np.stack((np.zeros_like(index), index, index + 1), axis=1))
-
-
-def _towards(axis: Vector) -> Rotation:
-    """A rotation that takes z to a unit vector.
-
-    x goes to a fixed direction across: the arc of a joint has its zero there.
-    """
-    z = np.array(axis, dtype=np.float64)
-    aside = np.eye(3)[int(np.argmin(np.abs(z)))]
-    x = aside - z * (aside @ z)
-    x /= np.linalg.norm(x)
-    rows = np.stack((x, np.cross(z, x), z), axis=1).tolist()
-    a, b, c = ((float(row[0]), float(row[1]), float(row[2])) for row in rows)
-    return (a, b, c)

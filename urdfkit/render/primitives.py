@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Floats, Integers, cross, unit
+from urdfkit.render.arrays import Floats, Integers, unit
 
 #: Sides of a circle, and rings of half a sphere: round at any size on a screen.
 SIDES, RINGS = 96, 24
@@ -97,9 +97,3 @@ def _lathe(radii: Floats, heights: Floats) -> tuple[Floats, Integers]:
 def _circle() -> Floats:
     angles = np.arange(SIDES) * (2 * pi / SIDES)
     return np.stack((np.cos(angles), np.sin(angles)), axis=1).astype(np.float32)
-
-
-def face_normals(vertices: Floats, faces: Integers) -> Floats:
-    """(m, 3), unit vectors outwards; 0 for a face without area."""
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    return unit(cross(b - a, c - a))

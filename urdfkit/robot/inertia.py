@@ -87,20 +87,15 @@ def principal_axes(tensor: Tensor) -> tuple[Vector, Rotation]:
     return moments, ((x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2]))
 
 
-def uniform_solid(tensor: Tensor, mass: float, factor: float) -> tuple[Vector, Rotation]:
-    """The lengths of a solid of uniform density, and a rotation whose columns are their axes.
+def uniform_solid(tensor: Tensor, mass: float) -> tuple[Vector, Rotation]:
+    """The edges of a box of uniform density, and a rotation whose columns are their axes.
 
-    A second moment of mass along an axis is half of all three moments less its own; a length is the
-    root of a factor times it over the mass, or 0 where a tensor belongs to no real body.
-
-    Args:
-        tensor: of the solid.
-        mass: of it; more than 0.
-        factor: 12 for the edges of a box, 5 for the half axes of an ellipsoid.
+    A second moment of mass along an axis is half of all three moments less its own; an edge is the
+    root of 12 times it over the mass, which is above 0; 0 where a tensor belongs to no real body.
     """
     moments, axes = principal_axes(tensor)
     half = sum(moments) / 2
-    x, y, z = (sqrt(max(0.0, factor * (half - moment) / mass)) for moment in moments)
+    x, y, z = (sqrt(max(0.0, 12 * (half - moment) / mass)) for moment in moments)
     return (x, y, z), axes
 
 

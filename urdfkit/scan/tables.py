@@ -13,7 +13,7 @@ from urdfkit.scan.rows import FindingRow, ModelRow
 
 MODELS, FINDINGS = "models.parquet", "findings.parquet"
 #: Models that are turned into rows at a time.
-_CHUNK = 5000
+_CHUNK = 1000
 
 
 def write_tables(folder: str) -> None:

@@ -59,6 +59,11 @@ class Source:
         self._starts: list[int] | None = None
         self._is_ascii: bool | None = None
 
+    def __getstate__(self) -> tuple[None, dict[str, object]]:
+        """What other processes are sent: no index of lines, which is longer than the text."""
+        state = {name: getattr(self, name) for name in self.__slots__}
+        return None, {**state, "_starts": None, "_is_ascii": None}
+
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Source:
         """Read a file.

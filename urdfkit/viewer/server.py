@@ -20,11 +20,12 @@ from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Unavailable
+from urdfkit.lint.options import Options
 from urdfkit.output.report import html
 from urdfkit.output.report.engine import load as load_engine
 from urdfkit.output.report.scene import nothing
 from urdfkit.output.report.translations import Translator
-from urdfkit.viewer.state import ViewerState, ViewRequest, completed, read
+from urdfkit.viewer.state import ViewerState, completed, read
 
 if TYPE_CHECKING:
     from starlette.applications import Starlette
@@ -52,17 +53,19 @@ class Viewer:
     """One robot, the pages that show it, and the events that they get.
 
     Attributes:
-        wish: what is shown.
+        file: a URDF or xacro file.
+        options: of its check.
         state: what was read last.
         revision: the number of events so far.
         shape: counts the robots; the 3D view need not be sent again for the same one.
         error: why the last attempt to read gave nothing; empty if it did.
     """
 
-    def __init__(self, wish: ViewRequest, words: Translator) -> None:
-        self.wish = wish
+    def __init__(self, file: str, options: Options, words: Translator) -> None:
+        self.file = file
+        self.options = options
         self.words = words
-        self.state: ViewerState = read(wish)
+        self.state: ViewerState = read(file, options)
         self.revision = self.shape = 1
         self.error = ""
         self._changed = asyncio.Event()
@@ -80,7 +83,7 @@ class Viewer:
     async def refresh(self) -> None:
         """Read the robot again, and notify the pages."""
         try:
-            self.state = await asyncio.to_thread(read, self.wish, self.state.stamps)
+            self.state = await asyncio.to_thread(read, self.file, self.options, self.state.stamps)
             self.error = ""
             self.shape += 1
             self._completing = asyncio.create_task(self._complete(self.state))
@@ -158,13 +161,12 @@ async def _aside(work: Callable[[T], T], thing: T) -> T:
     return await made
 
 
-def application(viewer: Viewer, token: str, host: str = HOST) -> Starlette:
+def application(viewer: Viewer, token: str) -> Starlette:
     """The server of a viewer, as an ASGI application.
 
     Args:
         viewer: what is shown.
         token: the first part of every address.
-        host: the only name under which it answers.
 
     Raises:
         UrdfkitError: Starlette is not installed.
@@ -193,7 +195,8 @@ def application(viewer: Viewer, token: str, host: str = HOST) -> Starlette:
         given = _arguments(await request.body())
         if given is None:
             return Response(status_code=400)
-        viewer.wish = viewer.wish._replace(arguments={**viewer.wish.arguments, **given})
+        merged = {**viewer.options.arguments, **given}
+        viewer.options = viewer.options._replace(arguments=merged)
         await viewer.refresh()
         return Response(status_code=204)
 
@@ -204,7 +207,7 @@ def application(viewer: Viewer, token: str, host: str = HOST) -> Starlette:
             Route(f"/{token}/events", events),
             Route(f"/{token}/arguments", arguments, methods=["POST"]),
         ],
-        middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=[host])],
+        middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=[HOST])],
     )
 
 
@@ -220,12 +223,18 @@ def _arguments(body: bytes) -> dict[str, str] | None:
 
 
 def serve(
-    wish: ViewRequest, words: Translator, *, port: int = 0, opened: Callable[[str], None] = print
+    file: str,
+    options: Options,
+    words: Translator,
+    *,
+    port: int = 0,
+    opened: Callable[[str], None] = print,
 ) -> None:
     """Show a robot until Ctrl-C.
 
     Args:
-        wish: what to show.
+        file: a URDF or xacro file.
+        options: of its check.
         words: of the reader's language.
         port: to listen at; a free one if 0.
         opened: called with the address when the page is to be had.
@@ -246,7 +255,7 @@ def serve(
     token = secrets.token_urlsafe(24)
 
     async def run() -> None:
-        viewer = Viewer(wish, words)
+        viewer = Viewer(file, options, words)
         app = application(viewer, token)
         config = uvicorn.Config(
             app,

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import base64
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
 from urdfkit.lint.context import Subject
+from urdfkit.lint.options import Options
 from urdfkit.output.report import html
 from urdfkit.output.report.document import Document, ReportInput, describe
 from urdfkit.output.report.document import completed as complete
@@ -17,33 +18,10 @@ from urdfkit.output.report.translations import Translator
 from urdfkit.output.report.writing import drawn
 
 if TYPE_CHECKING:
-    from urdfkit.lint.config import Config
     from urdfkit.text.diagnostic import Diagnostic
 
 #: The size and the time of change of a file; None if it is not there.
 Stamp = tuple[int, int] | None
-
-
-class ViewRequest(Record):
-    """What is to be shown.
-
-    Attributes:
-        file: a URDF or xacro file.
-        arguments: for xacro.
-        packages: folders of ROS packages by name.
-        targets: programs that severities depend on; detected if empty.
-        trust: let expressions of the model run unfenced and read any file.
-        config: settings of the project.
-        variant: which of those that the configuration has of the file.
-    """
-
-    file: str
-    arguments: Mapping[str, str]
-    packages: Mapping[str, str]
-    targets: tuple[str, ...] = ()
-    trust: bool = False
-    config: Config | None = None
-    variant: str = ""
 
 
 class ViewerState(Record):
@@ -87,31 +65,23 @@ class ViewerState(Record):
         return any(stamp(path) != known for path, known in self.stamps.items())
 
 
-def read(wish: ViewRequest, known: Iterable[str] = ()) -> ViewerState:
+def read(file: str, options: Options, known: Iterable[str] = ()) -> ViewerState:
     """Read and check a robot.
 
     Args:
-        wish: what is to be shown.
+        file: a URDF or xacro file.
+        options: of the check.
         known: the files that it was made from before. One of them that changes while it is read
             makes the state stale at once.
 
     Raises:
         UrdfkitError: the file is missing, or the job cannot be done.
     """
-    before = {path: stamp(path) for path in (wish.file, *known)}
-    reported = describe(
-        wish.file,
-        arguments=wish.arguments,
-        packages=wish.packages,
-        targets=wish.targets,
-        trust=wish.trust,
-        config=wish.config,
-        variant=wish.variant,
-        quick=True,
-    )
+    before = {path: stamp(path) for path in (file, *known)}
+    reported = describe(file, options, quick=True)
     subject = reported.subject
     document, drawings, scene = drawn(reported, has_pictures=False)
-    files = files_of(subject, reported.diagnostics) | {wish.file}
+    files = files_of(subject, reported.diagnostics) | {file}
     if scene is not None:
         files |= _images(subject)
     stamps = {path: before[path] if path in before else stamp(path) for path in files}

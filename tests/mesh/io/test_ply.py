@@ -1,7 +1,5 @@
 from __future__ import annotations
 
-from math import inf, nan
-
 import pytest
 
 from tests.mesh import made
@@ -69,14 +67,6 @@ def test_sound_files(data: bytes) -> None:
 )
 def test_broken_files(data: bytes, kind: DefectKind, reason: str) -> None:
     assert judged(data) == (Defect(kind, reason), "")
-
-
-@pytest.mark.parametrize("number", [nan, inf])
-def test_a_vertex_that_is_not_finite(number: float) -> None:
-    for order in "<>":
-        data = made.binary_ply(order, (0, number, 0))
-        assert judged(data) == (None, f"vertex 1 is (0, {number}, 0)")
-    assert judged(made.ascii_ply(f"0 {number} 0")) == (None, f"a vertex is (0, {number}, 0)")
 
 
 def test_counts_beyond_all_measure_take_no_time() -> None:

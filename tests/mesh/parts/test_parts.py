@@ -13,7 +13,8 @@ import trimesh
 from tests.mesh.shapes_made import as_trimesh
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.parts import PARTS, RealPart, block, choose, split_words
+from urdfkit.mesh.parts import PARTS, RealPart, choose, split_words
+from urdfkit.mesh.parts.building import block
 
 MOST_TRIANGLES = 8000
 
@@ -54,7 +55,7 @@ def test_materials_of_a_part_do_not_overlap(part: RealPart) -> None:
 
 
 def test_a_block() -> None:
-    assert_clean(block.build((0.1, 0.2, 0.05)), (0.1, 0.2, 0.05))
+    assert_clean(block((0.1, 0.2, 0.05)), (0.1, 0.2, 0.05))
 
 
 @pytest.mark.parametrize("part", PARTS, ids=lambda part: part.key)

@@ -12,7 +12,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.output.formats.made import diagnostic, report, span
-from urdfkit.output.formats import rdjson, rdjsonl
+from urdfkit.output.formats import rdjson
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.source import Source, Span
@@ -109,19 +109,8 @@ def test_a_fix_in_another_file_is_none() -> None:
     assert "suggestions" not in found
 
 
-def test_by_lines_each_finding_is_a_document() -> None:
-    found = (diagnostic(span(WIDE, "é")), diagnostic(span(OTHER, "robot"), message="a\nb"))
-    lines = rdjsonl.render(report(*found)).splitlines()
-    documents = [json.loads(line) for line in lines]
-    for document in documents:
-        jsonschema.validate(document, DIAGNOSTIC)
-        assert document.pop("source") == {"name": "urdfkit"}
-    assert documents == whole(*found)["diagnostics"]
-
-
 def test_nothing_found() -> None:
     assert whole()["diagnostics"] == []
-    assert rdjsonl.render(report()) == ""
 
 
 @pytest.mark.parametrize(

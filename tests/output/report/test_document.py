@@ -12,6 +12,7 @@ import pytest
 from tests.conftest import MODELS
 from urdfkit.errors import UnreadableFile, UnreadableRobot, UrdfkitError
 from urdfkit.lint.engine import check
+from urdfkit.lint.options import Options
 from urdfkit.output.report.document import describe
 from urdfkit.output.report.findings import excerpt
 from urdfkit.output.report.writing import form_of, report
@@ -37,7 +38,7 @@ def test_the_verdict_of_each_program_is_its_own() -> None:
     document, *_ = describe(MISSION)
     assert [target["name"] for target in document["targets"]] == ["ros1", "classic-ros1"]
     assert {target["verdict"] for target in document["targets"]} == {"fails"}
-    document, *_ = describe(GRIPPER, targets=["drake"])
+    document, *_ = describe(GRIPPER, Options(targets=["drake"]))
     (drake,) = document["targets"]
     assert (drake["verdict"], drake["error"], drake["warning"]) == ("passes", 0, 0)
 

@@ -178,7 +178,6 @@ def test_the_number_of_processes_changes_nothing_and_the_seed_does(corpus: Path)
 
 ARMS = {
     "panda": ("moveit_resources/panda_description/urdf/panda.urdf", {}),
-    "fanuc": ("moveit_resources/fanuc_description/urdf/fanuc.urdf", {}),
     "ur5e": (
         "Universal_Robots_ROS2_Description/urdf/ur.urdf.xacro",
         {"ur_type": "ur5e", "name": "ur"},
@@ -187,11 +186,11 @@ ARMS = {
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_three_seeds_give_the_same_matrix(corpus: Path, name: str) -> None:
+def test_two_seeds_give_the_same_matrix(corpus: Path, name: str) -> None:
     path, arguments = ARMS[name]
     arm = read(corpus / path, arguments=arguments)
-    first, second, third = (verdicts(collisions(arm, seed=seed)) for seed in range(3))
-    assert first == second == third
+    first, second = (verdicts(collisions(arm, seed=seed)) for seed in range(2))
+    assert first == second
 
 
 def test_progress_is_told_from_nothing_to_all() -> None:

@@ -9,7 +9,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import with_options
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.writers import glb, losses, require_replaceable, write
+from urdfkit.mesh.writers import GLB_NOTE, losses, require_replaceable, write
 from urdfkit.text.source import shown
 
 #: Gives a command the options that say where the mesh goes.
@@ -45,4 +45,4 @@ def save(mesh: Mesh, path: str | None) -> Iterator[str]:
     if lost := losses(mesh, path):
         yield f"  this format cannot hold: {', '.join(lost)}"
     if path.lower().endswith(".glb"):
-        yield from output.indented(glb.NOTE)
+        yield from output.indented(GLB_NOTE)

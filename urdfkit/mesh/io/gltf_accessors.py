@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from urdfkit.mesh.geometry import Floats, Integers, NoTriangles
 from urdfkit.mesh.io.facts import MAX_BYTES
-from urdfkit.mesh.io.gltf_tree import GltfObject
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 #: Rows of a list of zeros that a sparse one changes: no byte of it need be in the file.
@@ -24,6 +23,8 @@ MAX_ZEROS = 1_000_000
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
+#: An object of the JSON, which may hold anything: `load_gltf.read` catches what comes of that.
+GltfObject = dict[str, Any]
 _Numbers = NDArray[Any]
 
 
@@ -48,74 +49,60 @@ class Accessors:
         Raises:
             NoTriangles: it is not in the file; so do the functions below.
         """
-        accessor = self._root.one_of("accessors", index)
+        accessor = self._root["accessors"][index]
         found = self._numbers(accessor)
-        if not accessor.flag("normalized") or found.dtype.kind == "f":
+        if accessor.get("normalized") is not True or found.dtype.kind == "f":
             return found.astype(np.float64)
         fractions: Floats = np.maximum(found / float(np.iinfo(found.dtype).max), -1.0)
         return fractions
 
     def indices(self, index: int) -> Integers:
         """(n,), a list of whole numbers."""
-        accessor = self._root.one_of("accessors", index)
-        found = self._numbers(accessor)
+        found = self._numbers(self._root["accessors"][index])
         if found.dtype.kind == "f":
-            raise NoTriangles(f"is no valid glTF: {accessor.name} counts in fractions")
+            raise NoTriangles("is not valid glTF: indices are fractions")
         return found[:, 0].astype(np.int64)
 
     def view(self, index: int) -> memoryview:
         """The bytes that a view shows."""
-        view = self._root.one_of("bufferViews", index)
-        data = self._buffer(view.whole("buffer"))
-        start, length = view.whole("byteOffset", 0), view.whole("byteLength")
+        view = self._root["bufferViews"][index]
+        data = self._buffer(view["buffer"])
+        start, length = view.get("byteOffset", 0), view["byteLength"]
         if start + length > len(data):
             missing = start + length - len(data)
-            raise NoTriangles(f"lacks {missing} bytes of {view.name}")
+            raise NoTriangles(f"lacks {missing} bytes of bufferViews[{index}]")
         return memoryview(data)[start : start + length]
 
     def _numbers(self, accessor: GltfObject) -> _Numbers:
         """(n, k), as they are stored, with the rows that a sparse list replaces."""
-        count = accessor.whole("count")
-        kind, width = _type(accessor), _WIDTHS.get(accessor.text("type"), 0)
-        if not width:
-            raise NoTriangles(f"is no valid glTF: {accessor.name} is no list of vectors")
+        count, width, kind = accessor["count"], _WIDTHS[accessor["type"]], _type(accessor)
+        sparse = accessor.get("sparse")
         if "bufferView" in accessor:
             found = self._table(accessor, kind, count, width)
-        elif "sparse" in accessor and count <= MAX_ZEROS:
+        elif sparse and count <= MAX_ZEROS:
             found = np.zeros((count, width), kind)
         else:
-            raise NoTriangles(f"declares {count} rows of {accessor.name} and holds none")
-        return self._replaced(found, accessor.inner("sparse")) if "sparse" in accessor else found
-
-    def _replaced(self, found: _Numbers, sparse: GltfObject) -> _Numbers:
-        """A list with the rows that a sparse one changes."""
-        places, values = sparse.inner("indices"), sparse.inner("values")
-        changed = sparse.whole("count")
-        rows = self._table(places, _type(places), changed, 1)[:, 0].astype(np.int64)
-        if not ((rows >= 0) & (rows < len(found))).all():
-            raise NoTriangles(f"is no valid glTF: {places.name} names rows that are not there")
-        found = found.copy()
-        found[rows] = self._table(values, found.dtype, changed, found.shape[1])
+            raise NoTriangles(f"declares {count} rows of numbers and holds none")
+        if sparse:
+            places, values = sparse["indices"], sparse["values"]
+            rows = self._table(places, _type(places), sparse["count"], 1)[:, 0]
+            found = found.copy()
+            found[rows.astype(np.int64)] = self._table(values, kind, sparse["count"], width)
         return found
 
     def _table(self, owner: GltfObject, kind: np.dtype[Any], count: int, width: int) -> _Numbers:
         """(count, width), the numbers that an accessor or a part of it finds in a view."""
-        index = owner.whole("bufferView")
-        stride = self._root.one_of("bufferViews", index).whole("byteStride", 0)
         row = kind.itemsize * width
-        stride, start = stride or row, owner.whole("byteOffset", 0)
+        stride = self._root["bufferViews"][owner["bufferView"]].get("byteStride") or row
         if stride < row:
-            raise NoTriangles(f"is no valid glTF: the rows of {owner.name} overlap")
-        data = self.view(index)
-        if count and start + stride * (count - 1) + row > len(data):
-            raise NoTriangles(f"has more numbers in {owner.name} than in the view of it")
+            raise NoTriangles("is not valid glTF: rows of numbers overlap")
+        data, start = self.view(owner["bufferView"]), owner.get("byteOffset", 0)
         found: _Numbers = np.ndarray((count, width), kind, data, start, (stride, kind.itemsize))
         return found
 
     def _buffer(self, index: int) -> bytes:
         if index not in self._buffers:
-            buffer = self._root.one_of("buffers", index)
-            uri = buffer.text("uri")
+            uri = self._root["buffers"][index].get("uri")
             self._buffers[index] = self._read(uri) if uri else self._binary
         return self._buffers[index]
 
@@ -144,7 +131,4 @@ def embedded(uri: str) -> bytes | None:
 
 
 def _type(owner: GltfObject) -> np.dtype[Any]:
-    number = owner.whole("componentType")
-    if number not in _TYPES:
-        raise NoTriangles(f"is no valid glTF: {owner.name} has the component type {number}")
-    return np.dtype(_TYPES[number])
+    return np.dtype(_TYPES[owner["componentType"]])

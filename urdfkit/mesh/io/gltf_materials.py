@@ -7,8 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, MeshMaterial
-from urdfkit.mesh.io.gltf_accessors import Accessors, embedded
-from urdfkit.mesh.io.gltf_tree import GltfObject
+from urdfkit.mesh.io.gltf_accessors import Accessors, GltfObject, embedded
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 _WHITE = (1.0, 1.0, 1.0, 1.0)
@@ -54,48 +53,44 @@ class GltfMaterials:
         self._known: dict[int, GltfMaterial] = {}
 
     def material(self, index: int) -> GltfMaterial:
-        """A material, by its place in the file.
-
-        Raises:
-            NoTriangles: it is not in the file.
-        """
+        """A material, by its place in the file."""
         if index not in self._known:
-            self._known[index] = self._read(self._root.one_of("materials", index))
+            self._known[index] = self._read(self._root["materials"][index])
         return self._known[index]
 
     def _read(self, material: GltfObject) -> GltfMaterial:
-        base, factor, textured = material.inner("pbrMetallicRoughness"), *_BASE
-        if "pbrMetallicRoughness" not in material and _OLDER in material.inner("extensions"):
-            base, factor, textured = material.inner("extensions", _OLDER), *_DIFFUSE
-        red, green, blue, alpha = np.clip(base.numbers(factor, _WHITE), 0, 1).tolist()
-        if material.text("alphaMode") in ("", "OPAQUE"):
+        factor, textured = _BASE
+        base, extensions = material.get("pbrMetallicRoughness"), material.get("extensions", {})
+        if base is None:
+            base, (factor, textured) = extensions.get(_OLDER, {}), _DIFFUSE
+        red, green, blue, alpha = map(float, np.clip(base.get(factor, _WHITE), 0, 1))
+        if material.get("alphaMode", "OPAQUE") == "OPAQUE":
             alpha = 1.0
-        found = MeshMaterial(material.text("name"), (red, green, blue, alpha))
-        if textured not in base:
+        found = MeshMaterial(str(material.get("name", "")), (red, green, blue, alpha))
+        texture = base.get(textured)
+        if texture is None:
             return GltfMaterial(found)
-        texture = base.inner(textured)
-        transform = texture.inner("extensions", "KHR_texture_transform")
-        image = self._image(self._root.one_of("textures", texture.whole("index")))
-        which = transform.whole("texCoord", texture.whole("texCoord", 0))
+        transform = texture.get("extensions", {}).get("KHR_texture_transform", {})
+        image = self._image(self._root["textures"][texture["index"]])
+        which = transform.get("texCoord", texture.get("texCoord", 0))
         return GltfMaterial(found._replace(texture=image), which, _matrix(transform))
 
     def _image(self, texture: GltfObject) -> str | bytes | None:
         """The file or the bytes of an image; None if it is not there, or of a newer format."""
-        if "source" not in texture:
-            texture = texture.inner("extensions", "EXT_texture_webp")
-        if "source" not in texture:
+        webp = texture.get("extensions", {}).get("EXT_texture_webp", {})
+        source = texture.get("source", webp.get("source"))
+        if source is None:
             return None
-        image = self._root.one_of("images", texture.whole("source"))
+        image = self._root["images"][source]
         if "bufferView" in image:
-            return bytes(self._lists.view(image.whole("bufferView")))
-        name = image.text("uri")
-        data = embedded(name)
-        return self._files.image(name) if data is None else data
+            return bytes(self._lists.view(image["bufferView"]))
+        data = embedded(image["uri"])
+        return self._files.image(image["uri"]) if data is None else data
 
 
 def _matrix(transform: GltfObject) -> Floats:
     """(2, 3), of KHR_texture_transform: scaled, turned, moved."""
-    angle = transform.number("rotation", 0.0)
+    angle = transform.get("rotation", 0.0)
     cos, sin = np.cos(angle), np.sin(angle)
-    turned = np.array([(cos, sin), (-sin, cos)]) * transform.numbers("scale", (1.0, 1.0))
-    return np.column_stack([turned, transform.numbers("offset", (0.0, 0.0))])
+    turned = np.array([(cos, sin), (-sin, cos)]) * transform.get("scale", (1.0, 1.0))
+    return np.column_stack([turned, transform.get("offset", (0.0, 0.0))])

@@ -7,7 +7,7 @@ something else, without a word. The numbers are taken as they are, with y upward
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import atan2
 from struct import unpack_from
 
@@ -27,9 +27,8 @@ from urdfkit.mesh.io.assemble import (
     mesh_of,
     transformed,
 )
-from urdfkit.mesh.io.gltf_accessors import Accessors
+from urdfkit.mesh.io.gltf_accessors import Accessors, GltfObject
 from urdfkit.mesh.io.gltf_materials import GltfMaterial, GltfMaterials
-from urdfkit.mesh.io.gltf_tree import GltfObject
 from urdfkit.mesh.io.polygons import fans, strips
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
@@ -55,11 +54,18 @@ def read(data: bytes, form: str, folder: str) -> Mesh:
         NoTriangles: it shows none, or is not to be read.
     """
     text, binary = _chunks(data) if form == facts.GLB else (data, b"")
-    root = GltfObject(json.loads(text), "")
-    for extension in root.texts("extensionsRequired"):
-        if extension in _COMPRESSED:
-            raise NoTriangles(f"is compressed with {_COMPRESSED[extension]}, which is not read")
-    return _GltfReader(root, binary, folder).mesh()
+    try:
+        root = json.loads(text, parse_constant=_reject)
+        for extension in root.get("extensionsRequired", ()):
+            if extension in _COMPRESSED:
+                raise NoTriangles(f"is compressed with {_COMPRESSED[extension]}, which is not read")
+        return _GltfReader(root, binary, folder).mesh()
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise NoTriangles(f"is not valid glTF: {type(error).__name__}: {error}") from error
+
+
+def _reject(word: str) -> None:
+    raise ValueError(f"{word} is no number of JSON")
 
 
 def _chunks(data: bytes) -> tuple[bytes, bytes]:
@@ -85,7 +91,7 @@ class _GltfReader:
 
     def _shown(self) -> Iterator[MeshPart]:
         for node, matrix in self._nodes():
-            for part in self._parts(node.whole("mesh")) if "mesh" in node else ():
+            for part in self._parts(node["mesh"]) if "mesh" in node else ():
                 self._placed += len(part.faces)
                 self._bound()
                 moved = transformed(part, matrix)
@@ -106,40 +112,40 @@ class _GltfReader:
             seen.add(index)
             if len(seen) > MAX_NODES:
                 raise NoTriangles(f"shows more than {MAX_NODES} nodes")
-            node = self._root.one_of("nodes", index)
+            node = self._root["nodes"][index]
             matrix = above @ _matrix(node)
             yield node, matrix
-            stack += [(child, matrix) for child in reversed(node.indices("children"))]
+            stack += [(child, matrix) for child in reversed(node.get("children", ()))]
 
     def _roots(self) -> list[int]:
         if "scenes" in self._root:
-            return self._root.one_of("scenes", self._root.whole("scene", 0)).indices("nodes")
-        nodes = self._root.each("nodes")
-        children = {child for node in nodes for child in node.indices("children")}
+            roots: list[int] = self._root["scenes"][self._root.get("scene", 0)].get("nodes", [])
+            return roots
+        nodes = self._root.get("nodes", ())
+        children = {child for node in nodes for child in node.get("children", ())}
         return [index for index in range(len(nodes)) if index not in children]
 
     def _parts(self, index: int) -> list[MeshPart]:
         """The surfaces of a mesh, where no node has moved them yet."""
         if index not in self._meshes:
-            primitives = self._root.one_of("meshes", index).each("primitives")
-            found = map(self._part, primitives)
+            found = map(self._part, self._root["meshes"][index].get("primitives", ()))
             self._meshes[index] = [part for part in found if part is not None]
         return self._meshes[index]
 
     def _part(self, primitive: GltfObject) -> MeshPart | None:
-        mode = primitive.whole("mode", _TRIANGLES)
+        mode = primitive.get("mode", _TRIANGLES)
         if mode in _POINTS_AND_LINES:
             self._others += 1
             return None
-        lists = primitive.inner("attributes")
+        lists = primitive["attributes"]
         if "POSITION" not in lists:
             self._losses.add("surface* without positions")
             return None
-        positions = self._lists.floats(lists.whole("POSITION"))
+        positions = self._lists.floats(lists["POSITION"])
         if positions.shape[1] != 3:
-            raise NoTriangles(f"is no valid glTF: {lists.name}.POSITION has no three numbers")
+            raise NoTriangles("is not valid glTF: positions are not three numbers")
         if "indices" in primitive:
-            corners = self._lists.indices(primitive.whole("indices"))
+            corners = self._lists.indices(primitive["indices"])
         else:
             corners = np.arange(len(positions))
         rows = _triangles(corners, mode)
@@ -147,7 +153,7 @@ class _GltfReader:
         self._bound()
         textured = GltfMaterial()
         if "material" in primitive:
-            textured = self._materials.material(primitive.whole("material"))
+            textured = self._materials.material(primitive["material"])
         uv = self._values(lists, f"TEXCOORD_{textured.coordinates}", 2)
         normals = self._values(lists, "NORMAL", 3)
         colors = self._values(lists, "COLOR_0", 4)
@@ -167,15 +173,15 @@ class _GltfReader:
 
     def _values(self, lists: GltfObject, name: str, most: int) -> Floats | None:
         """(n, k), the values of the vertices by a name; None without them."""
-        return self._lists.floats(lists.whole(name))[:, :most] if name in lists else None
+        return self._lists.floats(lists[name])[:, :most] if name in lists else None
 
     def _extras(self) -> tuple[str, ...]:
-        nodes = self._root.each("nodes")
+        nodes = self._root.get("nodes", ())
         return counted_kinds(
             {
                 "line or point set": self._others,
                 "camera": sum("camera" in node for node in nodes),
-                "animation": len(self._root.each("animations")),
+                "animation": len(self._root.get("animations", ())),
                 "skin": sum("skin" in node for node in nodes),
             }
         )
@@ -184,18 +190,18 @@ class _GltfReader:
 def _matrix(node: GltfObject) -> Floats:
     """(4, 4), from a node to the one that holds it."""
     if "matrix" in node:
-        by_column: Floats = node.numbers("matrix", (0.0,) * 16).reshape(4, 4, order="F")
+        by_column: Floats = np.array(node["matrix"], dtype=float).reshape(4, 4, order="F")
         return by_column
     matrix = np.eye(4)
-    matrix[:3, :3] = _rotation(node.numbers("rotation", (0.0, 0.0, 0.0, 1.0)))
-    matrix[:3, :3] *= node.numbers("scale", (1.0, 1.0, 1.0))
-    matrix[:3, 3] = node.numbers("translation", (0.0, 0.0, 0.0))
+    matrix[:3, :3] = _rotation(node.get("rotation", (0.0, 0.0, 0.0, 1.0)))
+    matrix[:3, :3] *= node.get("scale", (1.0, 1.0, 1.0))
+    matrix[:3, 3] = node.get("translation", (0.0, 0.0, 0.0))
     return matrix
 
 
-def _rotation(quaternion: Floats) -> Floats:
+def _rotation(quaternion: Sequence[float]) -> Floats:
     """(3, 3), of a quaternion x, y, z, w; none for one of no length."""
-    *axis, w = quaternion.tolist()
+    *axis, w = quaternion
     sine = length(vector(axis))
     return np.array(rotation_about(unit(vector(axis)), 2 * atan2(sine, w)) if sine else IDENTITY)
 
@@ -210,5 +216,5 @@ def _triangles(corners: Integers, mode: int) -> Integers:
     elif mode == _TRIANGLES:
         return corners[: len(corners) // 3 * 3].reshape(-1, 3)
     else:
-        raise NoTriangles(f"is no valid glTF: there is no mode {mode}")
+        raise NoTriangles(f"is not valid glTF: there is no mode {mode}")
     return found[three_cornered(found)]  # strips are joined by triangles that have a corner twice

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from math import isfinite
 from struct import Struct
 
 from urdfkit.core.record import Record
@@ -14,7 +13,6 @@ MAX_HEADER = 64 * 1024
 MAX_LISTS = 1_000_000
 
 _END_OF_HEADER = re.compile(rb"\nend_header[ \t]*\r?\n")
-_NOT_FINITE = re.compile(r"[-+]?(?:nan|inf)", re.IGNORECASE)
 _CODES = {
     "char": "b", "int8": "b", "uchar": "B", "uint8": "B",
     "short": "h", "int16": "h", "ushort": "H", "uint16": "H",
@@ -47,7 +45,7 @@ class _PlyElement(Record):
 
 
 def judge(data: bytes) -> tuple[Defect | None, str]:
-    """What is wrong with a PLY file, and which coordinate is not finite."""
+    """What is wrong with a PLY file; coordinates that are not finite are found by loading it."""
     end = _END_OF_HEADER.search(data[:MAX_HEADER])
     if end is None:
         if len(data) < MAX_HEADER:
@@ -66,8 +64,8 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
         return empty("holds no triangles"), ""
     body = data[end.end() :]
     if encoding == "ascii":
-        return _judge_ascii(body, elements)
-    return _judge_binary(body, elements, _ORDERS[encoding])
+        return _judge_ascii(body, elements), ""
+    return _judge_binary(body, elements, _ORDERS[encoding]), ""
 
 
 def _counts(length: str) -> bool:
@@ -91,27 +89,17 @@ def _header(text: str) -> tuple[str, list[_PlyElement]]:
     return encoding, elements
 
 
-def _judge_ascii(body: bytes, elements: list[_PlyElement]) -> tuple[Defect | None, str]:
+def _judge_ascii(body: bytes, elements: list[_PlyElement]) -> Defect | None:
     lines = [line for line in body.split(b"\n") if line.strip()]
     at = 0
-    not_finite = ""
     for element in elements:
         held = lines[at : at + element.number]
         at += len(held)
-        if element.name == "vertex":
-            not_finite = next(filter(None, map(_not_finite_line, held)), "")
         if len(held) < element.number:
-            return _too_few(element, len(held)), not_finite
+            return _too_few(element, len(held))
         if held and not _is_whole(held[-1], element):
-            return _too_few(element, len(held) - 1), not_finite
-    return None, not_finite
-
-
-def _not_finite_line(line: bytes) -> str:
-    if b"n" not in line.lower():
-        return ""
-    words = line[:200].decode("utf-8", "replace").split()
-    return f"a vertex is ({', '.join(words[:3])})" if any(map(_NOT_FINITE.match, words)) else ""
+            return _too_few(element, len(held) - 1)
+    return None
 
 
 def _is_whole(line: bytes, element: _PlyElement) -> bool:
@@ -125,11 +113,8 @@ def _is_whole(line: bytes, element: _PlyElement) -> bool:
     return len(words) >= needed
 
 
-def _judge_binary(
-    body: bytes, elements: list[_PlyElement], order: str
-) -> tuple[Defect | None, str]:
+def _judge_binary(body: bytes, elements: list[_PlyElement], order: str) -> Defect | None:
     at = 0
-    not_finite = ""
     for element in elements:
         single = element.single(order)
         if single is None:
@@ -138,12 +123,10 @@ def _judge_binary(
             held = element.number
             if single.size:
                 held = min(held, (len(body) - at) // single.size)
-            if element.name == "vertex":
-                not_finite = _not_finite_vertex(body[at : at + held * single.size], element, single)
             at += held * single.size
         if held < element.number:
-            return _too_few(element, held), not_finite
-    return None, not_finite
+            return _too_few(element, held)
+    return None
 
 
 def _walk(body: bytes, at: int, element: _PlyElement, order: str) -> tuple[int, int]:
@@ -167,20 +150,6 @@ def _walk(body: bytes, at: int, element: _PlyElement, order: str) -> tuple[int, 
         if at > end:
             return number, end
     return element.number, at
-
-
-def _not_finite_vertex(block: bytes, element: _PlyElement, single: Struct) -> str:
-    names = [property.name for property in element.properties]
-    if not {"x", "y", "z"} <= set(names) or not single.size:
-        return ""
-    columns = [names.index(name) for name in "xyz"]
-    for number, values in enumerate(single.iter_unpack(block), start=1):
-        if number > MAX_LISTS:
-            break
-        point = [values[column] for column in columns]
-        if not all(map(isfinite, point)):
-            return f"vertex {number} is ({', '.join(f'{value:g}' for value in point)})"
-    return ""
 
 
 def _too_few(element: _PlyElement, held: int) -> Defect:

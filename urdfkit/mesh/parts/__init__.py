@@ -1,17 +1,18 @@
 """Real parts of robots, to stand in for meshes that are missing.
 
-A function for each, which says where its sizes come from: what its maker publishes, and who else
-has the same. A part has x forwards, z upwards, and its origin in the middle; a wheel turns about z.
+`parts.json` has them, each with the source of its sizes; what lies within the published outlines is
+drawn by eye. A part has x forwards, z upwards, and its origin in the middle; a wheel turns about z.
 """
 
 from __future__ import annotations
 
+import json
+import os
 import re
 from collections.abc import Iterable
-from importlib import import_module
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from urdfkit.core.spatial import Vector
+from urdfkit.core.spatial import Vector, vector
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
@@ -37,24 +38,23 @@ class RealPart(NamedTuple):
 
     Attributes:
         name: as a person calls it.
-        maker: the module of this package and the function that makes it.
-        size: its true outer edges in m, along x, y, z.
+        key: the name for programs, such as ``rplidar_a2``.
         words: in the name of a file or link, that mean this very part.
         kind: of part; of several of a kind the one nearest in size is taken.
+        size: its true outer edges in m, along x, y, z.
         brand: another word that means its kind, and none of the others of it; empty for none.
+        solids: that it is made of, as `urdfkit.mesh.parts.building` reads them.
+        rotate: rotations about x, y and z in degrees, from their axes to those of the part.
     """
 
     name: str
-    maker: str
-    size: Vector
+    key: str
     words: str
     kind: str
-    brand: str = ""
-
-    @property
-    def key(self) -> str:
-        """The name for programs, such as ``rplidar_a2``."""
-        return self.maker.partition(".")[2]
+    size: Vector
+    brand: str
+    solids: list[dict[str, Any]]
+    rotate: Vector
 
     @property
     def turns(self) -> bool:
@@ -73,8 +73,9 @@ class RealPart(NamedTuple):
             size: outer edges in m, along its own axes; those of the real part if not given.
             names: from which the corner of a mecanum wheel is inferred.
         """
-        module = import_module(f"urdfkit.mesh.parts.{self.maker.partition('.')[0]}")
-        mesh: Mesh = getattr(module, self.key)(size or self.size)
+        from urdfkit.mesh.parts.building import built
+
+        mesh = built(self, size or self.size)
         if self.kind == "mecanum wheel" and is_left_handed(names):
             from urdfkit.mesh.transforms import scaled
 
@@ -82,37 +83,26 @@ class RealPart(NamedTuple):
         return mesh
 
 
+def _known() -> tuple[RealPart, ...]:
+    with open(os.path.join(os.path.dirname(__file__), "parts.json"), encoding="utf-8") as file:
+        content = json.load(file)
+    return tuple(
+        RealPart(
+            one["name"],
+            one["key"],
+            one["words"],
+            one["kind"],
+            vector(edge / 1000 for edge in one["size"]),
+            one.get("brand", ""),
+            one["solids"],
+            vector(one.get("rotate", (0.0, 0.0, 0.0))),
+        )
+        for one in content["parts"]
+    )
+
+
 #: In the order in which they are asked for.
-PARTS = (
-    RealPart("Hokuyo UTM-30LX", "lidars.hokuyo_utm30lx", (0.060, 0.060, 0.087),
-             "utm utm30 utm30lx ust ust10 ust10lx ust20lx", "2D lidar", "hokuyo"),
-    RealPart("Hokuyo URG-04LX", "lidars.hokuyo_urg04lx", (0.050, 0.050, 0.070),
-             "urg urg04 urg04lx", "2D lidar", "hokuyo"),
-    RealPart("Slamtec RPLIDAR A2", "lidars.rplidar_a2", (0.076, 0.076, 0.041),
-             "rplidar rpl slamtec", "2D lidar"),
-    RealPart("Velodyne VLP-16", "lidars.velodyne_vlp16", (0.1033, 0.1033, 0.0717),
-             "velodyne vlp vlp16", "3D lidar"),
-    RealPart("mecanum wheel", "wheels.mecanum_wheel", (0.100, 0.100, 0.050),
-             "mecanum mecanumwheel", "mecanum wheel"),
-    RealPart("swivel caster", "wheels.caster", (0.068, 0.036, 0.070),
-             "caster castor casters", "caster"),
-    RealPart("Stereolabs ZED", "cameras.stereo_camera", (0.033, 0.175, 0.030),
-             "zed zed2", "stereo camera"),
-    RealPart("Stereolabs ZED Mini", "cameras.zed_mini", (0.0305, 0.1245, 0.0265),
-             "zedm zedmini", "stereo camera"),
-    RealPart("Intel RealSense D435", "cameras.realsense_d435", (0.025, 0.090, 0.025),
-             "d435 d435i r200", "depth camera"),
-    RealPart("Intel RealSense D415", "cameras.realsense_d415", (0.020, 0.099, 0.023),
-             "d415", "depth camera"),
-    RealPart("Intel RealSense D455", "cameras.realsense_d455", (0.026, 0.124, 0.029),
-             "d455 d456", "depth camera"),
-    RealPart("industrial camera", "cameras.camera", (0.055, 0.029, 0.029),
-             "blackfly flea basler", "camera"),
-    RealPart("Xsens MTi", "imus.xsens_mti", (0.057, 0.042, 0.0235),
-             "xsens mti", "IMU"),
-    RealPart("wheel with a tyre", "wheels.wheel", (0.130, 0.130, 0.060),
-             "wheel tire tyre rim wheels drivewheel rueda roue rad", "wheel"),
-)  # fmt: skip
+PARTS = _known()
 
 
 #: What holds or hides a part is another thing.

@@ -19,7 +19,7 @@ from urdfkit.mesh.repair.cleaning import (
     drop_walls,
 )
 from urdfkit.mesh.repair.holes import fill
-from urdfkit.mesh.repair.seams import split_at_points, weld_rims
+from urdfkit.mesh.repair.seams import weld_rims
 from urdfkit.mesh.repair.soup import TriangleSoup, mesh_of, soup_of
 from urdfkit.mesh.repair.union import unite
 from urdfkit.mesh.repair.winding import agree, face_outwards
@@ -155,7 +155,6 @@ def _round(soup: TriangleSoup, steps: list[RepairStep], *, holes: bool) -> Trian
         ("dropped repeated triangles", drop_repeated),
         ("welded open edges", lambda soup: drop_collapsed(weld_rims(soup, tolerance))),
         ("dropped repeated triangles", drop_repeated),
-        ("cut edges at points that lie on them", lambda soup: split_at_points(soup, tolerance)),
         ("dropped fins", drop_fins),
         ("dropped walls inside", drop_walls),
         ("dropped loose scraps", drop_scraps),

@@ -7,7 +7,7 @@ import numpy as np
 from urdfkit.mesh.components import take_apart
 from urdfkit.mesh.edges import Edges, three_cornered
 from urdfkit.mesh.geometry import Integers, areas
-from urdfkit.mesh.grouping import distinct
+from urdfkit.mesh.grouping import components, distinct
 from urdfkit.mesh.repair.soup import TriangleSoup
 
 #: A scrap has fewer triangles than the smallest solid.
@@ -99,7 +99,8 @@ def drop_walls(soup: TriangleSoup) -> TriangleSoup:
     edges = Edges(soup.faces)
     if not edges.is_non_manifold.any():
         return soup
-    sheets = _sheets(edges)
+    # Pieces that are connected without crossing a non-manifold edge.
+    _, sheets = np.unique(components(len(edges.faces), edges.pairs), return_inverse=True)
     keep = np.ones(len(soup.faces), dtype=bool)
     for sheet in np.argsort(np.bincount(sheets)):
         inside = sheets == sheet
@@ -110,18 +111,6 @@ def drop_walls(soup: TriangleSoup) -> TriangleSoup:
         if rims.any() and (rest[rims] == 2).all() and not (uses + rest == 1)[uses > 0].any():
             keep &= ~inside
     return soup.kept(keep)
-
-
-def _sheets(edges: Edges) -> Integers:
-    """(m,), pieces that are connected without crossing a non-manifold edge."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    number = len(edges.faces)
-    one, other = edges.pairs.T
-    graph = coo_array((np.ones(len(one)), (one, other)), shape=(number, number))
-    _, labels = connected_components(graph, directed=False)
-    return np.asarray(labels, dtype=np.int64)
 
 
 def drop_scraps(soup: TriangleSoup) -> TriangleSoup:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -37,35 +38,21 @@ def fill(soup: TriangleSoup) -> TriangleSoup:
 _Rims = dict[int, list[tuple[int, int]]]
 
 
-def _loops(soup: TriangleSoup) -> list[tuple[Integers, int]]:
-    """The rims, each as points in the order in which filling faces see them, and a part.
-
-    Where faces do not agree on what is outside, a rim has no direction; those are walked in any.
-    """
+def _loops(soup: TriangleSoup) -> Iterator[tuple[Integers, int]]:
+    """The rims, each as points in the order in which filling faces see them, and a part."""
     edges = Edges(soup.faces)
     rows, sides = np.nonzero(edges.is_open[edges.of_face])
     ways: _Rims = {}
     for face, side in zip(rows.tolist(), sides.tolist(), strict=True):
         start, end = int(soup.faces[face, side]), int(soup.faces[face, (side + 1) % 3])
         ways.setdefault(end, []).append((start, int(soup.parts[face])))
-    left: _Rims = {}
-    loops = _walks(ways, left, both=False)
-    for start, end, part in [(start, *way) for start, found in left.items() for way in found]:
-        left.setdefault(end, []).append((start, part))
-    return loops + _walks(left, {}, both=True)
-
-
-def _walks(ways: _Rims, left: _Rims, *, both: bool) -> list[tuple[Integers, int]]:
-    """Take rims out of the ways until none is left; what leads nowhere is put aside."""
-    loops = []
     while ways:
-        loop, part = _walk(ways, left, both=both)
+        loop, part = _walk(ways)
         if len(loop) >= 3:
-            loops.append((np.array(loop, dtype=np.int64), part))
-    return loops
+            yield np.array(loop, dtype=np.int64), part
 
 
-def _walk(ways: _Rims, left: _Rims, *, both: bool) -> tuple[list[int], int]:
+def _walk(ways: _Rims) -> tuple[list[int], int]:
     """Take one rim out; empty if it leads nowhere.
 
     Where rims touch in a point, the walk comes back to it and cuts off what it has gone around.
@@ -73,36 +60,18 @@ def _walk(ways: _Rims, left: _Rims, *, both: bool) -> tuple[list[int], int]:
     here = next(iter(ways))
     path, places, part = [here], {here: 0}, 0
     while here in ways:
-        there, part = _take(ways, here)
-        if both:
-            _take(ways, there, here)
-        if there in places:
-            loop = path[places[there] :]
+        here, part = ways[here].pop()
+        if not ways[path[-1]]:
+            del ways[path[-1]]
+        if here in places:
+            first = places[here]
             # What the walk passed before it came to this loop goes back.
-            for start, end in pairwise(path[: places[there] + 1]):
+            for start, end in pairwise(path[: first + 1]):
                 ways.setdefault(start, []).append((end, part))
-                if both:
-                    ways.setdefault(end, []).append((start, part))
-            return loop, part
-        places[there] = len(path)
-        path.append(there)
-        here = there
-    for start, end in pairwise(path):
-        left.setdefault(start, []).append((end, part))
+            return path[first:], part
+        places[here] = len(path)
+        path.append(here)
     return [], 0
-
-
-def _take(ways: _Rims, start: int, end: int | None = None) -> tuple[int, int]:
-    """Take one way out: the last one from a point, or that to a certain one."""
-    choices = ways[start]
-    if end is None:
-        taken = choices.pop()
-    else:
-        taken = next(choice for choice in choices if choice[0] == end)
-        choices.remove(taken)
-    if not choices:
-        del ways[start]
-    return taken
 
 
 def _barred(loop: Integers, taken: set[tuple[int, int]]) -> Flags:

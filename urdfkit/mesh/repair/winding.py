@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 from scipy.sparse import coo_array
-from scipy.sparse.csgraph import breadth_first_order, connected_components
+from scipy.sparse.csgraph import breadth_first_order
 
 from urdfkit.mesh.components import contains, inside_out, take_apart
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Flags, Integers, areas
+from urdfkit.mesh.grouping import components
 from urdfkit.mesh.repair.soup import TriangleSoup
 
 
@@ -37,23 +38,18 @@ def _senses(number: int, pairs: Integers, twisted: Flags) -> tuple[Integers, Fla
     Returns:
         (m,), the number of the piece of each face; (m,), True for those to be turned.
     """
-    _, pieces = connected_components(_graph(pairs, number), directed=False)
-    _, first = np.unique(pieces, return_index=True)
+    _, first, pieces = np.unique(components(number, pairs), return_index=True, return_inverse=True)
     # From a node beyond all faces one of each piece is reached, and from there its neighbours.
     starts = np.column_stack([np.full(len(first), number), first])
-    order, before = breadth_first_order(
-        _graph(np.concatenate([pairs, starts]), number + 1), number, directed=False
-    )
+    links = np.concatenate([pairs, starts])
+    graph = coo_array((np.ones(len(links)), links.T), shape=(number + 1, number + 1))
+    order, before = breadth_first_order(graph.tocsr(), number, directed=False)
     is_inconsistent = dict(zip(map(tuple, pairs.tolist()), twisted.tolist(), strict=True))
     is_turned = [False] * (number + 1)
     for face, origin in zip(order[1:].tolist(), before[order[1:]].tolist(), strict=True):
         bad = is_inconsistent.get((origin, face)) or is_inconsistent.get((face, origin), False)
         is_turned[face] = is_turned[origin] != bad
     return pieces, np.array(is_turned[:number])
-
-
-def _graph(links: Integers, number: int) -> coo_array:
-    return coo_array((np.ones(len(links)), links.T), shape=(number, number)).tocsr()
 
 
 def face_outwards(soup: TriangleSoup) -> TriangleSoup:

@@ -9,14 +9,22 @@ from urdfkit.core import atomic, disk
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.geometry import Mesh
 
-#: The module and the function that write each format, by suffix.
+#: The module that writes each format, by suffix.
 _WRITERS = {
     ".dae": "collada",
-    ".stl": "stl",
+    ".stl": "by_trimesh",
     ".obj": "obj",
-    ".glb": "glb",
-    ".ply": "ply",
+    ".glb": "by_trimesh",
+    ".ply": "by_trimesh",
 }
+
+#: glTF says that y is upwards. Gazebo, RViz before 15.1.4, assimp and trimesh take the numbers as
+#: they are, and for them z stays upwards here, as in every other format; newer RViz, Drake and
+#: Blender turn what they read by 90 degrees. No file suits both.
+GLB_NOTE = (
+    "glTF means y upwards: Gazebo takes the numbers as they are, RViz from 15.1.4 on turns them; "
+    "COLLADA and OBJ mean the same to both"
+)
 
 #: The suffixes that can be written.
 SUFFIXES = tuple(_WRITERS)

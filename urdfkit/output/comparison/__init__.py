@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from math import dist
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.lint.context import Subject
+from urdfkit.lint.options import Options
 from urdfkit.output.comparison.differences import KINDS as OF_MODELS
 from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances, differences
 from urdfkit.output.comparison.frames import MovedLink, moved_frames
 from urdfkit.output.comparison.renames import renames
-from urdfkit.output.comparison.states import RobotState, read
+from urdfkit.output.comparison.states import RobotState
 from urdfkit.output.comparison.surfaces import changed_surfaces
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.kinematics import frames
@@ -24,7 +25,6 @@ from urdfkit.text.source import without_folder
 
 if TYPE_CHECKING:
     from urdfkit.core.spatial import Vector
-    from urdfkit.lint.config import Config
 
 #: What two states may differ in; ``findings`` are new ones, from warnings upwards.
 KINDS = (*OF_MODELS, "meshes", "findings")
@@ -96,14 +96,9 @@ class Comparison(Record):
 def compare(
     before: str,
     after: str,
+    options: Options = Options(),
     *,
-    arguments: Mapping[str, str] | None = None,
-    packages: Mapping[str, str] | None = None,
     tolerances: Tolerances | None = None,
-    targets: Iterable[str] = (),
-    trust: bool = False,
-    config: Config | None = None,
-    variant: str = "",
     has_pictures: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Comparison:
@@ -111,15 +106,10 @@ def compare(
 
     Args:
         before: a URDF or xacro file, or one in git: ``REVISION:PATH``, the path from the current
-            folder or from the top of the repository.
+            directory or from the top of the repository.
         after: the second state, as ``before``.
-        arguments: for xacro, of both states.
-        packages: folders of ROS packages by name; those of the repository are taken as they were.
+        options: of the checks of both states; packages of the repository are taken as they were.
         tolerances: what may differ; those of the class unless given.
-        targets: programs that severities depend on; detected from each state if empty.
-        trust: let expressions of the models run unfenced and read any file.
-        config: settings of the project.
-        variant: which of those that the configuration has of the files.
         has_pictures: draw both states, if the libraries for it are installed.
         progress: called with the number of finished steps and of all steps.
 
@@ -131,21 +121,12 @@ def compare(
     """
     advance = progress or (lambda done, total: None)
     steps = 4 if has_pictures else 3
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
+    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
         states: list[RobotState] = []
         for word, name in ((before, "before"), (after, "after")):
             advance(len(states), steps)
-            state = read(
-                word,
-                os.path.join(disk.real(folder), name),
-                arguments=arguments,
-                packages=packages,
-                targets=targets,
-                trust=trust,
-                config=config,
-                variant=variant,
-            )
-            states.append(state)
+            where = os.path.join(os.path.realpath(directory), name)
+            states.append(RobotState(word, where, options))
         advance(2, steps)
         found = _compare(states[0], states[1], tolerances or Tolerances())
         if has_pictures:

@@ -14,19 +14,19 @@ from urdfkit.output.formats._paths import posix
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, Span
 
-SOURCE = {"name": "urdfkit"}
-
 _SEVERITIES = {Severity.ERROR: "ERROR", Severity.WARNING: "WARNING", Severity.INFO: "INFO"}
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """All findings as one document."""
-    document = {"source": SOURCE, "diagnostics": [as_json(d) for d in report.diagnostics]}
+    document = {
+        "source": {"name": "urdfkit"},
+        "diagnostics": [_diagnostic(d) for d in report.diagnostics],
+    }
     return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
 
 
-def as_json(diagnostic: Diagnostic) -> dict[str, Any]:
-    """One finding."""
+def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
     span = diagnostic.span
     text = diagnostic.message + (f"\n{diagnostic.help}" if diagnostic.help else "")
     found: dict[str, Any] = {

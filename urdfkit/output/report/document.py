@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
@@ -17,11 +17,11 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import finite
 from urdfkit.lint import rule_index
-from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.loading import subject_of
+from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.output.formats import json as as_json
 from urdfkit.output.report import physics, tables
@@ -66,13 +66,8 @@ class ReportInput(Record):
 
 def describe(
     file: str | os.PathLike[str] | Source,
+    options: Options = Options(),
     *,
-    arguments: Mapping[str, str] | None = None,
-    packages: Mapping[str, str] | None = None,
-    targets: Iterable[str] = (),
-    trust: bool = False,
-    config: Config | None = None,
-    variant: str = "",
     quick: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> ReportInput:
@@ -82,12 +77,7 @@ def describe(
 
     Args:
         file: a URDF or xacro file, or a launch file that describes one robot.
-        arguments: for xacro.
-        packages: folders of ROS packages by name; they win over every search.
-        targets: target programs; detected if empty.
-        trust: let expressions of the model run unfenced and read any file.
-        config: settings of the project.
-        variant: which of those that the configuration has of the file.
+        options: of the check.
         quick: leave out what takes a while, which is all of `LONG`.
         progress: called with the number of steps done and of all, where it takes a while.
 
@@ -96,18 +86,11 @@ def describe(
         UnreadableRobot: a launch file describes none, or several.
         ConfigError: the configuration has several variants of the file, or none of this name.
     """
-    every = {**(config.packages if config else {}), **(packages or {})}
-    source, resolver = Source.of(file), Resolver(every)
-    values = (config or Config()).entry(source.path, arguments, variant).arguments
-    subject = subject_of(source, resolver, values, trust=trust)
-    report = check(
-        subject.source,
-        arguments=subject.arguments,
-        packages=every,
-        targets=targets,
-        trust=trust,
-        config=config._replace(robots=()) if config else None,
-    )
+    options = options.with_config()
+    source, resolver = Source.of(file), Resolver(options.packages)
+    values = options.config.entry(source.path, options.arguments, options.variant).arguments
+    subject = subject_of(source, resolver, values, trust=options.trust)
+    report = check(subject.source, options=options.for_one(subject.arguments))
     reported = ReportInput(_document(subject, report), subject, report.diagnostics)
     return reported if quick else completed(reported, progress)
 

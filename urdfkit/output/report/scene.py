@@ -102,7 +102,7 @@ def _link(link: Link) -> dict[str, Any]:
     if inertial and link.mass > 0:
         found |= {"mass": link.mass, "center": list(inertial.origin.position)}
         if inertial.tensor is not None:
-            edges, axes = uniform_solid(inertial.tensor.value, link.mass, 12.0)
+            edges, axes = uniform_solid(inertial.tensor.value, link.mass)
             if all(map(isfinite, edges)):
                 matrix = _matrix(inertial.origin @ Transform(axes))
                 found["box"] = {"edges": list(edges), "matrix": matrix}

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.core.strict_json import dumped
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Unavailable
+from urdfkit.lint.options import Options
 from urdfkit.output.report.document import LONG, Document, ReportInput, describe
 from urdfkit.output.report.translations import Translator
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
-    from urdfkit.lint.config import Config
     from urdfkit.output.report.scene import PageScene
 
 #: Forms of a report, by the suffix of a file.
@@ -24,16 +25,11 @@ SUFFIXES = {".html": "html", ".htm": "html", ".md": "markdown", ".json": "json",
 def report(
     file: str | os.PathLike[str] | Source,
     form: str = "html",
+    options: Options = Options(),
     *,
     language: str = "en",
     table: str = "findings",
     quick: bool = False,
-    arguments: Mapping[str, str] | None = None,
-    packages: Mapping[str, str] | None = None,
-    targets: Iterable[str] = (),
-    trust: bool = False,
-    config: Config | None = None,
-    variant: str = "",
     progress: Callable[[int, int], None] | None = None,
 ) -> tuple[str, Document]:
     """The text of a report, and the document that it was made from.
@@ -41,37 +37,21 @@ def report(
     Args:
         file: a URDF or xacro file.
         form: ``html``, ``markdown``, ``json`` or ``csv``.
+        options: of the check.
         language: of headings and the like: ``en`` or ``zh``.
         table: of CSV, one of `csv.COLUMNS`.
         quick: leave out what takes a while: pictures, statics and collisions.
-        arguments: for xacro.
-        packages: folders of ROS packages by name; they win over every search.
-        targets: programs that severities depend on; detected if empty.
-        trust: let expressions of the model run unfenced and read any file.
-        config: settings of the project.
-        variant: which of those that the configuration has of the file.
         progress: called with the number of steps done and of all, where it takes a while.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
         UrdfkitError: the form needs a library that is not installed, or has no such table.
     """
-    reported = describe(
-        file,
-        arguments=arguments,
-        packages=packages,
-        targets=targets,
-        trust=trust,
-        config=config,
-        variant=variant,
-        quick=quick or not _shows_all(form, table),
-        progress=progress,
-    )
+    is_quick = quick or not _shows_all(form, table)
+    reported = describe(file, options, quick=is_quick, progress=progress)
     document = reported.document
     if form == "json":
-        from urdfkit.output.report import json
-
-        return json.render(document), document
+        return dumped(document), document
     if form == "csv":
         from urdfkit.output.report import csv
 

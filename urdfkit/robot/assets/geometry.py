@@ -47,6 +47,6 @@ def _primitive(part: Primitive) -> Mesh:
         half = part.length / 2
         return solids.as_mesh(solids.cylinder(part.radius, -half, half))
     if part.kind == "sphere":
-        return solids.as_mesh(solids.ball(part.radius, (0.0, 0.0, 0.0)))
-    ends = [solids.ball(part.radius, (0.0, 0.0, z)) for z in (-part.length / 2, part.length / 2)]
-    return solids.as_mesh((ends[0] + ends[1]).hull())
+        return solids.as_mesh(solids.ball(part.radius))
+    end = solids.ball(part.radius).translate((0.0, 0.0, part.length / 2))
+    return solids.as_mesh((end + end.mirror((0, 0, 1))).hull())

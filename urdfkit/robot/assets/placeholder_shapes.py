@@ -170,11 +170,11 @@ def _seat(part: RealPart, size: Vector, here: TargetBounds | None, axes: Rotatio
 
 
 def _block(size: Vector, frame: Transform, how: str) -> tuple[Mesh, str]:
-    from urdfkit.mesh.parts import block
+    from urdfkit.mesh.parts.building import block
     from urdfkit.mesh.transforms import moved
 
     text = "{:g} x {:g} x {:g} m".format(*(round(edge, 6) for edge in size))
-    return moved(block.build(size), frame), f"block, {text}: {how}"
+    return moved(block(size), frame), f"block, {text}: {how}"
 
 
 def _copied(robot: Robot, link: Link, body: Body) -> tuple[Mesh, str] | None:
