@@ -74,6 +74,7 @@ SLOW = (
     "tests/cli/test_project.py",
     "tests/cli/test_render.py",
     "tests/cli/test_report.py",
+    "tests/cli/test_result_cache.py",
     "tests/false_alarms/",
     "tests/integration/",
     "tests/lint/test_engine.py",

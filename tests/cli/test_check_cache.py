@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 from tests.meshed import SOUND, link, mesh
+from urdfkit.core import cache_folder
 from urdfkit.core.libraries import why_unmeasured
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.mesh import measure_cache
 
 
 @pytest.fixture
@@ -25,10 +25,10 @@ def entries(
 ) -> int:
     """How many measures a command has kept."""
     folder = robot.parent / "cache"
-    monkeypatch.setenv(measure_cache.VARIABLE, str(folder))
+    monkeypatch.setenv(cache_folder.VARIABLE, str(folder))
     line = [sys.executable, "-m", "urdfkit", command, str(robot), "--select", "MSH", *words]
     subprocess.run(line, check=True, capture_output=True)
-    return sum(path.is_file() for path in folder.rglob("*"))
+    return sum(path.is_file() for path in (folder / "meshes").rglob("*"))
 
 
 def test_what_was_measured_is_kept(robot: Path, monkeypatch: pytest.MonkeyPatch) -> None:

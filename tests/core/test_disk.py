@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import ast
-import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from tests.conftest import ROOT
-from urdfkit.core import disk
+from urdfkit.core import disk, file_log
+from urdfkit.core.file_log import FileLog
 
 PACKAGE = ROOT / "urdfkit"
 
@@ -26,6 +26,7 @@ _ASKS = {
 #: Modules that ask for files themselves, and why: none is named by a robot, or it is not read.
 WITHOUT_GATE = {
     "core/disk.py": "the gate",
+    "core/file_log.py": "the gate, asked again",
     "core/atomic.py": "writes",
     "cli": "files that the user names on the command line",
     "lint/discovery.py": "os.access of launch files",
@@ -38,6 +39,7 @@ WITHOUT_GATE = {
     "output/report/html.py": "urdfkit's own",
     "output/report/translations.py": "urdfkit's own",
     "ros/catalog/__init__.py": "urdfkit's own",
+    "scan": "models that the user names, and its own output",
     "text/urdf_extensions.py": "urdfkit's own",
     "viewer/state.py": "times of files that were read",
     "workspace/revisions.py": "git",
@@ -66,39 +68,16 @@ def test_nothing_is_read_past_the_gate() -> None:
     assert [call for path in modules for call in _calls(path)] == []
 
 
-class _Log:
-    def __init__(self) -> None:
-        self.calls: list[tuple[object, ...]] = []
-
-    def read(self, path: str, most: int, data: bytes | None, state: os.stat_result | None) -> None:
-        self.calls.append(("read", path, most, data, state and state.st_size))
-
-    def state(self, path: str, state: os.stat_result | None) -> None:
-        self.calls.append(("state", path, state is not None))
-
-    def link(self, path: str, state: os.stat_result | None) -> None:
-        self.calls.append(("link", path, state is not None))
-
-    def listed(self, folder: str, names: list[str] | None) -> None:
-        self.calls.append(("listed", folder, names and sorted(names)))
-
-    def real(self, path: str, real: str) -> None:
-        self.calls.append(("real", path, real))
-
-    def variable(self, name: str, value: str | None) -> None:
-        self.calls.append(("variable", name, value))
-
-
 @pytest.fixture
-def log() -> Iterator[_Log]:
-    log = _Log()
+def log() -> Iterator[FileLog]:
+    log = FileLog()
     disk.log_to(log)
     yield log
     disk.log_to(None)
 
 
 def test_what_is_asked_for_is_noted(
-    log: _Log, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    log: FileLog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("ARM", "left")
@@ -107,6 +86,7 @@ def test_what_is_asked_for_is_noted(
     assert disk.read("a.stl", 3) == b"sol"
     with pytest.raises(FileNotFoundError):
         disk.read("b.stl")
+    assert disk.state("to").st_size == 5
     assert (disk.exists("a.stl"), disk.is_file("b.stl"), disk.is_folder(".")) == (True, False, True)
     assert (disk.is_link("to"), disk.has_name("b.stl")) == (True, False)
     assert sorted(disk.names(".")) == ["a.stl", "to"]
@@ -114,24 +94,51 @@ def test_what_is_asked_for_is_noted(
     assert disk.real("to") == str(tmp_path / "a.stl")
     assert disk.Environment().get("ARM") == "left"
     assert disk.Environment().get("LEG") is None
-    assert log.calls == [
-        ("read", "a.stl", 3, b"sol", 5),
-        ("read", "b.stl", -1, None, None),
-        ("state", "a.stl", True),
-        ("state", "b.stl", False),
-        ("state", ".", True),
-        ("link", "to", True),
-        ("link", "b.stl", False),
-        ("listed", ".", ["a.stl", "to"]),
-        ("listed", ".", ["a.stl", "to"]),
-        ("real", "to", str(tmp_path / "a.stl")),
-        ("variable", "ARM", "left"),
-        ("variable", "LEG", None),
+    assert log.is_complete
+    assert list(log.answers) == [
+        ("r3", "a.stl"),
+        ("r-1", "b.stl"),
+        ("s", "to"),
+        ("k", "a.stl"),
+        ("k", "b.stl"),
+        ("k", "."),
+        ("l", "to"),
+        ("l", "b.stl"),
+        ("d", "."),
+        ("p", "to"),
+        ("v", "ARM"),
+        ("v", "LEG"),
     ]
 
 
-def test_a_name_with_a_nul_is_no_file() -> None:
+def test_a_name_with_a_nul_is_no_file(log: FileLog) -> None:
     assert not disk.exists("a\0b")
     assert not disk.has_name("a\0b")
     with pytest.raises(ValueError, match="null"):
         disk.read("a\0b")
+    assert log.answers == {}
+
+
+def test_another_process_may_have_noted_more(log: FileLog) -> None:
+    other = FileLog()
+    other.variable("ARM", "left")
+    other.is_complete = False
+    log.add(other)
+    assert log.answers == {("v", "ARM"): "=left"}
+    assert not log.is_complete
+
+
+def test_so_many_answers_are_not_kept(log: FileLog, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(file_log, "MAX_ANSWERS", 10)
+    for number in range(11):
+        disk.exists(f"/none/{number}")
+    assert not log.is_complete
+    assert log.answers == {}
+
+
+def test_what_changes_in_between_has_no_one_answer(log: FileLog, tmp_path: Path) -> None:
+    path = str(tmp_path / "a")
+    assert not disk.exists(path)
+    Path(path).touch()
+    assert disk.exists(path)
+    assert not log.is_complete

@@ -16,6 +16,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.mesh import made
+from urdfkit.core import cache_folder
 from urdfkit.mesh import measure_cache, samples
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.measure_cache import Store
@@ -113,11 +114,11 @@ def test_without_a_folder_nothing_is_written(
     before = entries(tmp_path)
     assert isinstance(measured(None, mesh), Measures)
     assert entries(tmp_path) == before
-    monkeypatch.setenv(measure_cache.VARIABLE, "")
+    monkeypatch.setenv(cache_folder.VARIABLE, "")
     assert measure_cache.default_folder() is None
-    monkeypatch.setenv(measure_cache.VARIABLE, "/somewhere")
-    assert measure_cache.default_folder() == "/somewhere"
-    monkeypatch.delenv(measure_cache.VARIABLE)
+    monkeypatch.setenv(cache_folder.VARIABLE, "/somewhere")
+    assert measure_cache.default_folder() == "/somewhere/meshes"
+    monkeypatch.delenv(cache_folder.VARIABLE)
     assert "urdfkit" in str(measure_cache.default_folder())
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from tests.workspaces import add_file, record_listings
-from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.folders import Folders, walk
 
 
 def test_a_file_is_found_by_its_exact_name(tmp_path: Path) -> None:
@@ -95,3 +95,24 @@ def test_files_below_come_nearest_first_and_are_bounded(tmp_path: Path) -> None:
     found = Folders().files_below(str(tmp_path), 100)
     assert [os.path.relpath(path, tmp_path) for path in found] == ["b.stl", "a/c.stl", "a/d/e.stl"]
     assert len(Folders().files_below(str(tmp_path), 2)) == 2
+
+
+def test_a_walk_lists_what_os_walk_lists_and_each_directory_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("b/x", "b/a/y", "a/z", "top", "build/made", ".git/config"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    (tmp_path / "dead").symlink_to("nowhere")
+    (tmp_path / "round").symlink_to(tmp_path)
+    expected = [*walk(str(tmp_path))]
+    listed = record_listings(monkeypatch)
+    folders = Folders()
+    assert folders.walk(str(tmp_path)) == expected
+    assert [os.path.relpath(path, tmp_path) for path in expected] == [
+        "dead", "top", "a/z", "b/x", "b/a/y",
+    ]  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    assert folders.walk(".")[:2] == ["./dead", "./top"]
+    folders.files_below(str(tmp_path), 100)
+    assert len(listed) == len(set(listed))

@@ -17,13 +17,14 @@ from __future__ import annotations
 import gc
 import os
 import sys
-from collections.abc import Sequence
 from errno import ENOSPC
-from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 
+TYPE_CHECKING = False
+
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
     from typing import NoReturn
 
 
@@ -34,11 +35,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: without the name of the program; those of the process if None.
     """
     if arguments is not None:
-        return _guarded(list(arguments))
+        return _guarded(_run, list(arguments))
     # This process does one thing and ends. Looking for garbage on the way finds none, and to take
     # everything apart at the end, before the system takes the memory back, is 8 of 120 ms.
     gc.set_threshold(100_000)
-    return _leave(_guarded(sys.argv[1:]))
+    return _leave(_guarded(_replay_or_run, sys.argv[1:]))
 
 
 def _leave(code: int) -> NoReturn:
@@ -52,10 +53,10 @@ def _leave(code: int) -> NoReturn:
     os._exit(code)
 
 
-def _guarded(words: list[str]) -> int:
+def _guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
     """Every way in which a command line can end, as an exit code."""
     try:
-        return _run(words)
+        return run(words)
     except UrdfkitError as error:
         return _fail(2, str(error))
     except KeyboardInterrupt:
@@ -75,6 +76,20 @@ def _guarded(words: list[str]) -> int:
             "This is a bug in urdfkit, not in the robot. Please report it with the file; "
             "URDFKIT_DEBUG=1 prints the traceback.",
         )
+
+
+def _replay_or_run(words: list[str]) -> int:
+    """Repeat the result of an earlier check if nothing has changed since."""
+    from urdfkit.cli import result_cache
+
+    code = result_cache.replay(words)
+    if code is not None:
+        return code
+    if asked := result_cache.question(words):
+        from urdfkit.cli import result_recording
+
+        result_recording.begin(asked)
+    return _run(words)
 
 
 def _run(words: list[str]) -> int:

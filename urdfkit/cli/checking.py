@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from urdfkit.cli import options, output, stdin
+from urdfkit.cli import options, output, result_recording, stdin
 from urdfkit.core import atomic
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import check_with
@@ -56,16 +56,29 @@ def run_check(values: Mapping[str, Any]) -> int:
             report = _with_fixable(report, values, chosen)
     report = _with_baseline(report, known, values)
     _show_crashes(report)
+    written: list[tuple[str, bytes]] = []
     # Files first: if one cannot be written, standard output stays empty.
     for name, file in sorted(outputs, key=lambda one: not one[1]):
         render = formats.get(name)
         if file:
-            atomic.write(file, output.encode(render(report)))
+            data = output.encode(render(report))
+            atomic.write(file, data)
         else:
             color = output.has_color(values["color"])
-            output.write(render(report, color=color, width=output.width()))
+            data = output.write(render(report, color=color, width=output.width()))
+        written.append((file, data))
     code = report.exit_code(fail_on(values, chosen))
-    return 0 if code == 1 and values["exit_zero"] else code
+    code = 0 if code == 1 and values["exit_zero"] else code
+    if _may_be_kept(values, chosen) and not report.crashed:
+        result_recording.keep(code, written)
+    return code
+
+
+def _may_be_kept(values: Mapping[str, Any], chosen: Options) -> bool:
+    """False of a check that does more than to report, or depends on more than on files."""
+    acts = values["fix"] or values["write_baseline"] or values["changed"]
+    # Rules of others are programs, and so are models that are trusted.
+    return not (acts or chosen.with_config().trust or chosen.rules or chosen.config.foreign_rules)
 
 
 def choices(values: Mapping[str, Any]) -> Options:

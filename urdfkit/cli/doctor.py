@@ -14,6 +14,7 @@ import click
 
 from urdfkit import __version__
 from urdfkit.cli import options, output, stdin
+from urdfkit.cli.cache_contents import contents
 from urdfkit.cli.decorators import (
     CONFIG,
     ISOLATED,
@@ -23,6 +24,7 @@ from urdfkit.cli.decorators import (
     with_examples,
     with_options,
 )
+from urdfkit.core.cache_folder import cache_folder
 from urdfkit.lint.config import Config, ConfigError
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
@@ -45,7 +47,6 @@ _PACKAGES = (
     ("scipy", "mesh repair, collision, diff", "urdfkit[meshes]"),
     ("fast-simplification", "mesh simplify", "urdfkit[meshes]"),
     ("vhacdx", "mesh decompose, mesh collision", "urdfkit[meshes]"),
-    ("platformdirs", "the cache of mesh measures", "urdfkit[meshes]"),
     ("coacd", "mesh decompose --engine coacd", "urdfkit[decompose]"),
     ("pin", "dynamics", "urdfkit[dynamics]"),
     ("coal", "collisions", "urdfkit[dynamics]"),
@@ -105,6 +106,10 @@ def _installed() -> Iterator[str]:
 def _environment() -> Iterator[str]:
     for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH", "GZ_SIM_RESOURCE_PATH"):
         yield f"{name}: {os.environ.get(name) or 'not set'}"
+    cache = cache_folder()
+    found = contents()
+    held = f" ({len(found.files)} entries, {found.size / 1e6:.1f} MB)" if cache else ""
+    yield f"cache: {cache or 'none'}{held}"
 
 
 def _folder(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:

@@ -37,6 +37,7 @@ COMMANDS = (
     "view",
     "init",
     "doctor",
+    "clean",
     "lsp",
 )
 

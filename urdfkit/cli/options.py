@@ -115,7 +115,7 @@ CHECK = (
         default="auto",
     ),
     Option("--changed", "FILEs are changed files: check the robots that use them."),
-    Option("--no-cache", "Do not read or write the cache of mesh measures."),
+    Option("--no-cache", "Do not read or write the cache."),
     Option("--jobs", "Number of parallel processes. [default: auto]", "N"),
     Option("--config", "Configuration file. [default: the nearest one upwards]", "FILE"),
     Option("--isolated", "Ignore all configuration files."),
@@ -240,6 +240,8 @@ def ignored(values: Mapping[str, Any]) -> list[str]:
 
 
 def warn(text: str) -> None:
+    """Say on standard error what is odd; the cache of results holds standard output only."""
+    disk.depends_on_more()
     from urdfkit.text.terminal import printable
 
     if sys.stderr is not None:

@@ -44,30 +44,42 @@ def _is_terminal() -> bool:
     return sys.stdout is not None and sys.stdout.isatty()
 
 
-def write(text: str) -> None:
+def write(text: str) -> bytes:
     """Write to standard output, in UTF-8 unless a terminal wants another encoding.
 
     A reader that goes away early (``| head``) is no error.
+
+    Returns:
+        The bytes that were written.
 
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
     """
     if sys.stdout is None:
         raise UnwritableFile("standard output is closed; send it to /dev/null instead")
+    data = _for_terminal(text, sys.stdout.encoding) if _is_terminal() else encode(text)
     try:
         binary = getattr(sys.stdout, "buffer", None)
         if binary is None:  # an in-process caller has put something of its own there
             sys.stdout.write(text)
-        elif _is_terminal():
-            binary.write(_for_terminal(text, sys.stdout.encoding))
         else:
-            binary.write(encode(text))
+            binary.write(data)
         sys.stdout.flush()
     except OSError as error:
-        # What is left in the buffer must not fail a second time when Python exits.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        if not isinstance(error, BrokenPipeError):
-            raise UnwritableFile(f"standard output: {error.strerror or error}") from error
+        give_up(error)
+    return data
+
+
+def give_up(error: OSError) -> None:
+    """Standard output cannot be written; that nobody reads it any more is no error.
+
+    Raises:
+        UnwritableFile: its disk is full.
+    """
+    # What is left in the buffer must not fail a second time when Python exits.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    if not isinstance(error, BrokenPipeError):
+        raise UnwritableFile(f"standard output: {error.strerror or error}") from error
 
 
 def _for_terminal(text: str, encoding: str) -> bytes:

@@ -8,17 +8,22 @@ import stat
 from urdfkit.errors import UnwritableFile
 
 
-def write(path: str | os.PathLike[str], data: bytes) -> None:
+def write(path: str | os.PathLike[str], data: bytes, *, durable: bool = True) -> None:
     """Write a file whole or not at all; one that exists keeps its permissions.
 
     The bytes go to a new file in the same folder, which then takes the name. A link stays a link.
     What is no regular file, such as ``/dev/stderr``, is written to directly.
 
+    Args:
+        path: of the file.
+        data: all that it is to hold.
+        durable: wait until the disk has it; a cache does without.
+
     Raises:
         UnwritableFile: the folder is missing, or permission or space.
     """
     try:
-        _write(os.path.realpath(path), data)
+        _write(os.path.realpath(path), data, durable=durable)
     except OSError as error:
         raise UnwritableFile(f"{os.fspath(path)}: {_why_unwritable(path, error)}") from error
     except ValueError as error:  # a NUL in the name
@@ -40,7 +45,7 @@ def make_folder(path: str | os.PathLike[str]) -> None:
         ) from error
 
 
-def _write(path: str, data: bytes) -> None:
+def _write(path: str, data: bytes, *, durable: bool) -> None:
     try:
         mode = os.stat(path).st_mode
     except FileNotFoundError:
@@ -55,7 +60,8 @@ def _write(path: str, data: bytes) -> None:
         with file:
             file.write(data)
             file.flush()
-            os.fsync(file.fileno())
+            if durable:
+                os.fsync(file.fileno())
         if mode is not None:
             os.chmod(temporary, stat.S_IMODE(mode))
         os.replace(temporary, path)

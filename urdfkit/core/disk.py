@@ -13,19 +13,7 @@ from stat import S_ISDIR, S_ISLNK, S_ISREG
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typing import Protocol
-
-    class FileLog(Protocol):
-        """Notes what is asked for, by paths as they were asked, and what the answer was."""
-
-        def read(self, path: str, most: int, data: bytes | None, state: os.stat_result | None
-        ) -> None: ...  # fmt: skip
-        def state(self, path: str, state: os.stat_result | None) -> None: ...
-        def link(self, path: str, state: os.stat_result | None) -> None: ...
-        def listed(self, folder: str, names: list[str] | None) -> None: ...
-        def real(self, path: str, real: str) -> None: ...
-        def variable(self, name: str, value: str | None) -> None: ...
-
+    from urdfkit.core.file_log import FileLog
 
 _log: FileLog | None = None
 
@@ -34,6 +22,17 @@ def log_to(log: FileLog | None) -> None:
     """Note from now on what this process asks for; None ends it."""
     global _log  # noqa: PLW0603 - one process answers one command line
     _log = log
+
+
+def log() -> FileLog | None:
+    """What this process notes; None if nothing."""
+    return _log
+
+
+def depends_on_more() -> None:
+    """The result depends on something besides files and variables: a program, the time."""
+    if _log is not None:
+        _log.is_complete = False
 
 
 def read(path: str | os.PathLike[str], most: int = -1) -> bytes:
@@ -54,7 +53,7 @@ def read(path: str | os.PathLike[str], most: int = -1) -> bytes:
             state = os.fstat(file.fileno()) if _log is not None else None
     except OSError:
         if _log is not None:
-            _log.read(path, most, None, None)
+            _log.read(path, most)
         raise
     if _log is not None:
         _log.read(path, most, data, state)
@@ -134,10 +133,15 @@ def entries(folder: str) -> list[os.DirEntry[str]]:
 
 def walk(folder: str) -> Iterator[tuple[str, list[str], list[str]]]:
     """As ``os.walk``: folders, with the names of folders and files in each, from the top."""
-    for parent, folders, inside in os.walk(folder):
+    for parent, folders, inside in os.walk(folder, onerror=_note_closed):
         if _log is not None:
             _log.listed(parent, [*folders, *inside])
         yield parent, folders, inside
+
+
+def _note_closed(error: OSError) -> None:
+    if _log is not None:
+        _log.listed(error.filename, None)
 
 
 def real(path: str) -> str:
@@ -166,9 +170,12 @@ class Environment(Mapping[str, str]):
 def _mode(path: str) -> int:
     """What kind of file a path leads to; 0 for nothing."""
     try:
-        return state(path).st_mode
+        found = os.stat(path)
     except (OSError, ValueError):
-        return 0
+        found = None
+    if _log is not None:
+        _log.kind(path, found)
+    return found.st_mode if found is not None else 0
 
 
 def _link_mode(path: str) -> int:

@@ -143,6 +143,16 @@ def dot(a: Vector, b: Vector) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
+def plus(a: Vector, b: Vector) -> Vector:
+    """The sum of two vectors."""
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def times(vector: Vector, factor: float) -> Vector:
+    """A vector stretched by a factor."""
+    return (vector[0] * factor, vector[1] * factor, vector[2] * factor)
+
+
 def minus(a: Vector, b: Vector) -> Vector:
     """The difference: from ``b`` to ``a``."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])

@@ -20,7 +20,7 @@ from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.text.comments import comments, without_comments
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.folders import walk
+from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
@@ -101,25 +101,28 @@ def discover(folder: str, config: Config, resolver: Resolver) -> FolderContents:
 
 def _graph(folder: str, config: Config, resolver: Resolver) -> IncludeGraph:
     """The descriptions of a folder, and what looks like one whatever it is called."""
-    files = [*descriptions(folder, config), *_lookalikes(folder, config)]
-    return IncludeGraph(files, resolver, launch_files(folder, config))
+    folders = resolver.folders
+    files = [*descriptions(folder, config, folders), *_lookalikes(folder, config, folders)]
+    return IncludeGraph(files, resolver, launch_files(folder, config, folders))
 
 
-def _lookalikes(folder: str, config: Config) -> Iterator[str]:
+def _lookalikes(folder: str, config: Config, folders: Folders) -> Iterator[str]:
     """The files with the root ``<robot>`` whose suffix is not that of a description."""
-    for path in islice(walk(folder), MAX_FILES):
-        suffix = os.path.splitext(path)[1].lower()
-        if suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path):
-            continue
+    for path in islice(filter(_may_be_lookalike, folders.walk(folder)), MAX_FILES):
         head = without_comments(read_head(path, _HEAD)).removeprefix(_MARK)
         if _ROOT.match(head) and not matches(config.relative(path), config.exclude):
             yield path
 
 
-def launch_files(folder: str, config: Config) -> Iterator[str]:
+def _may_be_lookalike(path: str) -> bool:
+    suffix = os.path.splitext(path)[1].lower()
+    return not (suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path))
+
+
+def launch_files(folder: str, config: Config, folders: Folders) -> Iterator[str]:
     """The launch files below a folder that can be read, sorted."""
-    for path in islice(walk(folder), MAX_FILES):
-        is_chosen = is_launch(path) and not matches(config.relative(path), config.exclude)
+    for path in filter(is_launch, folders.walk(folder)):
+        is_chosen = not matches(config.relative(path), config.exclude)
         if is_chosen and disk.is_file(path) and os.access(path, os.R_OK):
             yield path
 
@@ -180,12 +183,12 @@ def _package_folder(file: str, resolver: Resolver) -> str:
     return package[1] if package else os.path.dirname(file)
 
 
-def descriptions(folder: str, config: Config) -> Iterator[str]:
+def descriptions(folder: str, config: Config, folders: Folders) -> Iterator[str]:
     """The files below a folder that may be descriptions or parts of them, sorted."""
     if not disk.is_folder(folder):
         raise UnreadableFile(f"{folder}: no such directory")
     count = 0
-    for path in walk(folder):
+    for path in folders.walk(folder):
         is_part = path.lower().endswith(_INCLUDED)
         is_chosen = is_part and not matches(config.relative(path), config.exclude)
         # A broken link is reported; a pipe or a device may never end.

@@ -8,6 +8,9 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
+from urdfkit.core.file_log import FileLog
+from urdfkit.core.own_sources import note_sources
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.config import Config
@@ -24,6 +27,10 @@ from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor
+    from typing import TypeAlias
+
+#: The results of some robots, and what they depend on if that is noted.
+Batch: TypeAlias = "tuple[list[list[Checked]], FileLog | None]"
 
 #: Robots for each process that make a further one worth while.
 FEW = 10
@@ -209,7 +216,7 @@ def _in_processes(jobs: list[Job], options: Options, count: int) -> Iterator[lis
 
     size = max(1, min(MOST_OF_A_BATCH, len(jobs) // (8 * count)))
     batches = deque(jobs[start : start + size] for start in range(0, len(jobs), size))
-    waiting: deque[tuple[list[Job], Future[list[list[Checked]]]]] = deque()
+    waiting: deque[tuple[list[Job], Future[Batch]]] = deque()
     with _pool(count, options) as pool:
         try:
             while batches or waiting:
@@ -218,7 +225,7 @@ def _in_processes(jobs: list[Job], options: Options, count: int) -> Iterator[lis
                     batches.popleft()
                 done = waiting[0][1].result()
                 waiting.popleft()
-                yield from done
+                yield from _noted(done)
         except BrokenProcessPool:
             _wait_for_ctrl_c()
     if waiting:
@@ -236,7 +243,7 @@ def _one_by_one(jobs: list[Job], options: Options) -> Iterator[list[Checked]]:
         with _pool(1, options) as pool:
             try:
                 for job in jobs[done:]:
-                    yield from pool.submit(_check_batch, [job]).result()
+                    yield from _noted(pool.submit(_check_batch, [job]).result())
                     done += 1
             except BrokenProcessPool:
                 _wait_for_ctrl_c()
@@ -255,27 +262,43 @@ def _wait_for_ctrl_c() -> None:
 def _pool(count: int, options: Options) -> ProcessPoolExecutor:
     from concurrent.futures import ProcessPoolExecutor
 
-    return ProcessPoolExecutor(count, initializer=_begin, initargs=(rule_index.foreign(), options))
+    known = (rule_index.foreign(), options, disk.log() is not None)
+    return ProcessPoolExecutor(count, initializer=_begin, initargs=known)
 
 
 #: Of a process of a pool: the options, and what it has found of packages and folders.
 _own: tuple[Options, Resolver]
 
 
-def _begin(foreign: Mapping[str, str], options: Options) -> None:
-    """A process begins, which knows no rules of other packages."""
+def _begin(foreign: Mapping[str, str], options: Options, is_noting: bool) -> None:
+    """A process begins, which knows no rules of other packages and has noted nothing."""
     import signal
 
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     rule_index.register(foreign)
+    disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one
     _own = (options, Resolver(options.packages, texts=options.texts))
 
 
-def _check_batch(jobs: list[Job]) -> list[list[Checked]]:
+def _check_batch(jobs: list[Job]) -> Batch:
     options, resolver = _own
-    return [_check_one_of_many(job, options, resolver) for job in jobs]
+    checked = [_check_one_of_many(job, options, resolver) for job in jobs]
+    log = disk.log()
+    if log is not None:
+        note_sources()
+        disk.log_to(FileLog())
+    return checked, log
+
+
+def _noted(batch: Batch) -> list[list[Checked]]:
+    """The results of a batch; what they depend on is noted in this process, too."""
+    checked, log = batch
+    own = disk.log()
+    if own is not None and log is not None:
+        own.add(log)
+    return checked
 
 
 def _check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Checked]:

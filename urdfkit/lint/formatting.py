@@ -15,6 +15,7 @@ from urdfkit.text.editing.apply import encoded
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 from urdfkit.text.source import Source, shown
+from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.ownership import READ_ONLY, Ownership
 from urdfkit.workspace.resolve import Resolver
 
@@ -107,7 +108,8 @@ def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterato
 
 
 def _below(folder: str, config: Config) -> list[str]:
-    found = [path for path in map(shown, descriptions(folder, config)) if _is_robot(path)]
+    below = descriptions(folder, config, Folders())
+    found = [path for path in map(shown, below) if _is_robot(path)]
     if not found:
         raise UnreadableFile(f"{folder}: contains no .urdf and no .xacro with a <robot>")
     return found

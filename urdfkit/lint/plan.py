@@ -115,7 +115,7 @@ class Plan:
             from urdfkit.lint.discovery import discover, launch_files
 
             folder, config = os.fspath(file), self.config
-            launches = list(launch_files(folder, config))
+            launches = list(launch_files(folder, config, self.resolver.folders))
             try:
                 self._add_found(discover(folder, config, self.resolver), folder)
             except UnreadableFile:

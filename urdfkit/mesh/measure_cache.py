@@ -12,6 +12,7 @@ import re
 from functools import lru_cache
 
 from urdfkit.core import atomic, disk
+from urdfkit.core.cache_folder import cache_folder
 from urdfkit.errors import UnwritableFile
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MAX_BYTES
@@ -19,9 +20,6 @@ from urdfkit.mesh.measures import Measures, from_json, to_json
 
 #: Goes up when measures change, or what they are made from.
 VERSION = 9
-
-#: The folder of the cache; where it is set and empty, there is none.
-VARIABLE = "URDFKIT_CACHE_DIR"
 
 #: Entries in one of the 256 folders; of some 2 kB each.
 MAX_ENTRIES = 100
@@ -38,12 +36,8 @@ def shared(*, cached: bool) -> Store:
 
 def default_folder() -> str | None:
     """The folder of the cache; None if the environment wants none."""
-    folder = os.environ.get(VARIABLE)
-    if folder is not None:
-        return folder or None
-    from platformdirs import user_cache_dir
-
-    return os.path.join(user_cache_dir("urdfkit", appauthor=False), "meshes")
+    cache = cache_folder()
+    return os.path.join(cache, "meshes") if cache else None
 
 
 class Store:
@@ -151,7 +145,7 @@ def _write(entry: str, known: Measures | str) -> None:
     try:
         os.makedirs(folder, exist_ok=True)
         _make_room(folder)
-        atomic.write(entry, json.dumps(content).encode())
+        atomic.write(entry, json.dumps(content).encode(), durable=False)
     except (OSError, UnwritableFile):
         return
 

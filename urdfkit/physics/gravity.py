@@ -15,10 +15,21 @@ from functools import partial
 from math import cos, pi, sin
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import ORIGIN, Rotation, Transform, Vector, cross, dot, rotate, transposed
+from urdfkit.core.spatial import (
+    ORIGIN,
+    Rotation,
+    Transform,
+    Vector,
+    cross,
+    dot,
+    plus,
+    rotate,
+    times,
+    transposed,
+)
 from urdfkit.robot.joint_loads import GRAVITY, effort
 from urdfkit.robot.joints import span
-from urdfkit.robot.kinematics import SLIDING, TURNING, MimicLaw, best_angle, direction, laws
+from urdfkit.robot.kinematics import SLIDING, STILL, TURNING, MimicLaw, best_angle, direction, laws
 from urdfkit.robot.model import Joint
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree
@@ -37,6 +48,9 @@ MAX_SEARCHED = 300
 #: A pose is reported without what changes its torque by less than this part.
 ASIDE = 1e-4
 
+#: Joints of a pose up to which those at rest are left out, which takes the square of their number.
+MAX_RESTED = 50
+
 #: Positions that are tried of joints that others mimic, in rounds, each in a smaller part of the
 #: limits.
 _TRIALS, _ROUNDS, _NARROWER = 17, 6, 0.25
@@ -48,9 +62,6 @@ _REFINED = 3
 _LEAST = 1e-9
 
 _UP: Vector = (0.0, 0.0, 1.0)
-
-#: Of a joint that not one number moves.
-_STILL = MimicLaw("", 0.0, 0.0)
 
 
 class Load(Record):
@@ -82,10 +93,6 @@ class Load(Record):
     def is_exceeded(self) -> bool:
         """True if no controller can hold the worst pose."""
         return self.used is not None and self.used > 1
-
-
-#: The position of a body's joint; the torque is ``a cos q + b sin q`` and a constant, or ``a q``.
-_Choice = Callable[[int, float, float], float]
 
 
 class _Body(Record):
@@ -191,16 +198,16 @@ class GravityModel:
             moment: of all that it carries.
         """
         body, mass = self.bodies[number], self.carried[number]
-        return cross(body.axis, moment) if body.turns else _times(body.axis, mass)
+        return cross(body.axis, moment) if body.turns else times(body.axis, mass)
 
     def hand_up(self, number: int, place: float, moments: dict[int, Vector]) -> None:
         """Add the moment of a body, at a position of its joint, to that of the one below it."""
         body, mass = self.bodies[number], self.carried[number]
         moved = _turned(body, moments[number], place)
         if not body.turns:
-            moved = _plus(moved, _times(body.axis, place * mass))
+            moved = plus(moved, times(body.axis, place * mass))
         moved = rotate(body.at.rotation, moved)
-        whole = _plus(moments[body.parent], _plus(moved, _times(body.at.position, mass)))
+        whole = plus(moments[body.parent], plus(moved, times(body.at.position, mass)))
         moments[body.parent] = whole
 
 
@@ -268,28 +275,24 @@ class _Climb:
 
     def rested(self) -> dict[str, float]:
         """The positions that are not 0, with all joints at rest that hardly change the torque."""
-        self._slack = ASIDE * self.torque
-        if len(self._targets) == 1:
-            self._sweep(self._rest_of)
-        for name in self._names:
-            if len(self._targets) > 1 or not self._is_free(name):
-                kept, now = self._pose[name], self._sign * self._value()
-                self._move(name, _rest(self._model.spans[name]))
-                loss = now - self._sign * self._value()
-                if loss > self._slack:
-                    self._move(name, kept)
-                else:
-                    self._slack -= loss
+        slack = ASIDE * self.torque
+        for name in self._names if len(self._names) <= MAX_RESTED else ():
+            kept, now = self._pose[name], self._sign * self._value()
+            loss = now - self._value_at(name, _rest(self._model.spans[name]))
+            if loss > slack:
+                self._move(name, kept)
+            else:
+                slack -= loss
         return {name: self._pose[name] for name in self._names if self._pose[name]}
 
     def _climb(self) -> None:
         """Sweep until nothing is gained."""
         for _ in range(SWEEPS):
-            before, self.torque = self.torque, self._sweep(self._best_of)
+            before, self.torque = self.torque, self._sweep()
             if self.torque <= before * (1 + _LEAST) or self.steps > self._budget:
                 break
 
-    def _sweep(self, choose: _Choice) -> float:
+    def _sweep(self) -> float:
         """Choose the position of each joint that moves alone, below and above; the torque then."""
         (target,) = self._targets
         way, body = self._ways[target], self._bodies[target]
@@ -297,67 +300,49 @@ class _Climb:
         befores, up = self._ups(way)
         moment = body.moment
         if body.turns:
-            moment = self._moment(target, _times(cross(up, body.axis), self._sign), choose)
-        wanted = _times(self._model.lever(target, moment), self._sign)
+            moment = self._moment(target, times(cross(up, body.axis), self._sign))
+        wanted = times(self._model.lever(target, moment), self._sign)
         for number, before in zip(reversed(way), reversed(befores), strict=True):
             one = self._bodies[number]
             if one.turns:
-                self._choose(number, before, wanted, choose)
+                self._choose(number, before, wanted)
                 wanted = _turned(one, wanted, self._places[number])
             wanted = rotate(one.at.rotation, wanted)
         return wanted[2]
 
-    def _moment(self, target: int, wanted: Vector, choose: _Choice | None = None) -> Vector:
+    def _moment(self, target: int, wanted: Vector | None = None) -> Vector:
         """Of all that a body carries; the positions are chosen for its part along a vector."""
         below = self._model.below[target]
         moments = {number: self._bodies[number].moment for number in below}
         befores: dict[int, Vector] = {}
-        along = {target: wanted}
-        for number in below[1:] if choose else ():
+        along = {target: wanted or ORIGIN}
+        for number in below[1:] if wanted else ():
             body = self._bodies[number]
             befores[number] = rotate(body.back, along[body.parent])
             along[number] = _turned(body, befores[number], -self._places[number])
         for number in reversed(below[1:]):
-            if choose:
-                self._choose(number, befores[number], moments[number], choose)
+            if wanted:
+                self._choose(number, befores[number], moments[number])
             self._model.hand_up(number, self._places[number], moments)
         return moments[target]
 
-    def _choose(self, number: int, x: Vector, y: Vector, choose: _Choice) -> None:
-        """Move the joint of a body, of which the torque is ``x . R y`` up to a constant.
+    def _choose(self, number: int, x: Vector, y: Vector) -> None:
+        """Move the joint of a body to where the torque, ``x . R y`` up to a constant, is largest.
 
         Of a slide it is ``x . axis`` times the mass that it carries and its way.
         """
         body = self._bodies[number]
-        if not self._is_free(body.law.leader):
+        name, k = body.law.leader, body.axis
+        if not self._is_free(name):
             return
-        k = body.axis
-        if body.turns:
-            shape = (dot(x, y) - dot(k, x) * dot(k, y), dot(x, cross(k, y)))
-        else:
-            shape = (dot(x, k) * self._model.carried[number], 0.0)
-        self._move(body.law.leader, choose(number, *shape))
-
-    def _best_of(self, number: int, a: float, b: float) -> float:
-        name = self._bodies[number].law.leader
         low, high = self._model.spans[name]
-        if a == b == 0:
-            return self._pose[name]
-        if self._bodies[number].turns:
-            return best_angle(a, b, (low, high))
-        return high if a > 0 else low
-
-    def _rest_of(self, number: int, a: float, b: float) -> float:
-        name = self._bodies[number].law.leader
-        now, rest = self._pose[name], _rest(self._model.spans[name])
-        if self._bodies[number].turns:
-            loss = a * (cos(now) - cos(rest)) + b * (sin(now) - sin(rest))
-        else:
-            loss = a * (now - rest)
-        if loss > self._slack:
-            return now
-        self._slack -= loss
-        return rest
+        if not body.turns:
+            if along := dot(x, k) * self._model.carried[number]:
+                self._move(name, high if along > 0 else low)
+            return
+        a, b = dot(x, y) - dot(k, x) * dot(k, y), dot(x, cross(k, y))
+        if a or b:
+            self._move(name, best_angle(a, b, (low, high)))
 
     def _value_at(self, name: str, place: float) -> float:
         self._move(name, place)
@@ -367,7 +352,7 @@ class _Climb:
         """The torque in units of gravity."""
         total = 0.0
         for target in self._targets:
-            lever = self._model.lever(target, self._moment(target, ORIGIN))
+            lever = self._model.lever(target, self._moment(target))
             total += self._bodies[target].law.factor * dot(lever, self._ups(self._ways[target])[1])
         return total
 
@@ -469,11 +454,11 @@ def _bodies(
             placed[link.name] = (len(found), frame)
             own = 0.0 if link.name in weightless else link.mass
             if link.inertial:
-                moment = _plus(moment, _times((frame @ link.inertial.origin).position, own))
+                moment = plus(moment, times((frame @ link.inertial.origin).position, own))
             extra = payload.get(link.name, 0.0)
-            moment = _plus(moment, _times(frame.position, extra))
+            moment = plus(moment, times(frame.position, extra))
             mass += own + extra
-        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), _STILL, _UP, False
+        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), STILL, _UP, False
         if joint is not None and joint.parent is not None:
             parent, frame = placed[joint.parent.value]
             at, axis, turns = frame @ joint.origin, direction(joint), joint.kind in TURNING
@@ -502,11 +487,3 @@ def _turned(body: _Body, vector: Vector, angle: float) -> Vector:
         vector[1] * c + y * s + k[1] * along,
         vector[2] * c + z * s + k[2] * along,
     )
-
-
-def _plus(a: Vector, b: Vector) -> Vector:
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
-
-
-def _times(vector: Vector, factor: float) -> Vector:
-    return (vector[0] * factor, vector[1] * factor, vector[2] * factor)

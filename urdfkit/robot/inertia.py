@@ -10,7 +10,17 @@ from collections.abc import Iterable
 from math import acos, cos, hypot, pi, sqrt
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Rotation, Vector, basis, cross, dot, rotate, unit
+from urdfkit.core.spatial import (
+    IDENTITY,
+    Rotation,
+    Transform,
+    Vector,
+    basis,
+    cross,
+    dot,
+    rotate,
+    unit,
+)
 from urdfkit.robot.model import Tensor
 
 #: Sweeps of Jacobi's rotations: they converge quadratically, and five reach rounding.
@@ -31,6 +41,11 @@ class MassProperties(Record):
     mass: float
     center: Vector
     tensor: Tensor
+
+    def moved(self, frame: Transform) -> MassProperties:
+        """The same, given in a frame, in the parent of that frame."""
+        tensor = rotated(self.tensor, frame.rotation)
+        return MassProperties(self.mass, frame.apply(self.center), tensor)
 
 
 def principal_moments(tensor: Tensor) -> Vector:

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from math import atan2, cos, isfinite, pi, sin
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, rotation_about, unit
+from urdfkit.core.spatial import Transform, Vector, rotation_about, times, unit
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.model import Joint, Mimic
@@ -42,8 +42,10 @@ class MimicLaw(Record):
 #: In rad or m, and as a factor: no linkage moves a joint by so much.
 _LARGEST = 1e9
 
-#: Of a leader that is not there, and of joints that follow one another in a ring.
-_ABSENT, _STILL = MimicLaw("", 0.0, 0.0), MimicLaw("", 0.0, 0.0)
+#: Of a joint that stands still: one that is not set by one number, or follows itself.
+STILL = MimicLaw("", 0.0, 0.0)
+#: Of a leader that is not there.
+_ABSENT = MimicLaw("", 0.0, 0.0)
 
 
 def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
@@ -60,7 +62,7 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
             if mimic is None or mimic.joint is None:
                 found[name] = MimicLaw(name, 1.0, 0.0)
                 break
-            found[name] = _STILL  # unless the chain ends, and does not come back here
+            found[name] = STILL  # unless the chain ends, and does not come back here
             chain.append((name, mimic))
             name = mimic.joint.value
         law = found.get(name, _ABSENT)
@@ -74,7 +76,7 @@ def _followed(law: MimicLaw, mimic: Mimic) -> MimicLaw:
     """What a joint follows, from what its leader follows."""
     factor, shift = mimic.multiplier * law.factor, mimic.multiplier * law.shift + mimic.offset
     is_linkage = abs(factor) < _LARGEST and abs(shift) < _LARGEST
-    return MimicLaw(law.leader, factor, shift) if is_linkage and law is not _STILL else _STILL
+    return MimicLaw(law.leader, factor, shift) if is_linkage and law is not STILL else STILL
 
 
 def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, float]:
@@ -144,7 +146,7 @@ def motion(joint: Joint, position: float) -> Transform:
         return Transform()
     axis = direction(joint)
     if joint.kind in SLIDING:
-        return Transform(position=(axis[0] * position, axis[1] * position, axis[2] * position))
+        return Transform(position=times(axis, position))
     if joint.kind in TURNING:
         return Transform(rotation_about(axis, position))
     return Transform()

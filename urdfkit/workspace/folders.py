@@ -14,10 +14,12 @@ _BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycac
 def walk(folder: str) -> Iterator[str]:
     """The files below a folder, sorted, apart from hidden ones and from what a build makes."""
     for parent, folders, files in disk.walk(folder):
-        folders[:] = sorted(
-            name for name in folders if not name.startswith(".") and name not in _BUILT
-        )
+        folders[:] = sorted(filter(_is_walked, folders))
         yield from (os.path.join(parent, name) for name in sorted(files))
+
+
+def _is_walked(name: str) -> bool:
+    return not name.startswith(".") and name not in _BUILT
 
 
 class Folders:
@@ -30,6 +32,9 @@ class Folders:
 
     def __init__(self) -> None:
         self._entries: dict[str, dict[str, bool] | None] = {}
+        #: What is neither a file nor a folder, such as a link that leads nowhere, by folder.
+        self._others: dict[str, list[str]] = {}
+        self._below: dict[str, list[str]] = {}
         self._links: set[str] = set()
         self._real: dict[str, str] = {}
 
@@ -50,14 +55,19 @@ class Folders:
         """What is in a folder: True for folders, False for the rest; None if it cannot be read."""
         if folder not in self._entries:
             try:
-                self._entries[folder] = {
-                    entry.name: _is_folder(entry)
-                    for entry in disk.entries(folder)
-                    if self._counts(entry)
-                }
+                self._entries[folder] = self._list(folder)
             except (OSError, ValueError):  # ValueError: a NUL in the name
                 self._entries[folder] = None
         return self._entries[folder]
+
+    def _list(self, folder: str) -> dict[str, bool]:
+        found = {}
+        for entry in disk.entries(folder):
+            if self._counts(entry):
+                found[entry.name] = _is_folder(entry)
+            else:
+                self._others.setdefault(folder, []).append(entry.name)
+        return found
 
     def _counts(self, entry: os.DirEntry[str]) -> bool:
         """False for a symbolic link to nothing, and for pipes and devices, which may never end."""
@@ -105,6 +115,32 @@ class Folders:
             parts_on_disk.append(names[0])
             at = os.path.join(at, names[0])
         return "/".join(parts_on_disk) or None
+
+    def walk(self, folder: str) -> list[str]:
+        """As the function `walk`; with links that lead nowhere, pipes and devices."""
+        top = os.path.abspath(folder)
+        if top not in self._below:
+            self._below[top] = self._walked(top)
+        prefix = os.path.join(folder, "")
+        return [prefix + path for path in self._below[top]]
+
+    def _walked(self, top: str) -> list[str]:
+        """The paths below a folder, relative to it."""
+        found: list[str] = []
+        stack = [""]  # relative to the top, each with a separator at its end
+        while stack:
+            relative = stack.pop()
+            at = os.path.join(top, relative[:-1]) if relative else top
+            entries = self.entries(at) or {}
+            files = [name for name, is_folder in entries.items() if not is_folder]
+            files += self._others.get(at, ())
+            found += [relative + name for name in sorted(files)]
+            stack += [
+                relative + name + os.sep
+                for name in sorted(entries, reverse=True)
+                if entries[name] and _is_walked(name) and not self.is_link(os.path.join(at, name))
+            ]
+        return found
 
     def files_below(self, folder: str, limit: int) -> list[str]:
         """The files in a folder and all below it, nearest first; hidden folders are left out.

@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping
 from functools import lru_cache
 
+from urdfkit.core import disk
 from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.folders import Folders
@@ -32,8 +33,9 @@ class PackageFolders:
 
     def is_repository(self, folder: str) -> bool:
         """True of the top of a repository, unless it is a submodule of another one."""
-        is_marked = ".git" in self.names_in(folder)
-        return is_marked and b"/modules/" not in read_head(os.path.join(folder, ".git"), 4096)
+        mark = os.path.join(folder, ".git")
+        # Not by its listing: those of the folders above change all the time.
+        return disk.has_name(mark) and b"/modules/" not in read_head(mark, 4096)
 
     def names_in(self, folder: str) -> Mapping[str, bool]:
         """What is in a folder, each with whether it is a folder; nothing if it cannot be read."""

@@ -54,10 +54,12 @@ class PackageScan:
         return f"{self.root} ({count} package{'' if count == 1 else 's'}{stopped})"
 
     def _more(self, started: float) -> bool:
-        return (
-            self._next < min(len(self._queue), MAX_FOLDERS)
-            and self._seconds + time.monotonic() - started < MAX_SECONDS
-        )
+        if self._next >= min(len(self._queue), MAX_FOLDERS):
+            return False
+        if self._seconds + time.monotonic() - started < MAX_SECONDS:
+            return True
+        disk.depends_on_more()  # on a faster machine it would have gone on
+        return False
 
     def _visit(self, folder: str, depth: int) -> None:
         entries = self._folders.names_in(folder)

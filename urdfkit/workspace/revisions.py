@@ -6,6 +6,7 @@ import os
 import subprocess
 
 from urdfkit.errors import UrdfkitError
+from urdfkit.workspace import ignore_files
 
 #: Larger files are meshes, pictures and recordings, which say little about the model itself.
 MAX_BYTES = 8 * 1024 * 1024
@@ -69,6 +70,7 @@ def locate(path: str, revision: str) -> str:
 
 def is_ignored(path: str) -> bool:
     """True if the repository around a file ignores it; not where there is none, or no git."""
+    ignore_files.note(path)
     try:
         _git(_folder(path), "check-ignore", "-q", "--", os.path.abspath(path))
     except UrdfkitError:

@@ -1,9 +1,8 @@
-"""Dynamics against closed forms, against Pinocchio's own reading and against numpy alone."""
+"""Dynamics against closed forms, and the traps of Pinocchio."""
 
 from __future__ import annotations
 
 from math import cos, pi, sin
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,22 +10,17 @@ import pytest
 np = pytest.importorskip("numpy")
 pin = pytest.importorskip("pinocchio")
 
-from tests import update_corpus_findings as corpus_findings
-from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
+from tests.conftest import MODELS
 from tests.jointed import limit, mimic
 from tests.massive import inertial, joint, link
-from tests.physics.dynamics import oracle
 from tests.robot.test_kinematics import tree
-from urdfkit.lint.context import Subject
 from urdfkit.lint.loading import read
-from urdfkit.output.overview import structure
 from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable
 from urdfkit.robot import inertia
 from urdfkit.robot.composite_body import composite_body
-from urdfkit.robot.kinematics import frames, positions
+from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import Tensor
 from urdfkit.text.source import Source
-from urdfkit.workspace.resolve import Resolver
 
 G = 9.81
 
@@ -294,91 +288,3 @@ def test_an_unknown_link_is_told() -> None:
         arm.jacobian("foream", {})
     with pytest.raises(Unsuitable, match="no link 'foream'"):
         Dynamics(arm.tree, {"foream": 1.0})
-
-
-# --- every model of the corpus
-
-
-ENTRIES = [
-    entry for entry in manifest() if "expect" in entry[1] and "fail_" not in entry[1]["path"]
-]
-
-
-@needs_corpus
-@pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
-def test_real_robots_by_three_ways(entry: tuple[Path, dict[str, Any]]) -> None:
-    """nq, nv, mass and centre: ours, Pinocchio's own reading, and numpy without either."""
-    folder, model = entry
-    source = Source.read(folder / model["path"])
-    subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
-    if not subject.tree.is_sound:
-        with pytest.raises(Unsuitable):
-            Dynamics(subject.tree)
-        return
-    ours = Dynamics(subject.tree)
-    joints = subject.model.joints
-    pose = {one.name: 0.1 * (number % 7) for number, one in enumerate(joints) if not one.mimic}
-    free = {name: value for name, value in pose.items() if name in positions(subject.tree, {})}
-    for given in ({}, free):
-        mass, center = oracle.mass_and_center(subject.text, positions(subject.tree, given))
-        found = ours.mass_properties(given)
-        assert found.mass == pytest.approx(mass, rel=1e-9, abs=1e-12)
-        assert found.center == pytest.approx(tuple(center), rel=1e-9, abs=1e-9)
-        whole = overview_of(subject, given)
-        assert whole.mass == pytest.approx(mass, rel=1e-9, abs=1e-12)
-        assert whole.center == pytest.approx(tuple(center), rel=1e-9, abs=1e-9)
-        size = max(map(abs, whole.tensor))
-        assert tuple(found.tensor) == pytest.approx(tuple(whole.tensor), rel=1e-9, abs=1e-9 * size)
-    try:
-        theirs = pin.buildModelFromXML(subject.text.decode(), pin.JointModelFreeFlyer())
-    except ValueError:
-        assert not model["expect"]["pinocchio"]["ok"]
-        return
-    data = theirs.createData()
-    assert (ours.model.nq, ours.model.nv) == (theirs.nq, theirs.nv)
-    if not structure(subject.tree).followers:
-        assert (ours.nq, ours.nv) == (theirs.nq - 7, theirs.nv - 6)
-    mass, center = oracle.mass_and_center(subject.text, {})
-    assert pin.computeTotalMass(theirs) == pytest.approx(mass, rel=1e-9, abs=1e-12)
-    if mass:
-        q = pin.neutral(theirs)
-        assert pin.centerOfMass(theirs, data, q) == pytest.approx(center, rel=1e-9, abs=1e-9)
-
-
-@needs_corpus
-@pytest.mark.parametrize(
-    "path",
-    [
-        "urdf/urdf/test/pr2_desc.urdf",
-        "nao_robot/nao_description/urdf/naoV50_generated_urdf/nao.urdf",
-        "anymal_c_simple_description/urdf/anymal.urdf",
-        "xacrodoc/tests/files/urdf/threelink.urdf",
-    ],
-)
-def test_torques_and_jacobians_are_slopes(path: str) -> None:
-    """Of the potential energy and of places, by numpy without urdfkit's trees; mimic included."""
-    robot = read(CORPUS / path)
-    ours, step = robot.dynamics, 1e-6
-    pose = {name: 0.05 * (number % 9) for number, name in enumerate(ours.columns)}
-
-    def lifted(name: str, by: float) -> tuple[float, Any]:
-        joints = positions(robot.tree, pose | {name: pose[name] + by})
-        mass, center = oracle.mass_and_center(robot.text, joints)
-        return mass * G * center[2], joints
-
-    torques, scale = ours.gravity(pose), ours.mass_properties().mass * G
-    tip = robot.model.links[-1].name
-    jacobian = ours.jacobian(tip, pose)
-    for column in range(0, ours.nv, 1 + ours.nv // 10):
-        name = ours.columns[column]
-        (up, above), (down, below) = lifted(name, step), lifted(name, -step)
-        assert torques[column] == pytest.approx((up - down) / (2 * step), abs=1e-7 * scale)
-        places = [oracle.placement(robot.text, tip, joints)[:3, 3] for joints in (above, below)]
-        slope = (places[0] - places[1]) / (2 * step)
-        assert jacobian[:3, column] == pytest.approx(slope, abs=1e-7)
-
-
-def overview_of(subject: Subject, pose: dict[str, float]) -> inertia.MassProperties:
-    found = composite_body(subject.tree, frames(subject.tree, pose)).properties
-    assert found is not None
-    return found

@@ -53,7 +53,7 @@ def test_every_reference_of_the_robot(package: Path) -> None:
   <visual><geometry><mesh filename="https://example.org/x.stl"/></geometry></visual>
 </link>""",
     )
-    assert [(mesh.link, mesh.role, mesh.at.value) for mesh in found.meshes] == [
+    assert [(mesh.link.name, mesh.role, mesh.at.value) for mesh in found.meshes] == [
         ("one", "visual", "package://arm/meshes/a.stl"),
         ("one", "collision", "../meshes/a.stl"),
         ("two", "visual", "none.stl"),

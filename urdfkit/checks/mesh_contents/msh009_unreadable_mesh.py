@@ -69,8 +69,8 @@ def _partly(subject: Subject) -> Findings:
         measured = subject.measured
     except Unavailable:
         return
-    for mesh in measured.unmeasured:
-        yield Finding(mesh.at, f"{mesh.who} {mesh.reason}", _HELP_PARTLY, severity=Severity.WARNING)
+    for mesh, reason in measured.unmeasured:
+        yield Finding(mesh.at, f"{mesh.who} {reason}", _HELP_PARTLY, severity=Severity.WARNING)
     for use in measured.defects.get(MeshDefect.PARTLY_UNREADABLE, ()):
         message = f"{use.who} is partly broken: {'; '.join(losses(use))}"
         yield Finding(use.at, message, _HELP_PARTLY, severity=Severity.WARNING)

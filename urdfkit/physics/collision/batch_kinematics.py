@@ -17,7 +17,7 @@ import numpy as np
 from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.joints import span, start_of
-from urdfkit.robot.kinematics import SLIDING, TURNING, MimicLaw, direction, laws
+from urdfkit.robot.kinematics import SLIDING, STILL, TURNING, MimicLaw, direction, laws
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
@@ -25,9 +25,6 @@ from urdfkit.robot.tree import KinematicTree
 _FARTHEST = 1e9
 
 _NEXT, _LAST = [1, 2, 0], [2, 0, 1]
-
-#: Of a joint without a name.
-_STILL = MimicLaw("", 0.0, 0.0)
 
 
 class Axis(NamedTuple):
@@ -225,7 +222,7 @@ def chain(tree: KinematicTree) -> Chain:
         assert joint.parent is not None
         assert joint.child is not None
         parent, child = number[joint.parent.value], number[joint.child.value]
-        law = followed.get(joint.name, _STILL)
+        law = followed.get(joint.name, STILL)
         steps.append(_step(joint, parent, child, law, columns))
         if joint.kind not in ("planar", "floating"):
             parts[child] = parts[parent]

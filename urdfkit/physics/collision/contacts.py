@@ -22,7 +22,7 @@ from urdfkit.physics.collision.bodies import (
 from urdfkit.physics.collision.closed_forms import box_distance, point_distance, signed_distance
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.joints import span, start_of
-from urdfkit.robot.kinematics import SLIDING, TURNING, MimicLaw, frames, laws, motion
+from urdfkit.robot.kinematics import SLIDING, STILL, TURNING, frames, laws, motion
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.exact import ExactDistances
@@ -34,9 +34,6 @@ _SAMPLES = 50
 
 #: Of the range of a joint: zero is 2 % from two limits of the Panda that MoveIt ships.
 _NEAR_END = 0.05
-
-#: Of a joint without a name.
-_STILL = MimicLaw("", 0.0, 0.0)
 
 #: Two bodies whose boxes overlap, and a lower bound of their signed distance.
 BoundedPair = tuple[CollisionBody, CollisionBody, float]
@@ -322,7 +319,7 @@ class Contacts:
         """Where a way of joints leads, in the frame where it begins."""
         found = Transform()
         for joint in way:
-            leader, factor, shift = self._laws.get(joint.name, _STILL)
+            leader, factor, shift = self._laws.get(joint.name, STILL)
             position = factor * given.get(leader, self._start.get(leader, 0.0)) + shift
             found = found @ joint.origin @ motion(joint, position)
         return found

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from urdfkit.mesh.io.facts import MAX_BYTES, READ
 from urdfkit.mesh.measures import Measures
-from urdfkit.robot.assets.mesh_uses import MeshUse, UnmeasuredMesh
-from urdfkit.robot.model import Body, Link, Shape
+from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.assets.mesh_uses import MeshUse
+from urdfkit.robot.model import Body, Shape
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -71,22 +72,29 @@ class MeasuredMeshes:
     @cached_property
     def uses(self) -> list[MeshUse]:
         """Every use of a mesh that can be measured, in the order of the document."""
-        return [use for use in self._every_use if isinstance(use, MeshUse)]
+        return [use for use, _ in self._every_use if isinstance(use, MeshUse)]
 
     @cached_property
-    def unmeasured(self) -> list[UnmeasuredMesh]:
-        """The others whose files have no defect."""
-        return [use for use in self._every_use if isinstance(use, UnmeasuredMesh)]
+    def unmeasured(self) -> list[tuple[MeshReference, str]]:
+        """The others whose files have no defect, with a predicate on the file."""
+        return [(mesh, why) for mesh, why in self._every_use if isinstance(mesh, MeshReference)]
 
     @cached_property
-    def _every_use(self) -> list[MeshUse | UnmeasuredMesh]:
-        return [
-            use
-            for link in self.model.links
-            for role, bodies in (("visual", link.visuals), ("collision", link.collisions))
-            for body in bodies
-            if (use := self._use(link, role, body)) is not None
-        ]
+    def _every_use(self) -> list[tuple[MeshUse | MeshReference, str]]:
+        found: list[tuple[MeshUse | MeshReference, str]] = []
+        for mesh in self._files.meshes:
+            path, facts, shape = mesh.located.path, mesh.facts, mesh.body.shape
+            if shape is None or path is None or facts is None or facts.defect:
+                continue
+            if facts.format not in READ or facts.size > MAX_BYTES:
+                continue
+            measures = self.measures(shape)
+            if isinstance(measures, str):
+                found.append((mesh, measures))
+            else:
+                use = MeshUse(mesh.at, mesh.link, mesh.role, mesh.body, shape, path, measures)
+                found.append((use, ""))
+        return found
 
     @cached_property
     def files(self) -> list[MeshUse]:
@@ -112,17 +120,3 @@ class MeasuredMeshes:
         from urdfkit.robot.assets.mesh_defects import find_defects
 
         return find_defects(self.model, self.uses, self.files)
-
-    def _use(self, link: Link, role: str, body: Body) -> MeshUse | UnmeasuredMesh | None:
-        """A use of a mesh; None for what is no mesh, and for files with a defect."""
-        shape = body.shape
-        path = self._files.path(shape) if shape else None
-        if shape is None or shape.filename is None or path is None:
-            return None
-        facts = self._files.facts(path)
-        if facts.defect or facts.format not in READ or facts.size > MAX_BYTES:
-            return None
-        measures = self.measures(shape)
-        if isinstance(measures, str):
-            return UnmeasuredMesh(shape.filename, link.name, role, measures)
-        return MeshUse(shape.filename, link, role, body, shape, path, measures)

@@ -10,7 +10,7 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, TYPO, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
-from urdfkit.robot.model import Body, Placed, RobotModel, Shape
+from urdfkit.robot.model import Body, Link, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
 from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
@@ -25,22 +25,24 @@ class MeshReference(Record):
 
     Attributes:
         at: the file name as it is after expansion.
-        link: name of the link.
+        link: the link.
         role: ``visual`` or ``collision``.
+        body: the visual or collision.
         located: where it leads.
         facts: what the file's bytes say; None if there is no file.
     """
 
     at: Placed[str]
-    link: str
+    link: Link
     role: str
+    body: Body
     located: ResolvedReference
     facts: MeshFacts | None
 
     @property
     def who(self) -> str:
         """The subject of a message."""
-        return f"link '{self.link}': the {self.role} mesh '{self.at.value}'"
+        return f"link '{self.link.name}': the {self.role} mesh '{self.at.value}'"
 
     @property
     def literal(self) -> Attribute | None:
@@ -85,11 +87,14 @@ class MeshFiles:
         References with an unexpanded ``${`` or ``$(`` are left out: they name no file yet.
         """
         return tuple(
-            self._mesh(link.name, role, filename)
+            self._mesh(link, role, body, body.shape.filename)
             for link in self._model.links
             for role, bodies in (("visual", link.visuals), ("collision", link.collisions))
-            for filename in _filenames(bodies)
-            if "${" not in filename.value and "$(" not in filename.value
+            for body in bodies
+            if body.shape
+            and body.shape.filename
+            and "${" not in body.shape.filename.value
+            and "$(" not in body.shape.filename.value
         )
 
     @cached_property
@@ -217,10 +222,10 @@ class MeshFiles:
     def _used(self) -> set[str]:
         return {mesh.located.path for mesh in self.meshes if mesh.located.path}
 
-    def _mesh(self, link: str, role: str, filename: Placed[str]) -> MeshReference:
+    def _mesh(self, link: Link, role: str, body: Body, filename: Placed[str]) -> MeshReference:
         located = self.resolver.locate(filename.value, _tag(filename).source.path, self.top)
         facts = self.facts(located.path) if located.path else None
-        return MeshReference(filename, link, role, located, facts)
+        return MeshReference(filename, link, role, body, located, facts)
 
     def _expected(self, located: ResolvedReference) -> tuple[str, str]:
         """The folder below which a missing file should be, and its path there."""
@@ -316,7 +321,3 @@ def _tag(placed: Placed[str]) -> Tag:
     if isinstance(at, Attribute):
         return at.written_in or at.element.tag_at
     return at.tag_at
-
-
-def _filenames(bodies: tuple[Body, ...]) -> list[Placed[str]]:
-    return [body.shape.filename for body in bodies if body.shape and body.shape.filename]

@@ -7,7 +7,6 @@ import os
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.measures import Measures
-from urdfkit.robot.inertia import MassProperties, rotated
 from urdfkit.robot.inertials.shape_mass import stretched
 from urdfkit.robot.model import Body, Link, Placed, Shape
 from urdfkit.robot.shapes import BoundingBox, MeshSolid
@@ -81,34 +80,10 @@ class MeshUse(Record):
         around = stretched(hull, self.shape, measures.unit)
         if whole is None or around is None:
             return None
-        mass, center, tensor = whole
-        origin = self.body.origin
-        shape_mass = MassProperties(mass, origin.apply(center), rotated(tensor, origin.rotation))
-        name = os.path.basename(self.path)
-        return MeshSolid(name, shape_mass, around.mass, measures.solid is not None, self.points)
+        name, is_closed = os.path.basename(self.path), measures.solid is not None
+        return MeshSolid(name, whole.moved(self.body.origin), around.mass, is_closed, self.points)
 
     @property
     def scale_at(self) -> Attribute | None:
         """The attribute ``scale``, if there is one."""
         return self.shape.at.attributes.get("scale")
-
-
-class UnmeasuredMesh(Record):
-    """A mesh file without a defect that gives no triangles.
-
-    Attributes:
-        at: the file name as it is after expansion.
-        link: name of the link.
-        role: ``visual`` or ``collision``.
-        reason: a predicate whose subject is the file.
-    """
-
-    at: Placed[str]
-    link: str
-    role: str
-    reason: str
-
-    @property
-    def who(self) -> str:
-        """The subject of a message."""
-        return f"link '{self.link}': the {self.role} mesh '{self.at.value}'"

@@ -54,7 +54,7 @@ def placeholder_shape(
     from urdfkit.mesh.parts import choose
     from urdfkit.mesh.transforms import scaled
 
-    link, body = _home(robot, reference)
+    link, body = reference.link, reference.body
     here = target_bounds(robot, link, body)
     why = "as asked for"
     if part is None and not _has_mesh(link, body):
@@ -81,16 +81,6 @@ def placeholder_shape(
     if x and y and z:
         made = (scaled(made[0], (1 / x, 1 / y, 1 / z)), made[1])
     return made
-
-
-def _home(robot: Robot, reference: MeshReference) -> tuple[Link, Body]:
-    """The link and the shape that hold a reference."""
-    for link in robot.model.links:
-        for body in (*link.visuals, *link.collisions):
-            filename = body.shape.filename if body.shape else None
-            if filename is not None and filename.at is reference.at.at:
-                return link, body
-    raise AssertionError("a reference that no shape has")
 
 
 def _has_mesh(link: Link, body: Body) -> bool:

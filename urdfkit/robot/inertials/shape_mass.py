@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.measures import OVERLAP
-from urdfkit.robot.inertia import MassProperties, combined, rotated, scaled
+from urdfkit.robot.inertia import MassProperties, combined, scaled
 from urdfkit.robot.model import Body, Link, Shape, Tensor
 from urdfkit.robot.shapes import solid
 
@@ -73,7 +73,6 @@ def _enclosed(
     bodies: tuple[Body, ...], name: str, measures: Measure, *, hull: bool
 ) -> ShapeMass | str:
     parts: list[MassProperties] = []
-    notes: list[str] = []
     hulls = 0
     overlaps = 0.0
     for body in bodies:
@@ -83,12 +82,20 @@ def _enclosed(
             continue
         if body.shape is None or body.shape.filename is None:
             return f"a shape of {name} cannot be read"
-        found = _of_mesh(body, measures, hull=hull)
+        found = measures(body.shape)
         if isinstance(found, str):
-            return f"{name}: {found}"
-        hulls += found.is_hull
-        overlaps = max(overlaps, found.overlap)
-        parts.append(found.properties)
+            return f"{name}: '{body.shape.filename.value}' {found}"
+        is_hull = hull or found.solid is None
+        uniform = found.hull if is_hull else found.solid
+        if uniform is None:
+            return f"{name}: all of the mesh lies in a plane"
+        properties = stretched(uniform, body.shape, found.unit)
+        if properties is None:
+            return f"{name}: the scale of the mesh is zero"
+        hulls += is_hull
+        overlaps = max(overlaps, 0.0 if is_hull else found.overlap)
+        parts.append(properties.moved(body.origin))
+    notes = []
     if hulls and not hull:
         notes.append("a mesh encloses no solid, so its convex hull is taken")
     if overlaps > OVERLAP:
@@ -96,39 +103,6 @@ def _enclosed(
     if len(parts) > 1:
         notes.append(f"{len(parts)} shapes; where they overlap, the volume counts twice")
     return ShapeMass(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
-
-
-class _Enclosed(Record):
-    """What a mesh encloses.
-
-    Attributes:
-        properties: in the frame of the link.
-        is_hull: True for those of the convex hull.
-        overlap: the part that is counted too much, for pieces of the mesh overlap.
-    """
-
-    properties: MassProperties
-    is_hull: bool
-    overlap: float
-
-
-def _of_mesh(body: Body, measures: Measure, *, hull: bool) -> _Enclosed | str:
-    assert body.shape is not None
-    assert body.shape.filename is not None
-    measured = measures(body.shape)
-    if isinstance(measured, str):
-        return f"'{body.shape.filename.value}' {measured}"
-    is_hull = hull or measured.solid is None
-    uniform = measured.hull if is_hull else measured.solid
-    if uniform is None:
-        return "all of the mesh lies in a plane"
-    whole = stretched(uniform, body.shape, measured.unit)
-    if whole is None:
-        return "the scale of the mesh is zero"
-    mass, center, tensor = whole
-    frame = body.origin
-    properties = MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation))
-    return _Enclosed(properties, is_hull, 0.0 if is_hull else measured.overlap)
 
 
 def stretched(uniform: Uniform, shape: Shape, unit: float) -> MassProperties | None:

@@ -7,10 +7,10 @@ from math import dist
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Transform, Vector
+from urdfkit.core.spatial import IDENTITY, ORIGIN, Transform, Vector
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments, rotated
+from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments
 from urdfkit.robot.inertials.diagnosis import CLEAR
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
 from urdfkit.robot.model import Inertial, Link, Tensor, numbers
@@ -178,8 +178,8 @@ def _proposal(
 def _declared(inertial: Inertial | None) -> MassProperties | None:
     if inertial is None or inertial.mass is None or inertial.tensor is None:
         return None
-    tensor = rotated(inertial.tensor.value, inertial.origin.rotation)
-    return MassProperties(inertial.mass.value, inertial.origin.position, tensor)
+    own = MassProperties(inertial.mass.value, ORIGIN, inertial.tensor.value)
+    return own.moved(inertial.origin)
 
 
 def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProposal:
@@ -189,25 +189,18 @@ def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProp
         return first
     links = tuple(name for one in each for name in one.links)
     unknown = [one for one in each if one.computed is None and (one.shape_mass or one.declared)]
-    declared = [_seen(one.declared, frame) for one, frame in zip(each, frames, strict=True)]
-    computed = [_seen(one.computed, frame) for one, frame in zip(each, frames, strict=True)]
+    placed = list(zip(each, frames, strict=True))
+    declared = [one.declared.moved(frame) for one, frame in placed if one.declared]
+    computed = [one.computed.moved(frame) for one, frame in placed if one.computed]
     reason = "".join(f"link '{one.link.name}': {one.reason}" for one in unknown[:1])
     return InertiaProposal(
         first.link,
         links,
-        combined(filter(None, declared)) if any(declared) else None,
+        combined(declared) if declared else None,
         next((one.shape_mass for one in each if one.shape_mass), None),
-        None if unknown or not any(computed) else combined(filter(None, computed)),
+        None if unknown or not computed else combined(computed),
         reason,
     )
-
-
-def _seen(properties: MassProperties | None, frame: Transform) -> MassProperties | None:
-    """Mass properties of a child frame in its parent."""
-    if properties is None:
-        return None
-    mass, center, tensor = properties
-    return MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation))
 
 
 def rewrites(proposals: Iterable[InertiaProposal]) -> tuple[tuple[Rewrite, ...], dict[str, str]]:

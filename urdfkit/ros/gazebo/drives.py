@@ -7,7 +7,8 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate
+from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate, times
+from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import number
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference
 
@@ -95,8 +96,8 @@ def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[Wheel]:
 def rolling(joint: Joint, tree: KinematicTree) -> DrivenWheel | None:
     """The wheel that turns about a joint; None if the joint is not in the tree."""
     frame = tree.frames.get(joint.child.value) if joint.child else None
-    axis = _unit(joint.axis.value if joint.axis else (1.0, 0.0, 0.0))
-    if frame is None or axis is None or joint.child is None:
+    axis = direction(joint)
+    if frame is None or joint.child is None:
         return None
     hub, radius = _tyre(tree.model.links_by_name[joint.child.value], frame, axis)
     return DrivenWheel(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
@@ -149,11 +150,6 @@ def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None
     return None if default is None else (use.at, default)
 
 
-def _unit(vector: Vector) -> Vector | None:
-    length = hypot(*vector)
-    return (vector[0] / length, vector[1] / length, vector[2] / length) if length > 1e-9 else None
-
-
 def _tyre(link: Link, frame: Transform, axis: Vector) -> tuple[Vector | None, float | None]:
     """Centre and radius of a wheel whose one collision is a sphere, or a cylinder on the axle."""
     if len(link.collisions) != 1:
@@ -165,11 +161,7 @@ def _tyre(link: Link, frame: Transform, axis: Vector) -> tuple[Vector | None, fl
     along = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
     if shape.kind == "cylinder" and abs(dot(along, axis)) < _PARALLEL:
         return None, None
-    off_axle = minus(body.origin.position, _scaled(axis, dot(body.origin.position, axis)))
+    off_axle = minus(body.origin.position, times(axis, dot(body.origin.position, axis)))
     if hypot(*off_axle) > 1e-4:
         return None, None
     return frame.apply(body.origin.position), shape.radius
-
-
-def _scaled(vector: Vector, factor: float) -> Vector:
-    return (vector[0] * factor, vector[1] * factor, vector[2] * factor)

@@ -1,0 +1,67 @@
+"""``urdfkit clean``, and what ``urdfkit doctor`` says of the cache."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit.cli import main
+from urdfkit.core.cache_folder import VARIABLE, cache_folder
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A cache of two entries, next to which somebody else keeps a file."""
+    folder = tmp_path / "cache"
+    monkeypatch.setenv(VARIABLE, str(folder))
+    for name in ("results/0", "meshes/v9/ab/cd.json", "notes.txt"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(bytes(300_000))
+    return folder
+
+
+def test_clean_removes_entries_and_nothing_else(
+    cache: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["clean"]) == 0
+    assert capsys.readouterr().out == f"{cache}: 2 entries removed\n"
+    assert [path.name for path in cache.rglob("*")] == ["notes.txt"]
+    assert main(["clean"]) == 0
+
+
+def test_doctor_shows_the_cache(cache: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["doctor"])
+    assert f"\ncache: {cache} (2 entries, 0.6 MB)\n" in capsys.readouterr().out
+
+
+def test_no_cache(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(VARIABLE, "")
+    assert main(["clean"]) == 0
+    main(["doctor"])
+    out = capsys.readouterr().out
+    assert "no cache: 0 entries removed\n" in out
+    assert "\ncache: none\n" in out
+
+
+@pytest.mark.parametrize(
+    ("platform", "variables", "folder"),
+    [
+        ("linux", {}, "/home/a/.cache/urdfkit"),
+        ("linux", {"XDG_CACHE_HOME": "/c"}, "/c/urdfkit"),
+        ("linux", {"XDG_CACHE_HOME": "c"}, "/home/a/.cache/urdfkit"),
+        ("linux", {"XDG_CACHE_HOME": "/c", VARIABLE: "/d"}, "/d"),
+        ("linux", {VARIABLE: ""}, None),
+        ("darwin", {}, "/home/a/Library/Caches/urdfkit"),
+        ("win32", {"LOCALAPPDATA": "/l"}, "/l/urdfkit/Cache"),
+    ],
+)
+def test_where_the_cache_is(
+    platform: str, variables: dict[str, str], folder: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("XDG_CACHE_HOME", "LOCALAPPDATA", VARIABLE):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in ({"HOME": "/home/a"} | variables).items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr("sys.platform", platform)
+    assert cache_folder() == folder

@@ -1,0 +1,400 @@
+"""An unchanged check repeats its result; whatever it depends on makes it check again."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import ROOT
+from urdfkit.cli import result_cache, result_entry, result_recording
+from urdfkit.cli.result_entry import Entry, decode, encode
+from urdfkit.core.cache_folder import VARIABLE
+from urdfkit.core.file_log import FileLog, answer_again
+from urdfkit.output import formats
+
+#: Runs a command line as the command does, and says last whether anything was checked.
+PROGRAM = """
+import sys
+from urdfkit.cli import _guarded, _replay_or_run
+code = _guarded(_replay_or_run, sys.argv[1:])
+print("checked" if "urdfkit.lint.engine" in sys.modules else "repeated", file=sys.stderr)
+sys.exit(code)
+"""
+
+#: Notes every file below the working directory that Python opens or lists.
+AUDITED = """
+import os, sys
+from urdfkit.core import disk
+from urdfkit.cli import result_recording
+asked, noted = set(), set()
+def hook(event, values):
+    if event in ("open", "os.listdir", "os.scandir") and isinstance(values[0], str):
+        path = os.path.abspath(values[0])
+        if path.startswith(os.getcwd()) and not (event == "open" and values[1] != "r" + "b"):
+            asked.add(path)
+sys.addaudithook(hook)
+result_recording.store = lambda entry: noted.update(os.path.abspath(a[1]) for a in entry.answers)
+from urdfkit.cli import _replay_or_run
+_replay_or_run(sys.argv[1:])
+assert noted, "nothing is kept"
+assert asked <= noted, asked - noted
+assert len(asked) > 5, asked
+"""
+
+ROBOT = """<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="prefix" default=""/>
+  <xacro:include filename="$(find arm)/urdf/parts.xacro"/>
+  <xacro:property name="sizes" value="${xacro.load_yaml('$(find arm)/config/sizes.yaml')}"/>
+  <link name="$(arg prefix)base$(optenv ROBOT_NAME)"/>
+  <xacro:part name="$(arg prefix)part" length="${sizes['length']}"/>
+</robot>
+"""
+PARTS = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="part" params="name length">
+    <link name="${name}">
+      <visual><geometry><mesh filename="package://arm/meshes/part.obj"/></geometry></visual>
+      <collision><geometry><mesh filename="package://arm/meshes/none.stl"/></geometry></collision>
+      <visual><geometry><box size="${length} 1 1"/></geometry></visual>
+    </link>
+    <joint name="${name}_joint" type="fixed">
+      <parent link="$(arg prefix)base$(optenv ROBOT_NAME)"/><child link="${name}"/>
+    </joint>
+  </xacro:macro>
+</robot>
+"""
+LAUNCH = """<launch>
+  <param name="robot_description" command="xacro $(find arm)/urdf/arm.urdf.xacro prefix:=a_"/>
+  <rosparam file="$(find arm)/config/none.yaml"/>
+</launch>
+"""
+OBJ = """mtllib part.mtl
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+usemtl a
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+"""
+FILES = {
+    "urdfkit.toml": "",
+    "baseline.json": '{"version": 1, "findings": []}\n',
+    "arm/package.xml": "<package format='3'><name>arm</name></package>\n",
+    "arm/CMakeLists.txt": "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\n",
+    "arm/urdf/arm.urdf.xacro": ROBOT,
+    "arm/urdf/parts.xacro": PARTS,
+    "arm/config/sizes.yaml": "length: 1\n",
+    "arm/config/arm.srdf": "<robot name='arm'><group name='g'/></robot>\n",
+    "arm/launch/arm.launch": LAUNCH,
+    "arm/meshes/part.obj": OBJ,
+    "arm/meshes/part.mtl": "newmtl a\nmap_Kd part.png\n",
+}
+
+#: What is changed, by name: a file and what is added to it; None makes it new.
+CHANGES = {
+    "xacro": ("arm/urdf/arm.urdf.xacro", "<!-- -->"),
+    "include": ("arm/urdf/parts.xacro", "<!-- -->"),
+    "yaml": ("arm/config/sizes.yaml", "width: 2\n"),
+    "package.xml": ("arm/package.xml", "<!-- -->"),
+    "build file": ("arm/CMakeLists.txt", "# more\n"),
+    "launch file": ("arm/launch/arm.launch", "<!-- -->"),
+    "SRDF": ("arm/config/arm.srdf", "<!-- -->"),
+    "mesh": ("arm/meshes/part.obj", "# more\n"),
+    "mtl": ("arm/meshes/part.mtl", "# more\n"),
+    "texture that appears": ("arm/meshes/part.png", ""),
+    "mesh that appears": ("arm/meshes/none.stl", "solid\n"),
+    "parameters that appear": ("arm/config/none.yaml", "a: 1\n"),
+    "configuration": ("urdfkit.toml", "ignore = ['MSH001']\n"),
+    "configuration that appears": ("arm/urdfkit.toml", ""),
+    "baseline": ("baseline.json", " "),
+    "robot that appears": ("arm/urdf/other.urdf", "<robot name='other'><link name='a'/></robot>"),
+    "directory that appears": ("arm/urdf/more/empty", ""),
+}
+
+
+def run(
+    folder: Path, *words: str, variables: Mapping[str, str] | None = None
+) -> subprocess.CompletedProcess[bytes]:
+    cache = folder.parent / "cache"
+    # What lies in the directory of temporary files and above is no part of a workspace.
+    environment = os.environ | {VARIABLE: str(cache), "TMPDIR": str(folder.parent)}
+    return subprocess.run(
+        [sys.executable, "-c", PROGRAM, *words],
+        check=False,
+        cwd=folder,
+        capture_output=True,
+        env=environment | dict(variables or {}),
+    )
+
+
+def is_repeated(done: subprocess.CompletedProcess[bytes]) -> bool:
+    assert done.returncode in (0, 1), done.stderr
+    return done.stderr.rstrip().endswith(b"repeated")
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A workspace whose robots have been checked; each test leaves its result behind."""
+    folder = tmp_path_factory.mktemp("cached") / "ws"
+    for name, text in FILES.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    (folder / "arm/meshes/deep").mkdir()
+    assert not is_repeated(run(folder, *CHECK))
+    return folder
+
+
+CHECK = ("check", ".", "--baseline", "baseline.json")
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_change_is_seen(workspace: Path, change: str) -> None:
+    run(workspace, *CHECK)
+    assert is_repeated(run(workspace, *CHECK))
+    name, added = CHANGES[change]
+    path = workspace / name
+    path.parent.mkdir(exist_ok=True)
+    with path.open("a") as file:
+        file.write(added)
+    assert not is_repeated(run(workspace, *CHECK))
+    assert is_repeated(run(workspace, *CHECK))
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("AMENT_PREFIX_PATH", "/none"), ("ROS_PACKAGE_PATH", "/none"), ("ROBOT_NAME", "_a"),
+     ("HOME", "/none"), ("NO_COLOR", "1"), ("COLUMNS", "100")],
+)  # fmt: skip
+def test_a_variable_is_seen(workspace: Path, name: str, value: str) -> None:
+    run(workspace, *CHECK)
+    assert is_repeated(run(workspace, *CHECK))
+    assert not is_repeated(run(workspace, *CHECK, variables={name: value}))
+    run(workspace, *CHECK)
+    assert is_repeated(run(workspace, *CHECK, variables={"UNRELATED": "1"}))
+
+
+@pytest.mark.parametrize(
+    "more", [["prefix:=b_"], ["--target", "ros1"], ["--select", "MSH"], ["--format", "json"]]
+)
+def test_the_command_line_is_seen(workspace: Path, more: list[str]) -> None:
+    run(workspace, *CHECK)
+    assert not is_repeated(run(workspace, *CHECK, *more))
+    assert is_repeated(run(workspace, *CHECK, *more))
+
+
+def test_the_working_directory_is_seen(workspace: Path) -> None:
+    run(workspace, "check", ".")
+    assert not is_repeated(run(workspace / "arm", "check", "."))
+
+
+def test_a_change_in_another_process_is_seen(workspace: Path) -> None:
+    words = (*CHECK, "--jobs", "2")
+    assert not is_repeated(run(workspace, *words))
+    assert is_repeated(run(workspace, *words))
+    with (workspace / "arm/urdf/parts.xacro").open("a") as file:
+        file.write("<!-- jobs -->")
+    assert not is_repeated(run(workspace, *words))
+
+
+def test_a_new_time_alone_changes_nothing(workspace: Path) -> None:
+    first = run(workspace, *CHECK)
+    for path in workspace.rglob("*"):
+        os.utime(path, (1, 1))
+    again = run(workspace, *CHECK)
+    assert is_repeated(again)
+    assert again.stdout == first.stdout
+
+
+@pytest.mark.parametrize(
+    "more", [["--no-cache"], ["--trust"], ["--show-files"], ["--rules", "own_rules"], ["-"]]
+)
+def test_what_is_not_kept(workspace: Path, more: list[str]) -> None:
+    package = workspace / "own_rules"
+    shutil.rmtree(package, ignore_errors=True)
+    shutil.copytree(ROOT / "examples/own_rule/acme_rules", package)
+    for _ in range(2):
+        assert not is_repeated(run(workspace, *CHECK, *more))
+    shutil.rmtree(package)
+
+
+def test_rules_of_the_configuration_are_not_kept(workspace: Path) -> None:
+    package = workspace / "own_rules"
+    shutil.copytree(ROOT / "examples/own_rule/acme_rules", package)
+    (workspace / "rules.toml").write_text("rule-packages = ['own_rules']\n")
+    for _ in range(2):
+        assert not is_repeated(run(workspace, *CHECK, "--config", "rules.toml"))
+    shutil.rmtree(package)
+    (workspace / "rules.toml").unlink()
+
+
+def test_an_error_is_not_kept(workspace: Path) -> None:
+    for _ in range(2):
+        done = run(workspace, "check", "none.urdf")
+        assert done.returncode == 2
+        assert done.stderr.rstrip().endswith(b"checked")
+
+
+@pytest.mark.parametrize("words", [["arm/urdf/arm.urdf.xacro"], ["."], ["--jobs", "2", "."]])
+def test_all_that_is_opened_is_noted(workspace: Path, words: list[str]) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", AUDITED, "check", *words],
+        check=False,
+        cwd=workspace,
+        env=os.environ | {VARIABLE: str(workspace.parent / "other")},
+        capture_output=True,
+    )
+    assert done.returncode == 0, done.stderr
+
+
+def test_every_format_is_repeated_byte_for_byte(workspace: Path, tmp_path: Path) -> None:
+    outputs = [tmp_path / name for name in formats.names()]
+    words = [word for path in outputs for word in ("--format", f"{path.name}:{path}")]
+    line = ("check", ".", *words, "--format", "text", "--color", "always", "--fail-on", "info")
+    first = run(workspace, *line)
+    contents = [path.read_bytes() for path in outputs]
+    for path in outputs:
+        path.unlink()
+    again = run(workspace, *line)
+    assert not is_repeated(first)
+    assert is_repeated(again)
+    assert (again.returncode, again.stdout) == (first.returncode, first.stdout)
+    assert [path.read_bytes() for path in outputs] == contents
+    assert b"\x1b[" in first.stdout
+
+
+def test_many_at_the_same_time(workspace: Path) -> None:
+    shutil.rmtree(workspace.parent / "cache")
+    with ThreadPoolExecutor(4) as pool:
+        done = list(pool.map(lambda _: run(workspace, *CHECK), range(4)))
+    assert len({one.stdout for one in done}) == 1
+    assert is_repeated(run(workspace, *CHECK))
+
+
+# ------------------------------------------------------------------- entries
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+@pytest.fixture
+def entry(cache: Path, tmp_path: Path) -> Entry:
+    """One that holds, of a command line that is never checked."""
+    asked = result_cache.question(["check", "a.urdf"])
+    assert asked is not None
+    out = (str(tmp_path / "out\n.txt"), b"a\0b\n")
+    return Entry(asked, 5, [("k", str(tmp_path / "none"), "-")], 1, [out])
+
+
+def test_an_entry_is_repeated(entry: Entry) -> None:
+    assert result_cache.replay(["check", "a.urdf"]) is None
+    result_recording.store(entry)
+    assert decode(encode(entry)) == entry
+    assert result_cache.replay(["check", "a.urdf"]) == 1
+    assert Path(entry.outputs[0][0]).read_bytes() == b"a\0b\n"
+
+
+def test_a_damaged_entry_is_none(entry: Entry) -> None:
+    data = encode(entry)
+    path = Path(result_entry.path_of(entry.question))
+    path.parent.mkdir(parents=True)
+    broken = [data[:size] for size in range(len(data))]
+    broken += [data[:at] + b"\xff" + data[at + 1 :] for at in range(len(data))]
+    for one in broken:
+        path.write_bytes(one)
+        assert result_cache.replay(["check", "a.urdf"]) is None
+
+
+def test_an_entry_answers_one_question(entry: Entry) -> None:
+    other = entry._replace(question=entry.question + b"x")
+    path = Path(result_entry.path_of(entry.question))
+    path.parent.mkdir(parents=True)
+    path.write_bytes(encode(other))  # of the same name, as two checksums may be
+    assert result_cache.replay(["check", "a.urdf"]) is None
+
+
+def test_another_version_asks_something_else(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    installed = tmp_path / "site-packages"
+    installed.mkdir()
+    monkeypatch.syspath_prepend(installed)
+    asked = [result_cache.question(["check", "a"])]
+    os.utime(installed, (1, 1))
+    asked.append(result_cache.question(["check", "a"]))
+    (installed / "numpy").mkdir()
+    asked.append(result_cache.question(["check", "a"]))
+    monkeypatch.setattr(result_cache, "__version__", "9")
+    asked.append(result_cache.question(["check", "a"]))
+    assert len(set(asked)) == 4
+
+
+@pytest.mark.parametrize("place", ["/dev/full", "/dev/null/cache"])
+def test_where_nothing_can_be_written_nothing_is_kept(
+    entry: Entry, monkeypatch: pytest.MonkeyPatch, place: str
+) -> None:
+    monkeypatch.setattr(result_entry, "path_of", lambda _: f"{place}/entry")
+    result_recording.store(entry)
+
+
+def test_a_full_disk_leaves_nothing_behind(
+    entry: Entry, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", full)
+    result_recording.store(entry)
+    assert list((cache / "results").iterdir()) == []
+
+
+def test_the_older_half_goes(entry: Entry, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(result_recording, "MAX_BYTES", 50)
+    (cache / "results").mkdir(parents=True)
+    for number in range(10):
+        old = cache / "results" / f"{number}"
+        old.write_bytes(b"12345")
+        os.utime(old, (number, number))
+    result_recording.store(entry)
+    left = {path.name for path in (cache / "results").iterdir()}
+    assert left == {"5", "6", "7", "8", "9", Path(result_entry.path_of(entry.question)).name}
+
+
+def test_a_file_with_the_same_time_is_not_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise AssertionError("it was read")
+
+    path = tmp_path / "a"
+    path.touch()
+    monkeypatch.setattr("builtins.open", fail)
+    state = path.stat()
+    answer = f"{state.st_mtime_ns} {state.st_size} {state.st_ino} hash"
+    later = state.st_mtime_ns + 3_000_000_000
+    assert answer_again("r", str(path), answer, later) == answer
+    with pytest.raises(AssertionError, match="it was read"):  # it was new: it may be another one
+        answer_again("r", str(path), answer, state.st_mtime_ns + 1_000_000_000)
+
+
+def test_a_change_within_one_tick_of_the_clock_is_seen(tmp_path: Path) -> None:
+    path, log = tmp_path / "a", FileLog()
+    since = time.time_ns()
+    path.write_bytes(b"old")
+    state = path.stat()
+    log.read(str(path), -1, b"old", state)
+    path.write_bytes(b"new")
+    os.utime(path, ns=(state.st_atime_ns, state.st_mtime_ns))
+    assert answer_again("r", str(path), log.answers["r", str(path)], since) is None

@@ -1,0 +1,44 @@
+"""What lies in the cache."""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.core.cache_folder import cache_folder
+from urdfkit.core.record import Record
+
+#: The directories that urdfkit makes in that of the cache; it leaves others alone.
+_OWN = ("meshes", "results")
+
+
+class Contents(Record):
+    """Files and directories of the cache.
+
+    Attributes:
+        files: the entries.
+        size: of all, in bytes.
+        folders: that they are in, the innermost first.
+    """
+
+    files: list[str]
+    size: int
+    folders: list[str]
+
+
+def contents() -> Contents:
+    """What lies in the cache now."""
+    files: list[str] = []
+    folders: list[str] = []
+    cache = cache_folder()
+    for name in _OWN if cache else ():
+        for parent, _, names in os.walk(os.path.join(cache or "", name), topdown=False):
+            folders.append(parent)
+            files += (os.path.join(parent, entry) for entry in names)
+    return Contents(files, sum(map(_size, files)), folders)
+
+
+def _size(path: str) -> int:
+    try:
+        return os.stat(path).st_size
+    except OSError:  # another run has removed it
+        return 0

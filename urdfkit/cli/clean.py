@@ -1,0 +1,36 @@
+"""``urdfkit clean``: removes what is kept between runs."""
+
+from __future__ import annotations
+
+import os
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.cache_contents import contents
+from urdfkit.cli.epilog import examples
+from urdfkit.core.cache_folder import cache_folder
+from urdfkit.errors import UnwritableFile
+
+
+@click.command(
+    "clean",
+    epilog=examples(
+        "urdfkit clean",
+    ),
+)
+def command() -> int:
+    """Remove the cache: results of checks and measures of meshes.
+
+    Exit codes: 0 done, 2 a file cannot be removed.
+    """
+    found = contents()
+    try:
+        for entry in found.files:
+            os.unlink(entry)
+        for folder in found.folders:
+            os.rmdir(folder)
+    except OSError as error:
+        raise UnwritableFile(f"{error.filename}: cannot be removed: {error.strerror}") from error
+    output.page([f"{cache_folder() or 'no cache'}: {len(found.files)} entries removed"])
+    return 0

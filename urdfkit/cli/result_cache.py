@@ -1,0 +1,98 @@
+"""The results of earlier checks, which an unchanged check repeats.
+
+An entry is a file named after the question: the command line, the working directory, the
+environment of the terminal, and the versions of urdfkit, Python and the installed packages. It
+holds what the check asked of the file system and of the environment, with the answers
+(`core/file_log.py`), and what it printed. An entry of which an answer has changed, that is
+damaged, or that answers another question is as good as none.
+
+This module runs before anything else is imported, and imports next to nothing.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+
+from urdfkit import __version__
+from urdfkit.cli.result_entry import Entry, decode, folder, path_of
+from urdfkit.core import file_log
+
+#: Variables that decide how a result is printed.
+_OF_THE_TERMINAL = ("COLUMNS", "FORCE_COLOR", "NO_COLOR", "TERM", "URDFKIT_DEBUG")
+
+
+def question(words: list[str]) -> bytes | None:
+    """What a command line asks, as far as it is known before a file is read.
+
+    None if it cannot be answered from the cache.
+    """
+    if words[:1] != ["check"] or "--no-cache" in words or "-" in words or folder() is None:
+        return None
+    try:
+        here = os.getcwd()
+    except OSError:  # the current folder is gone
+        return None
+    parts = [__version__, __file__, sys.version, here, str(len(words)), *words, *_terminal()]
+    # They change with every package that is installed, removed or replaced.
+    installed = [place for place in sys.path if place.endswith("-packages")]
+    parts += [f"{at} {os.stat(at).st_mtime_ns}" for at in installed if os.path.isdir(at)]
+    return b"\0".join(map(os.fsencode, parts))
+
+
+def _terminal() -> list[str]:
+    """What decides how standard output is written."""
+    values = [f"{name}={os.environ.get(name)}" for name in _OF_THE_TERMINAL]
+    if sys.stdout is None or not sys.stdout.isatty():
+        return values
+    try:
+        size = os.get_terminal_size(sys.stdout.fileno()).columns
+    except (OSError, ValueError):
+        size = 0
+    return [*values, f"{sys.stdout.encoding} {size}"]
+
+
+def replay(words: list[str]) -> int | None:
+    """Repeat an earlier check and return its exit code; None if nothing is known of it."""
+    asked = question(words)
+    if asked is None or sys.stdout is None:
+        return None
+    try:
+        with open(path_of(asked), "rb") as file:
+            entry = decode(file.read())
+    except (OSError, ValueError):
+        return None
+    if entry.question != asked:
+        return None
+    answers = []
+    now = time.time_ns()
+    for kind, path, answer in entry.answers:
+        again = file_log.answer_again(kind, path, answer, entry.since)
+        if again is None:
+            return None
+        answers.append((kind, path, again))
+    if answers != entry.answers:
+        from urdfkit.cli.result_recording import store
+
+        # Files have new times, as git gives them. The next check need not compare contents.
+        store(entry._replace(since=now, answers=answers))
+    return _write(entry)
+
+
+def _write(entry: Entry) -> int:
+    """Write everything as the check did."""
+    for path, data in entry.outputs:
+        if path:
+            from urdfkit.core import atomic
+
+            atomic.write(path, data)
+            continue
+        try:
+            sys.stdout.buffer.write(data)
+            sys.stdout.flush()
+        except OSError as error:
+            from urdfkit.cli.output import give_up
+
+            give_up(error)
+    return entry.code

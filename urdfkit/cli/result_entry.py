@@ -1,0 +1,80 @@
+"""Entries of the cache of results as files."""
+
+from __future__ import annotations
+
+import os
+import zlib
+
+from urdfkit.core.cache_folder import cache_folder
+from urdfkit.core.record import Record
+
+#: Goes up when the layout of entries changes, or what answers mean.
+_LAYOUT = b"urdfkit result 1"
+
+
+class Entry(Record):
+    """What is known of a check.
+
+    Attributes:
+        question: that it answers.
+        since: nanoseconds since the epoch, when the check began.
+        answers: of the file system and the environment: kind, path and answer.
+        code: exit code.
+        outputs: what was written, by file, in this order; an empty name is standard output.
+    """
+
+    question: bytes
+    since: int
+    answers: list[tuple[str, str, str]]
+    code: int
+    outputs: list[tuple[str, bytes]]
+
+
+def folder() -> str | None:
+    """The directory of the entries; None if there is none."""
+    cache = cache_folder()
+    return os.path.join(cache, "results") if cache else None
+
+
+def path_of(question: bytes) -> str:
+    """The file of the entry that answers a question."""
+    return os.path.join(folder() or "", f"{zlib.crc32(question):08x}")
+
+
+def encode(entry: Entry) -> bytes:
+    """An entry as bytes, with a checksum."""
+    fields = [str(entry.since), str(entry.code), str(len(entry.answers)), str(len(entry.outputs))]
+    for answer in entry.answers:
+        fields += answer
+    for path, data in entry.outputs:
+        fields += (path, str(len(data)))
+    head = b"\0".join(map(os.fsencode, fields))
+    sizes = f"{len(entry.question)} {len(head)}\n".encode()
+    body = b"".join((sizes, entry.question, head, *(data for _, data in entry.outputs)))
+    return b"%s %08x\n%s" % (_LAYOUT, zlib.crc32(body), body)
+
+
+def decode(data: bytes) -> Entry:
+    """The entry in some bytes.
+
+    Raises:
+        ValueError: it is damaged, or none.
+    """
+    first, _, body = data.partition(b"\n")
+    if first != b"%s %08x" % (_LAYOUT, zlib.crc32(body)):
+        raise ValueError("damaged")
+    sizes, _, rest = body.partition(b"\n")
+    asked, size = map(int, sizes.split())
+    fields = rest[asked : asked + size].split(b"\0")
+    since, code, count, outputs = map(int, fields[:4])
+    texts = [os.fsdecode(field) for field in fields[4:]]
+    end = 3 * count
+    answers = list(zip(texts[:end:3], texts[1:end:3], texts[2:end:3], strict=True))
+    at = asked + size
+    written = []
+    for path, length in zip(texts[end::2], map(int, texts[end + 1 :: 2]), strict=True):
+        written.append((path, rest[at : at + length]))
+        at += length
+    if len(answers) != count or len(written) != outputs:
+        raise ValueError("damaged")
+    return Entry(rest[:asked], since, answers, code, written)

@@ -1,0 +1,69 @@
+"""Keeps the result of a check with all that it depends on; the counterpart of `result_cache`."""
+
+from __future__ import annotations
+
+import os
+import time
+
+from urdfkit.cli import result_entry
+from urdfkit.cli.result_entry import Entry
+from urdfkit.core import atomic, disk
+from urdfkit.core.file_log import FileLog
+from urdfkit.core.own_sources import note_sources
+from urdfkit.errors import UnwritableFile
+
+#: Bytes of all entries; over it, the older half goes.
+MAX_BYTES = 64 * 1024 * 1024
+
+#: The command line whose result is to be kept, and when it began.
+_begun: tuple[bytes, int] | None = None
+
+
+def begin(question: bytes) -> None:
+    """Note from now on what this process depends on.
+
+    Args:
+        question: what it was asked.
+    """
+    global _begun  # noqa: PLW0603 - one process answers one command line
+    _begun = (question, time.time_ns())
+    disk.log_to(FileLog())
+
+
+def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
+    """Keep the result of the check that has begun, if one has.
+
+    Args:
+        code: exit code.
+        outputs: what was written, by file; an empty name is standard output.
+    """
+    log = disk.log()
+    if log is None or _begun is None:
+        return
+    note_sources()
+    disk.log_to(None)
+    if log.is_complete:
+        answers = [(kind, path, answer) for (kind, path), answer in log.answers.items()]
+        store(Entry(*_begun, answers, code, outputs))
+
+
+def store(entry: Entry) -> None:
+    """Write an entry; that this fails is no concern of a check."""
+    path = result_entry.path_of(entry.question)
+    folder = os.path.dirname(path)
+    try:
+        os.makedirs(folder, exist_ok=True)
+        _make_room(folder)
+        atomic.write(path, result_entry.encode(entry), durable=False)
+    except (OSError, UnwritableFile):
+        return
+
+
+def _make_room(folder: str) -> None:
+    """Remove the older half of the entries of a full directory."""
+    with os.scandir(folder) as found:
+        entries = [(entry.stat().st_mtime, entry.stat().st_size, entry.path) for entry in found]
+    if sum(size for _, size, _ in entries) < MAX_BYTES:
+        return
+    for _, _, path in sorted(entries)[: (len(entries) + 1) // 2]:
+        os.unlink(path)
