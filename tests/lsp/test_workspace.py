@@ -133,10 +133,10 @@ def test_a_folder_that_goes_away_is_no_end(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("thorough", [False, True])
 def test_every_prefix_of_a_text_is_checked_without_an_error(thorough: bool) -> None:
-    """Typing the mission's model, 97 characters at a time."""
+    """Typing the mission's model, some characters at a time."""
     text = MISSION.read_text(encoding="utf-8")
     file = Edited(MISSION, "")
-    for end in range(0, len(text), 997 if thorough else 97):
+    for end in range(0, len(text), 1997 if thorough else 397):
         file.type(text[:end])
         checked = file.workspace.check(file.path, thorough=thorough)
         assert checked.trouble == ""

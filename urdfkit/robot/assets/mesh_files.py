@@ -16,6 +16,8 @@ from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
 #: Folders of a package that are searched for a file of the wanted name.
 MAX_FOLDERS = 2000
+#: Directories of a missing file that lead to one of several files of its name for sure.
+MIN_COMMON_FOLDERS = 2
 
 _SEPARATORS = str.maketrans("_-.", "   ")
 
@@ -193,13 +195,14 @@ class MeshFiles:
         """The file that a reference to a missing one probably means.
 
         A file of the same name elsewhere in the package, else one of a similar name in the same
-        directory. It is sure if it is the only candidate and no other link uses it.
+        directory, else one of another format elsewhere. It is sure if it is the only candidate
+        and no other link uses it.
         """
-        path = self._same_name_elsewhere(mesh.located)
+        path, sure = self._same_name_elsewhere(mesh.located)
         if path is None:
             path, sure = self._similar_name(mesh.located)
-        else:
-            sure = True
+        if path is None:
+            path, sure = self._same_name_elsewhere(mesh.located, any_format=True)
         if path is None:
             return None
         sure = sure and path not in self._used
@@ -235,8 +238,13 @@ class MeshFiles:
             return self._folder, located.relative
         return os.path.split(located.tried[0])
 
-    def _same_name_elsewhere(self, located: ResolvedReference) -> str | None:
-        """The only file of the wanted name in the package; None if there are several."""
+    def _same_name_elsewhere(
+        self, located: ResolvedReference, *, any_format: bool = False
+    ) -> tuple[str | None, bool]:
+        """The file of the wanted name in the package, and whether it certainly is the wanted one.
+
+        Of several the one in the most directories of the wanted names; none if that is not one.
+        """
         base = located.folder
         if base is None:
             package = self.resolver.packages.enclosing(self.top)
@@ -244,15 +252,22 @@ class MeshFiles:
         if base not in self._below:
             self._below[base] = self.resolver.folders.files_below(base, MAX_FOLDERS)
         folder, wanted = os.path.split(located.relative)
-        numbers = _numbers(folder)
-        found = [
-            path
-            for path in self._below[base]
-            if os.path.basename(path).casefold() == wanted.casefold()
+        found: dict[int, list[str]] = {}
+        for path in self._below[base]:
+            name = os.path.basename(path)
+            if name.casefold() != wanted.casefold() and not (
+                any_format and _suffix(name) in BY_SUFFIX and _stem(name) == _stem(wanted)
+            ):
+                continue
+            common, ours, theirs = _without_common_end(folder, _relative(path, base))
             # Not the same part of another model of the series.
-            and (not numbers or _numbers(_relative(path, base)) in ([], numbers))
-        ]
-        return found[0] if len(found) == 1 else None
+            if not (numbers := _numbers(ours)) or _numbers(theirs) in ([], numbers):
+                found.setdefault(common, []).append(path)
+        best = max(found, default=0)
+        if len(found.get(best, ())) != 1:
+            return None, False
+        is_only = len(found) == 1 or best >= MIN_COMMON_FOLDERS
+        return found[best][0], is_only and not any_format
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
         """A mesh file of a similar name in the same folder, and whether that is a typo."""
@@ -271,6 +286,16 @@ class MeshFiles:
         if stem is None:
             return None, False
         return os.path.join(folder, stems[stem]), is_typo(wanted, stems[stem])
+
+
+def _without_common_end(folder: str, path: str) -> tuple[int, str, str]:
+    """How many directories a wanted folder and that of a path end in alike, and what is left."""
+    ours, theirs = folder.split("/"), path.split("/")[:-1]
+    common = 0
+    while ours and theirs and ours[-1] == theirs[-1]:
+        ours, theirs = ours[:-1], theirs[:-1]
+        common += 1
+    return common, "/".join(ours), "/".join(theirs)
 
 
 def _content(mesh: MeshReference) -> bytes:
@@ -305,6 +330,10 @@ def _numbers(name: str) -> list[str]:
 
 def _words(name: str) -> list[str]:
     return os.path.splitext(name)[0].casefold().translate(_SEPARATORS).split()
+
+
+def _stem(name: str) -> str:
+    return os.path.splitext(name)[0].casefold()
 
 
 def _suffix(name: str) -> str:
