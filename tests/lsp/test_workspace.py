@@ -13,6 +13,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.lsp.edited import MISSION, XACRO, Edited
+from urdfkit.errors import Cancelled
 from urdfkit.lsp.workspace import Workspace
 
 LEG = XACRO.format(
@@ -50,6 +51,23 @@ def test_the_text_counts_and_not_the_file() -> None:
     assert "XAC007" not in codes(file.workspace.check(file.path), MISSION)
     file.workspace.close(file.path)
     assert "XAC007" in codes(file.workspace.check(file.path), MISSION)
+
+
+def test_a_cancelled_check_ends_before_the_next_rule_and_changes_nothing() -> None:
+    file = Edited(MISSION, MISSION.read_text(encoding="utf-8"))
+    before = file.workspace.check(file.path)
+    file.workspace.set_text(file.path, b"<robot/>")
+    asked: list[bool] = []
+
+    def is_cancelled() -> bool:
+        asked.append(len(asked) > 1)
+        return asked[-1]
+
+    with pytest.raises(Cancelled):
+        file.workspace.check(file.path, is_cancelled=is_cancelled)
+    assert asked == [False, False, True]
+    assert list(file.workspace._of_file(file.path)) == before.diagnostics[file.path]
+    assert codes(file.workspace.check(file.path), MISSION) != codes(before, MISSION)
 
 
 def test_a_file_of_macros_is_checked_in_every_robot_that_includes_it(tmp_path: Path) -> None:
