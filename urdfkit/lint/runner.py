@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
+from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
 from urdfkit.lint.options import Options
@@ -116,13 +117,19 @@ class _Run:
             return otherwise
 
     def rules(self, chosen: Iterable[str]) -> None:
-        """Run those of some rules whose family applies to the subject."""
+        """Run those of some rules whose family applies to the subject.
+
+        Raises:
+            Cancelled: nobody waits for the result any more.
+        """
         families: dict[str, list[str]] = {}
         for code in chosen:
             families.setdefault(rule_index.family_of(code), []).append(code)
         for family, codes in families.items():
             applicable = self._applicable(family, codes)
             for rule in filter(self._is_chosen, map(rule_index.get, applicable)):
+                if self.options.is_cancelled and self.options.is_cancelled():
+                    raise Cancelled("the check was cancelled")
                 self._rule(rule)
 
     def _is_chosen(self, rule: Rule) -> bool:
