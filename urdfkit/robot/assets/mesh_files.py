@@ -194,15 +194,17 @@ class MeshFiles:
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
         """The file that a reference to a missing one probably means.
 
-        A file of the same name elsewhere in the package, else one of a similar name in the same
-        directory, else one of another format elsewhere. It is sure if it is the only candidate
-        and no other link uses it.
+        One of another format in the same directory, else a file of the same name elsewhere in the
+        package, else one of a similar name in the same directory, else one of another format
+        elsewhere. It is sure if it is the only candidate and no other link uses it.
         """
-        path, sure = self._same_name_elsewhere(mesh.located)
-        if path is None:
-            path, sure = self._similar_name(mesh.located)
-        if path is None:
-            path, sure = self._same_name_elsewhere(mesh.located, any_format=True)
+        located = mesh.located
+        similar = self._similar_name(located)
+        found = [self._same_name_elsewhere(located), similar]
+        if similar[0] is not None and _stem(similar[0]) == _stem(located.relative):
+            found.reverse()
+        found.append(self._same_name_elsewhere(located, any_format=True))
+        path, sure = next((one for one in found if one[0] is not None), (None, False))
         if path is None:
             return None
         sure = sure and path not in self._used
@@ -333,7 +335,7 @@ def _words(name: str) -> list[str]:
 
 
 def _stem(name: str) -> str:
-    return os.path.splitext(name)[0].casefold()
+    return os.path.splitext(os.path.basename(name))[0].casefold()
 
 
 def _suffix(name: str) -> str:
