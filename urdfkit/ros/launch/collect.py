@@ -65,12 +65,12 @@ class Collector:
     def package(self, name: str, source: Source, span: Span) -> str | None:
         """The directory of a package; records that it is needed."""
         try:
-            folder: str | None = self.resolver.package(name, source.path)
+            directory: str | None = self.resolver.package(name, source.path)
             searched = None
         except PackageNotFound as error:
-            folder, searched = None, error.searched
+            directory, searched = None, error.searched
         self.packages.setdefault(name, PackageUse(name, span, searched))
-        return folder
+        return directory
 
     def file(self, path: str, span: Span, purpose: str) -> bool:
         """Record that a file is needed; True if it exists."""

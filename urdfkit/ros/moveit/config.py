@@ -106,9 +106,9 @@ def _mappings(node: Node) -> Iterator[tuple[Key, dict[str, Node]]]:
 
 def _load(srdf: Srdf, name: str, resolver: Resolver) -> Node:
     """A file next to the SRDF, or in the configuration that it is part of."""
-    folder = os.path.dirname(os.path.abspath(srdf.path))
-    above = os.path.dirname(folder)
-    for place in (folder, above, os.path.join(above, "config")):
+    directory = os.path.dirname(os.path.abspath(srdf.path))
+    above = os.path.dirname(directory)
+    for place in (directory, above, os.path.join(above, "config")):
         path = os.path.join(place, name)
         if disk.is_file(path) and resolver.allows(path, srdf.path):
             try:

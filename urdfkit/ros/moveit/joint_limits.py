@@ -72,8 +72,8 @@ def _find(description: RosDescription) -> str | None:
     """Next to the SRDF, or in ``config`` of its package."""
     if description.srdf is None:
         return None
-    folder = os.path.dirname(os.path.abspath(description.srdf.path))
-    for place in (folder, os.path.join(os.path.dirname(folder), "config")):
+    directory = os.path.dirname(os.path.abspath(description.srdf.path))
+    for place in (directory, os.path.join(os.path.dirname(directory), "config")):
         path = os.path.join(place, _FILE)
         if disk.is_file(path):
             return path
