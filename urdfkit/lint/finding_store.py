@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
-from typing import IO, TYPE_CHECKING, overload
+from typing import IO, overload
 
 from urdfkit.core import disk
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import shown
-
-if TYPE_CHECKING:
-    from urdfkit.lint.plan import Job
 
 #: Files whose findings are kept in memory, where others may go to disk.
 IN_MEMORY = 500
@@ -48,11 +45,11 @@ class FindingStore:
         if self._spilled is not None:
             self._spilled.close()
 
-    def add(self, job: Job, diagnostics: Iterable[Diagnostic]) -> None:
+    def add(self, path: str, variant: str, diagnostics: Iterable[Diagnostic]) -> None:
         """The findings in one description."""
-        self._variants.setdefault(job.path, set()).add(job.name)
+        self._variants.setdefault(path, set()).add(variant)
         for one in diagnostics:
-            self.add_finding(one, [(job.path, job.name)])
+            self.add_finding(one, [(path, variant)])
         while self._spills and len(self._memory) > IN_MEMORY:
             self._spill(next(iter(self._memory)))
 

@@ -80,7 +80,7 @@ class _Merger:
 
     def add(self, job: Job, result: FileResult) -> None:
         """One description."""
-        self.findings.add(job, result.diagnostics)
+        self.findings.add(job.path, job.name, result.diagnostics)
         if not _is_skipped(result):
             self.read.add(disk.real(job.path))
         self._skipped += result.skipped
