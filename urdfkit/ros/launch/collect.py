@@ -150,3 +150,9 @@ class Collector:
 def frame_at(source: Source, tag: Tag, outer: CallFrame | None) -> CallFrame:
     """The step from a launch file to what it starts."""
     return CallFrame("launch", os.path.basename(source.path), tag, None, outer)
+
+
+def path_from(source: Source, text: str) -> str:
+    """A path as launch finds it: absolute, or relative to the launch file."""
+    directory = os.path.dirname(os.path.abspath(source.path))
+    return os.path.normpath(os.path.join(directory, text))

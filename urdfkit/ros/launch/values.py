@@ -93,11 +93,6 @@ class Values:
             for item in self.items(node)
         )
 
-    def path(self, text: str) -> str:
-        """A path as launch finds it: absolute, or relative to the launch file."""
-        directory = os.path.dirname(os.path.abspath(self.source.path))
-        return os.path.normpath(os.path.join(directory, text))
-
     def span(self, node: ast.expr) -> Span:
         """The place of a node; ast counts columns in bytes of UTF-8."""
         starts = self.source.offset(node.lineno, 1) + node.col_offset
