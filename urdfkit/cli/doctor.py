@@ -56,6 +56,8 @@ _PACKAGES = (
     ("uvicorn", "the viewer", "urdfkit[report]"),
     ("yourdfpy", "conversion to yourdfpy", "urdfkit[exchange]"),
     ("pygls", "the language server", "urdfkit[lsp]"),
+    ("dask", "scan on several machines", "urdfkit[scan]"),
+    ("pyarrow", "scan to Parquet", "urdfkit[scan]"),
 )
 _PROGRAMS = {"git": "comparison with an earlier git revision"}
 
