@@ -168,7 +168,7 @@ def test_what_is_asked_for_reaches_the_library(
 ) -> None:
     asked: list[tuple[list[object], dict[str, object]]] = []
 
-    def record(options: Options, files: list[object]) -> object:
+    def record(options: Options, files: list[object], *, spills: bool) -> object:
         asked.append((files, options._asdict()))
         return engine.check()
 
