@@ -56,3 +56,13 @@ def test_a_placeholder_mass_gives_no_tensor() -> None:
         (found,) = reported("INE005", robot)
         assert (found.fix is not None) is is_fixable
         assert found.help.startswith("a solid" if is_fixable else "write the mass")
+
+
+def test_a_centre_of_mass_beside_a_shape_that_marks_a_place() -> None:
+    """AgileX's Hunter: a box of 1 mm stands for the steering link, 16 mm from its centre."""
+    box = shape("collision", '<box size="0.001 0.001 0.001"/>')
+    moments = (1e-4, 0.0, 0.0, 1e-4, 0.0, 1e-4)
+    for distance, count in (("0.016", 0), ("1.6", 1)):
+        robot = link("base", BALL_SHAPE, inertial(1, TENSOR)) + joint("base", "arm", "revolute")
+        arm = link("arm", box, inertial(0.3, moments, xyz=f"{distance} 0 0"))
+        assert len(messages("INE011", robot + arm)) == count

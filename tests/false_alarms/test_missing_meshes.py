@@ -32,7 +32,7 @@ def put(folder: Path, *meshes: str) -> None:
 def robot(path: Path, file: str) -> tuple[Diagnostic, ...]:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(URDF.format(file=file))
-    return check(path, select=["MSH001"]).diagnostics
+    return tuple(check(path, select=["MSH001"]).diagnostics)
 
 
 @pytest.mark.parametrize(
@@ -43,6 +43,8 @@ def robot(path: Path, file: str) -> tuple[Diagnostic, ...]:
         # a number in the name of the file says nothing about its directory
         ("/home/me/arm/CADv0.1/XL430.stl", "CADv0.1/XL430.stl"),
         ("package://arm/meshes/lid.stl", "cad/lid.obj"),
+        # Robotiq: the visual is a .dae, the collision the .stl
+        ("package://arm/visual/palm.stl", "visual/palm.dae"),
         ("package://arm/ur10/visual/elbow.stl", None),
     ],
 )
@@ -50,7 +52,9 @@ def test_a_file_elsewhere_in_the_package(
     tmp_path: Path, wanted: str, suggested: str | None
 ) -> None:
     meshes = ("gen3/7dof/base.stl", "gen3/6dof/base.stl", "CADv0.1/XL430.stl", "cad/lid.obj")
-    package(tmp_path, "arm", *meshes, "ur5/visual/elbow.stl")
+    package(
+        tmp_path, "arm", *meshes, "collision/palm.stl", "ur5/visual/elbow.stl", "visual/palm.dae"
+    )
     (found,) = robot(tmp_path / "urdf" / "r.urdf", wanted)
     offer = f"did you mean 'package://arm/{suggested}'?"
     assert found.help == offer if suggested else "generate" in found.help
@@ -76,6 +80,7 @@ def test_a_missing_package_is_one_finding_for_people(tmp_path: Path) -> None:
         robot(tmp_path / f"{name}.urdf", "package://lost/a.stl")
     found = check(tmp_path, select=["XAC011"]).diagnostics
     assert len(found) == 2
+    assert found[0].message.startswith("link 'a': package 'lost' is not found, so 1 mesh of it ")
     (one,) = grouped(found)
     assert one.message.endswith("(and 1 more like this)")
     assert [note.span.source.path.rpartition("/")[2] for note in one.related] == ["b.urdf"]

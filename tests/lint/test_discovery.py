@@ -450,3 +450,24 @@ def test_robots_that_the_configuration_does_not_name_are_told(tmp_path: Path):
     assert [(Path(skip.path).name, skip.reason) for skip in report.skipped] == [
         ("spare.urdf", "no [[robot]] in the configuration for it")
     ]
+
+
+@pytest.mark.parametrize(
+    ("name", "parent", "is_part"),
+    [
+        ("arm", "base", True),
+        ("base", "base", False),
+        ("${x}", "base", False),
+        ("arm", "${x}", False),
+    ],
+)
+def test_a_xacro_without_a_name_is_a_part_if_a_parent_is_certainly_elsewhere(
+    tmp_path: Path, name: str, parent: str, is_part: bool
+):
+    write(tmp_path, "whole.xacro", '<link name="base"/>')
+    ends = f'<parent link="{parent}"/><child link="arm"/>'
+    body = f'<link name="{name}"/><joint name="j" type="fixed">{ends}</joint>'
+    nameless = f"{HEAD}{body}</robot>".replace(' name="r"', "")
+    (tmp_path / "part.xacro").write_text(nameless)
+    found = names(discover(str(tmp_path), Config(), Resolver()))
+    assert found == (["whole.xacro"] if is_part else ["part.xacro", "whole.xacro"])

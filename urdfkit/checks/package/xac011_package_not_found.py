@@ -68,8 +68,8 @@ def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
     suggested = did_you_mean(name, [package for package in known if is_typo(name, package)])
     return Finding(
         first.at,
-        f"link '{first.link}': package '{name}' is not found, so {count} of it cannot be checked; "
-        f"searched {', '.join(first.located.searched)}",
+        f"link '{first.link.name}': package '{name}' is not found, so {count} of it cannot be "
+        f"checked; searched {', '.join(first.located.searched)}",
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
         alike=f"meshes of {name}",

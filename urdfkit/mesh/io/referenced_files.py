@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
 
 
-def find_image(name: str, folder: str) -> str | None:
-    """The file of an image that a mesh file in a folder names; None if it is not there.
+def find_image(name: str, directory: str) -> str | None:
+    """The file of an image that a mesh file in a directory names; None if it is not there.
 
     Names are paths or URIs. Those of other machines end in the file's own name, which often lies
     next to the mesh; Gazebo and assimp search it there too.
@@ -21,7 +21,7 @@ def find_image(name: str, folder: str) -> str | None:
 
     plain = name.strip().removeprefix("file://").replace("\\", "/")
     for path in dict.fromkeys((plain, unquote(plain), os.path.basename(unquote(plain)))):
-        found = os.path.join(folder, path)
+        found = os.path.join(directory, path)
         try:
             if disk.is_file(found):
                 return os.path.normpath(found)
@@ -34,11 +34,11 @@ class ReferencedFiles:
     """The files that one mesh file names, each as often as it is named.
 
     Args:
-        folder: that the mesh file is in; names are relative to it.
+        directory: that the mesh file is in; names are relative to it.
     """
 
-    def __init__(self, folder: str) -> None:
-        self._folder = folder
+    def __init__(self, directory: str) -> None:
+        self._directory = directory
         self._textures: list[str] = []
         self._missing: list[str] = []
         self._files: list[str] = []
@@ -46,19 +46,19 @@ class ReferencedFiles:
     def image(self, name: str) -> str | None:
         """The file of an image; None if it is not there."""
         self._textures.append(name)
-        path = find_image(name, self._folder)
+        path = find_image(name, self._directory)
         if path is None:
             from urllib.parse import unquote
 
             self._missing.append(name)
-            self._files.append(place(unquote(name), self._folder))
+            self._files.append(place(unquote(name), self._directory))
         else:
             self._files.append(path)
         return path
 
     def read(self, name: str, most: int) -> bytes | None:
         """What another file holds; None if it is not there, or has more than some bytes."""
-        path = place(name, self._folder)
+        path = place(name, self._directory)
         self._files.append(path)
         data = read(path, most)
         if data is None:
@@ -74,9 +74,9 @@ class ReferencedFiles:
         )
 
 
-def place(name: str, folder: str) -> str:
-    """Where a file lies, or would, that a mesh file in a folder names."""
-    return os.path.normpath(os.path.join(folder, name.replace("\\", "/")))
+def place(name: str, directory: str) -> str:
+    """Where a file lies, or would, that a mesh file in a directory names."""
+    return os.path.normpath(os.path.join(directory, name.replace("\\", "/")))
 
 
 def read(path: str, most: int) -> bytes | None:
