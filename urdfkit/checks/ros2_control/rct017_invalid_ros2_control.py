@@ -39,8 +39,7 @@ from urdfkit.text.grammar import is_expression
 
 _JOINT = driven_xml("shoulder").replace("joint", "joints")
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", _JOINT))
-GOOD = BAD.replace("joints", "joint")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("joints", "joint")
 
 #: Similarity from which an unknown tag is a typo.
 _TYPO = 0.8
