@@ -66,11 +66,12 @@ def check(subject: Subject) -> Findings:
         yield from other_name(*home)
         yield from not_registered(*home)
     file = nearest_manifest(path)
-    try:
-        source = resolver.read(file) if file else None
-    except UnreadableFile:
+    if file is None or disk.is_link(file):  # which may lead anywhere
         return
-    if source is None:
+    try:
+        data = resolver.text(file)
+        source = Source.read(file) if data is None else Source(file, data)
+    except UnreadableFile:
         return
     document, problems = read_xml(source)
     broken = [problem for problem in problems if problem.code in _BROKEN]
