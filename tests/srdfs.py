@@ -26,3 +26,10 @@ def findings(folder: Path, body: str, code: str, name: str = "r") -> list[Diagno
     (folder / "r.urdf").write_text(ROBOT)
     (folder / "r.srdf").write_text(f'<robot name="{name}">\n{body}\n</robot>\n')
     return list(check(folder / "r.urdf", select=[code]).diagnostics)
+
+
+def message_of(folder: Path, body: str, code: str) -> str:
+    """The message of the one finding of a rule, which is on the line of the body."""
+    (found,) = findings(folder, body, code)
+    assert (found.span.source.path, found.span.line) == (str(folder / "r.srdf"), 2)
+    return found.message

@@ -7,6 +7,10 @@ class UrdfkitError(Exception):
     """The job cannot be done: the command line prints the message and exits with 2."""
 
 
+class Cancelled(UrdfkitError):
+    """Nobody waits for the result any more."""
+
+
 class UnreadableFile(UrdfkitError):
     """A file named by the user does not exist, is a folder, or may not be opened."""
 

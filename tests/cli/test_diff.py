@@ -105,14 +105,15 @@ def test_html_in_chinese(new: str, tmp_path: Path, capsys: pytest.CaptureFixture
     assert "--lang is for HTML" in capsys.readouterr().err
 
 
-def test_a_page_names_no_directory_of_the_machine(tmp_path, capsys):
+@pytest.mark.parametrize("kind", ["html", "markdown"])
+def test_a_page_names_no_directory_of_the_machine(tmp_path, capsys, kind):
     (tmp_path / ".git").mkdir()
     for name, mass in (("a", 1), ("b", -2)):
         (tmp_path / f"{name}.urdf").write_text(
             f'<robot name="r"><link name="l"><inertial><mass value="{mass}"/><inertia ixx="1" '
             'iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>'
         )
-    main(["diff", str(tmp_path / "a.urdf"), str(tmp_path / "b.urdf"), "--format", "html"])
+    main(["diff", str(tmp_path / "a.urdf"), str(tmp_path / "b.urdf"), "--format", kind])
     page = capsys.readouterr().out
     assert "b.urdf:1:" in page
     assert str(tmp_path) not in page

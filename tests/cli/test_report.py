@@ -17,6 +17,7 @@ def test_markdown_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None
     assert capsys.readouterr().out.startswith("## gripper\n")
 
 
+@pytest.mark.usefixtures("small_pictures")
 def test_files_by_suffix(tmp_path: Path) -> None:
     for suffix in ("json", "md", "csv"):
         assert main(["report", MISSION, "-o", str(tmp_path / f"r.{suffix}")]) == 0

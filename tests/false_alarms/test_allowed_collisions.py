@@ -61,3 +61,17 @@ def test_a_checked_pair_that_is_elsewhere_does_not_matter(tmp_path: Path) -> Non
     )
     held = (("hand", "guard"), ("guard", "base"))
     assert messages(tmp_path, robot, ("hand", "base"), *held)[:1] == ["'hand' and 'base'"]
+
+
+def test_a_robot_for_tests_has_no_srdf_of_the_package(tmp_path: Path) -> None:
+    """Talos: test/calibration/displaced.urdf, whose legs are displaced on purpose."""
+    (tmp_path / "package.xml").write_text("<package><name>r</name></package>")
+    (tmp_path / "srdf").mkdir()
+    (tmp_path / "srdf" / "r.srdf").write_text('<robot name="r"><group_state name="s"/></robot>')
+    counts = []
+    for folder in ("urdf", "test/calibration"):
+        (tmp_path / folder).mkdir(parents=True)
+        file = tmp_path / folder / "r.urdf"
+        file.write_text('<robot name="r"><link name="a"/></robot>')
+        counts.append(len(check(file, select=["SRD"]).diagnostics))
+    assert counts[0] > 0 == counts[1]

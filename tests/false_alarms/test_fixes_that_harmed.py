@@ -58,3 +58,15 @@ def test_of_a_measured_tensor_the_wrong_sign_alone_is_edited(tmp_path: Path) -> 
     fixes = fix(robot, unsafe=True)
     assert [one.code for one in fixes.applied] == ["INE006"]
     assert fixes.files[0].after.decode() == WRIST.replace('"0.02790"', '"-0.02790"')
+
+
+def test_two_elements_do_not_become_the_same_one(tmp_path: Path) -> None:
+    """ETH's SMB: <center_x> and <center_y> are not both <center>."""
+    robot = tmp_path / "smb.urdf"
+    robot.write_text(
+        '<robot name="smb"><link name="a"/><gazebo reference="a"><sensor name="s" type="camera">'
+        "<camera><distortion><center_x>1</center_x><center_y>2</center_y></distortion></camera>"
+        "</sensor></gazebo></robot>"
+    )
+    found = check(robot, select=["GAZ003"]).diagnostics
+    assert [one.fix for one in found] == [None, None]

@@ -9,6 +9,7 @@ from tests.reported import messages, reported
 
 #: A rod of 1 kg, 0.6 x 0.1 x 0.1 m, turned by 30 degrees about z.
 ROD = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy="0 0 0.5235987755982988")
+BALL_SHAPE = shape("collision", BALL)
 TENSOR = (0.0089583, -0.0126295, 0.0, 0.0235417, 0.0, 0.0308333)
 
 
@@ -42,3 +43,26 @@ def test_a_density_near_the_bound_is_no_finding(mass: float, count: int) -> None
     assert (mass > density) is bool(count)
     moment = 0.4 * mass * 0.01
     assert len(reported("INE010", part("ball", mass, (moment,) * 3, BALL))) == count
+
+
+def test_a_placeholder_mass_gives_no_tensor() -> None:
+    """KUKA's arms: links of 1e-6 kg with a tensor of zeros."""
+    zeros = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    for mass, is_fixable in ((1e-6, False), (1.0, True)):
+        arm = link("arm", BALL_SHAPE, inertial(mass, zeros))
+        robot = (
+            part("base", 1, (0.004, 0.004, 0.004), BALL) + arm + joint("base", "arm", "revolute")
+        )
+        (found,) = reported("INE005", robot)
+        assert (found.fix is not None) is is_fixable
+        assert found.help.startswith("a solid" if is_fixable else "write the mass")
+
+
+def test_a_centre_of_mass_beside_a_shape_that_marks_a_place() -> None:
+    """AgileX's Hunter: a box of 1 mm stands for the steering link, 16 mm from its centre."""
+    box = shape("collision", '<box size="0.001 0.001 0.001"/>')
+    moments = (1e-4, 0.0, 0.0, 1e-4, 0.0, 1e-4)
+    for distance, count in (("0.016", 0), ("1.6", 1)):
+        robot = link("base", BALL_SHAPE, inertial(1, TENSOR)) + joint("base", "arm", "revolute")
+        arm = link("arm", box, inertial(0.3, moments, xyz=f"{distance} 0 0"))
+        assert len(messages("INE011", robot + arm)) == count

@@ -43,3 +43,19 @@ def test_what_roslaunch_does_not_read_uses_no_argument(tmp_path: Path) -> None:
     assert reported(tmp_path / "arm", "LAU006", "a.launch", text, files) == []
     passed = text.replace("param", "arg")
     assert len(reported(tmp_path / "arm", "LAU006", "a.launch", passed, files)) == 1
+
+
+@pytest.mark.parametrize(
+    ("default", "severity"), [("$(arg name)_base.xacro", "info"), ("fly_base.xacro", "warning")]
+)
+def test_a_launch_file_for_any_robot_passes_what_some_of_them_have(
+    tmp_path: Path, default: str, severity: str
+) -> None:
+    """RotorS: spawn_mav.launch gives every model the same arguments."""
+    text = (
+        f'<arg name="name" default="fly"/><arg name="model" default="$(dirname)/../{default}"/>'
+        '<param name="robot_description" command="xacro $(arg model) logging:=true"/>'
+    )
+    files = {"fly_base.xacro": '<robot name="fly"><link name="a"/></robot>'}
+    (found,) = reported(tmp_path / "arm", "LAU005", "a.launch", text, files)
+    assert (found.severity.value, found.help) == (severity, "remove the argument")

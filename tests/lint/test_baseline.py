@@ -1,14 +1,15 @@
 """A baseline tolerates what was there, under edits elsewhere, and nothing else."""
 
 import os
+from collections import Counter
 from pathlib import Path
 
 import pytest
 
 from urdfkit import check
 from urdfkit.lint import rule_index
-from urdfkit.lint.baseline import BaselineError, dump, fingerprints, load, sift
-from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.lint.baseline import BaselineError, Fingerprint, dump, fingerprints, load, sift
+from urdfkit.lint.report import Report
 
 AXIS = '    <axis xyz="1 0 0"/>\n'
 JOINT = """  <joint name="{name}" type="fixed">
@@ -19,53 +20,59 @@ JOINT = """  <joint name="{name}" type="fixed">
 """
 
 
-def robot(folder: Path, *joints: str, comment: str = "") -> tuple[Diagnostic, ...]:
+def robot(folder: Path, *joints: str, comment: str = "") -> Report:
     body = "".join(JOINT.format(name=name, parent="base", axis=AXIS) for name in joints)
     path = folder / "r.urdf"
     path.write_text(f'<robot name="r">\n{comment}  <link name="base"/>\n{body}</robot>\n')
-    return check(path, select=["JNT020"]).diagnostics
+    return check(path, select=["JNT020"])
 
 
-def save(folder: Path, diagnostics: tuple[Diagnostic, ...]) -> str:
+def save(folder: Path, report: Report) -> str:
     path = folder / "baseline.json"
-    path.write_text(dump(diagnostics, str(folder)))
+    path.write_text(dump(report, str(folder)))
     return str(path)
+
+
+def sifted(report: Report, known: Counter[Fingerprint], folder: Path) -> tuple[list[str], int]:
+    """The elements of what is new, and how much is tolerated."""
+    now = sift(report, known, str(folder))
+    return [found.element for found in now.diagnostics], now.tolerated
 
 
 def test_findings_of_a_rule_with_another_code_now(tmp_path, monkeypatch):
     path = Path(save(tmp_path, robot(tmp_path, "a", "b")))
     path.write_text(path.read_text().replace("JNT020", "TRE999", 1))
     monkeypatch.setattr(rule_index, "_redirects", {"TRE999": "JNT020"})
-    assert sift(robot(tmp_path, "a", "b"), load(str(path)), str(tmp_path)) == ([], 2)
+    assert sifted(robot(tmp_path, "a", "b"), load(str(path)), tmp_path) == ([], 2)
 
 
 def test_what_was_there_is_tolerated_wherever_it_moves(tmp_path):
     known = load(save(tmp_path, robot(tmp_path, "a", "b")))
     moved = robot(tmp_path, "b", "a", comment="<!-- new -->\n\n")
-    assert sift(moved, known, str(tmp_path)) == ([], 2)
+    assert sifted(moved, known, tmp_path) == ([], 2)
 
 
 def test_what_was_there_is_tolerated_in_a_file_that_was_renamed(tmp_path):
     known = load(save(tmp_path, robot(tmp_path, "a", "b")))
     (tmp_path / "r.urdf").rename(tmp_path / "renamed.urdf")
-    moved = check(tmp_path / "renamed.urdf", select=["JNT020"]).diagnostics
-    assert sift(moved, known, str(tmp_path)) == ([], 2)
+    moved = check(tmp_path / "renamed.urdf", select=["JNT020"])
+    assert sifted(moved, known, tmp_path) == ([], 2)
     # A copy is new: the file that had the findings is still there.
     robot(tmp_path, "a", "b")
-    new, tolerated = sift(moved, known, str(tmp_path))
+    new, tolerated = sifted(moved, known, tmp_path)
     assert (len(new), tolerated) == (2, 0)
 
 
 def test_one_more_of_the_same_is_new(tmp_path):
     known = load(save(tmp_path, robot(tmp_path, "a", "b")))
-    new, tolerated = sift(robot(tmp_path, "a", "b", "c"), known, str(tmp_path))
-    assert tolerated == 2
-    assert [diagnostic.element for diagnostic in new] == ["joint/c/axis"]
+    now = robot(tmp_path, "a", "b", "c")
+    assert sifted(now, known, tmp_path) == (["joint/c/axis"], 2)
 
 
 def test_the_same_findings_give_the_same_text(tmp_path):
     found = robot(tmp_path, "a", "b")
-    assert dump(found, str(tmp_path)) == dump(reversed(found), str(tmp_path))
+    turned = found._replace(diagnostics=found.diagnostics[::-1])
+    assert dump(found, str(tmp_path)) == dump(turned, str(tmp_path))
 
 
 def test_the_file_is_as_projects_have_committed_it(tmp_path):
@@ -75,7 +82,7 @@ def test_the_file_is_as_projects_have_committed_it(tmp_path):
     )
     found = robot(tmp_path, "轮", "b")
     assert dump(found, str(tmp_path)) == text
-    assert sift(found, load(save(tmp_path, found)), str(tmp_path)) == ([], 2)
+    assert sifted(found, load(save(tmp_path, found)), tmp_path) == ([], 2)
 
 
 def test_a_later_version_is_refused(tmp_path):
@@ -100,8 +107,8 @@ def test_a_missing_file_is_refused_by_name(tmp_path):
 
 def test_marks_are_stable_and_tell_equal_findings_apart(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    first = fingerprints(robot(tmp_path, "a", "b"))
-    again = fingerprints(robot(tmp_path, "a", "b", comment="<!-- moved -->\n"))
+    first = fingerprints(robot(tmp_path, "a", "b").diagnostics)
+    again = fingerprints(robot(tmp_path, "a", "b", comment="<!-- moved -->\n").diagnostics)
     assert first == again
     assert [mark.partition(":")[2] for mark in first] == ["1", "2"]
     assert len({mark.partition(":")[0] for mark in first}) == 1
@@ -109,7 +116,32 @@ def test_marks_are_stable_and_tell_equal_findings_apart(tmp_path, monkeypatch):
 
 def test_a_name_that_is_no_text_has_a_mark(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    found = robot(tmp_path, "a")
+    found = robot(tmp_path, "a").diagnostics
     os.rename("r.urdf", b"\xff.urdf")
     (mark,) = fingerprints(check(os.fsdecode(b"\xff.urdf"), select=["JNT020"]).diagnostics)
     assert mark != fingerprints(found)[0]
+
+
+UNDEFINED = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="wheel" params=""><link name="wheel"/></xacro:macro>
+  <link name="base"/><wheel/>
+  <joint name="j" type="fixed"><parent link="base"/><child link="wheel"/></joint>
+  {more}
+</robot>
+"""
+MORE = '<joint name="k" type="fixed"><parent link="base"/><child link="lost"/></joint>'
+
+
+def test_a_tolerated_cause_silences_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "r.xacro"
+    path.write_text(UNDEFINED.format(more=""))
+    report = check(path, select=["XAC002", "REF001"])
+    assert [found.code for found in report.diagnostics] == ["XAC002"]
+    known = load(save(tmp_path, report))
+    assert sift(report, known, str(tmp_path)).diagnostics == ()
+    path.write_text(UNDEFINED.format(more=MORE))
+    now = check(path, select=["XAC002", "REF001"])
+    assert [found.code for found in now.diagnostics] == ["XAC002"]
+    (new,) = sift(now, known, str(tmp_path)).diagnostics
+    assert (new.code, new.span.line) == ("REF001", 5)

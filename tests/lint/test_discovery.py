@@ -238,6 +238,23 @@ def test_a_folder_is_checked_and_the_library_is_told(package):
     assert [(Path(skip.path).name, skip.code) for skip in report.skipped] == [("lonely.xacro", "")]
 
 
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        ("demo.launch", '<launch><node pkg="p" name="n" type="t"/></launch>'),
+        ("macros.xacro", "<robot><xacro:macro name='m'><link name='a'/></xacro:macro></robot>"),
+    ],
+)
+def test_a_folder_without_a_robot_is_not_green(tmp_path: Path, file: str, text: str) -> None:
+    (tmp_path / file).write_text(text)
+    (found,) = [d for d in check(tmp_path).diagnostics if d.code == "CFG003"]
+    assert found.message.startswith("no robot checked in ")
+    assert (Path(found.span.source.path).name, found.severity.value) == (file, "warning")
+    assert "CFG003" not in {d.code for d in check(tmp_path, ignore=["CFG003"]).diagnostics}
+    write(tmp_path, "r.urdf", '<link name="a"/>')
+    assert "CFG003" not in {d.code for d in check(tmp_path).diagnostics}
+
+
 def test_processes_give_the_same_report(package):
     write(package, "urdf/bad.urdf", '<link name="a"/><link name="a"/>')
     one, two = check(package), check(package, options=Options(jobs=2))
@@ -319,7 +336,8 @@ def test_the_controllers_that_launch_files_load_are_compared_with_the_robots(pac
 
 def test_a_folder_of_launch_files_alone_is_checked(tmp_path):
     (tmp_path / "a.launch").write_text("<launch><group></launch>")
-    assert [found.code for found in check(tmp_path, select=["LAU"]).diagnostics] == ["LAU001"]
+    report = check(tmp_path, select=["LAU"])
+    assert [found.code for found in report.diagnostics] == ["CFG003", "LAU001"]
 
 
 def test_a_robot_is_checked_with_the_arguments_of_launch_files(package):
@@ -432,3 +450,24 @@ def test_robots_that_the_configuration_does_not_name_are_told(tmp_path: Path):
     assert [(Path(skip.path).name, skip.reason) for skip in report.skipped] == [
         ("spare.urdf", "no [[robot]] in the configuration for it")
     ]
+
+
+@pytest.mark.parametrize(
+    ("name", "parent", "is_part"),
+    [
+        ("arm", "base", True),
+        ("base", "base", False),
+        ("${x}", "base", False),
+        ("arm", "${x}", False),
+    ],
+)
+def test_a_xacro_without_a_name_is_a_part_if_a_parent_is_certainly_elsewhere(
+    tmp_path: Path, name: str, parent: str, is_part: bool
+):
+    write(tmp_path, "whole.xacro", '<link name="base"/>')
+    ends = f'<parent link="{parent}"/><child link="arm"/>'
+    body = f'<link name="{name}"/><joint name="j" type="fixed">{ends}</joint>'
+    nameless = f"{HEAD}{body}</robot>".replace(' name="r"', "")
+    (tmp_path / "part.xacro").write_text(nameless)
+    found = names(discover(str(tmp_path), Config(), Resolver()))
+    assert found == (["whole.xacro"] if is_part else ["part.xacro", "whole.xacro"])

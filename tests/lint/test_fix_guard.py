@@ -3,9 +3,11 @@
 import pytest
 
 from urdfkit.lint.context import Subject
+from urdfkit.lint.fix_consistency import without_disputed_fixes
 from urdfkit.lint.fix_guard import _is_used, regression, useless
 from urdfkit.lint.report import Crashed, Report, Skipped
-from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Severity
+from urdfkit.lint.rules import Finding
+from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Edit, Fix, Severity
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -106,3 +108,15 @@ def test_an_edit_concerns_a_robot_by_the_start_tags_that_it_changes(
     tags = {"r.urdf": [(0, 5), (10, 20), (25, 30)]}
     assert _is_used(("r.urdf", *edit, ""), tags) is is_used
     assert not _is_used(("other.urdf", *edit, ""), tags)
+
+
+@pytest.mark.parametrize(("uses", "is_fixed"), [(1, True), (2, False)])
+def test_every_use_of_a_text_must_ask_for_the_fix_and_other_findings_need_none(
+    uses: int, is_fixed: bool
+) -> None:
+    source = Source("r.urdf", f'<robot name="r">{TWO_LINKS}</robot>'.encode())
+    _, link, other, *_ = Subject(source, Resolver(environment={})).document.root.walk()
+    fix = Fix("remove it", (Edit(Span(source, *link.span[1:]), ""),))
+    asks, only_tells = Finding(link, "message", fix=fix), Finding(other, "message")
+    found = without_disputed_fixes([asks, only_tells], {link.tag_at: uses, other.tag_at: 1})
+    assert found == [asks if is_fixed else asks._replace(fix=None), only_tells]

@@ -155,3 +155,7 @@ def test_codes_and_reason_are_read():
 @pytest.mark.parametrize("data", [b"<robot><!-- urdfkit: ignore[A] --><link></robot>", b""])
 def test_a_broken_file_has_no_ignores(data):
     assert ignores(Source("r.urdf", data)) == ()
+
+
+def test_a_comment_that_only_names_urdfkit_suppresses_nothing() -> None:
+    assert ignores(Source("r.urdf", b"<robot><!-- urdfkit was here --></robot>")) == ()

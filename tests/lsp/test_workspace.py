@@ -13,6 +13,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.lsp.edited import MISSION, XACRO, Edited
+from urdfkit.errors import Cancelled
 from urdfkit.lsp.workspace import Workspace
 
 LEG = XACRO.format(
@@ -50,6 +51,23 @@ def test_the_text_counts_and_not_the_file() -> None:
     assert "XAC007" not in codes(file.workspace.check(file.path), MISSION)
     file.workspace.close(file.path)
     assert "XAC007" in codes(file.workspace.check(file.path), MISSION)
+
+
+def test_a_cancelled_check_ends_before_the_next_rule_and_changes_nothing() -> None:
+    file = Edited(MISSION, MISSION.read_text(encoding="utf-8"))
+    before = file.workspace.check(file.path)
+    file.workspace.set_text(file.path, b"<robot/>")
+    asked: list[bool] = []
+
+    def is_cancelled() -> bool:
+        asked.append(len(asked) > 1)
+        return asked[-1]
+
+    with pytest.raises(Cancelled):
+        file.workspace.check(file.path, is_cancelled=is_cancelled)
+    assert asked == [False, False, True]
+    assert list(file.workspace._of_file(file.path)) == before.diagnostics[file.path]
+    assert codes(file.workspace.check(file.path), MISSION) != codes(before, MISSION)
 
 
 def test_a_file_of_macros_is_checked_in_every_robot_that_includes_it(tmp_path: Path) -> None:
@@ -133,10 +151,10 @@ def test_a_folder_that_goes_away_is_no_end(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("thorough", [False, True])
 def test_every_prefix_of_a_text_is_checked_without_an_error(thorough: bool) -> None:
-    """Typing the mission's model, 97 characters at a time."""
+    """Typing the mission's model, some characters at a time."""
     text = MISSION.read_text(encoding="utf-8")
     file = Edited(MISSION, "")
-    for end in range(0, len(text), 997 if thorough else 97):
+    for end in range(0, len(text), 1997 if thorough else 397):
         file.type(text[:end])
         checked = file.workspace.check(file.path, thorough=thorough)
         assert checked.trouble == ""

@@ -115,11 +115,11 @@ def test_without_a_folder_nothing_is_written(
     assert isinstance(measured(None, mesh), Measures)
     assert entries(tmp_path) == before
     monkeypatch.setenv(cache_folder.VARIABLE, "")
-    assert measure_cache.default_folder() is None
+    assert measure_cache.default_directory() is None
     monkeypatch.setenv(cache_folder.VARIABLE, "/somewhere")
-    assert measure_cache.default_folder() == "/somewhere/meshes"
+    assert measure_cache.default_directory() == "/somewhere/meshes"
     monkeypatch.delenv(cache_folder.VARIABLE)
-    assert "urdfkit" in str(measure_cache.default_folder())
+    assert "urdfkit" in str(measure_cache.default_directory())
 
 
 def test_a_full_folder_loses_its_older_half(

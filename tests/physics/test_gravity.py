@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from tests.output.test_overview import of
 from urdfkit.lint.context import Subject
 from urdfkit.physics import gravity
-from urdfkit.physics.gravity import GravityModel, gravity_loads
+from urdfkit.physics.gravity import gravity_loads
+from urdfkit.physics.gravity_model import GravityModel
 from urdfkit.robot.joint_loads import largest
 
 lengths = st.floats(-1, 1).map(lambda value: round(value, 3))

@@ -117,8 +117,8 @@ def test_an_alias_is_no_value() -> None:
         "[" * 300_000,
         "{a: " * 200_000,
         "- " * 300_000,
-        "a: {ros__parameters: {type: T, x: [" + "1," * 200_000 + "1]}}",
-        "a: &a [x,x]\n" + "".join(f"b{n}: &b{n} [*a,*a]\n" for n in range(9_000)),
+        "a: {ros__parameters: {type: T, x: [" + "1," * 20_000 + "1]}}",
+        "a: &a [x,x]\n" + "".join(f"b{n}: &b{n} [*a,*a]\n" for n in range(3_000)),
         "a" * (MAX_BYTES + 1),
     ],
 )

@@ -31,13 +31,23 @@ from urdfkit.viewer import server
 BASE = MODELS / "good" / "mobile_base"
 
 
+#: The command, with small pictures: they are drawn anew after every change.
+VIEW = """
+import sys
+from urdfkit.cli import main
+from urdfkit.output.report import data_uris
+data_uris.SHEET = data_uris.MARKED = (128, 72)
+sys.exit(main(["view", *sys.argv[1:]]))
+"""
+
+
 class Running:
     """A viewer of a copy of a robot."""
 
     def __init__(self, folder: Path, *more: str) -> None:
         shutil.copytree(BASE, folder / "mobile_base")
         self.robot = folder / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
-        words = [sys.executable, "-m", "urdfkit", "view", str(self.robot), "--no-open", *more]
+        words = [sys.executable, "-c", VIEW, str(self.robot), "--no-open", *more]
         self.process = subprocess.Popen(words, cwd=ROOT, stderr=subprocess.PIPE, text=True)
         assert self.process.stderr
         self.address = self.process.stderr.readline().strip()
@@ -45,7 +55,7 @@ class Running:
     def get(self, path: str = "", body: bytes | None = None, **headers: str) -> tuple[int, bytes]:
         request = urllib.request.Request(self.address + path, body, headers)
         try:
-            with urllib.request.urlopen(request, timeout=20) as answer:
+            with urllib.request.urlopen(request, timeout=60) as answer:
                 return answer.status, answer.read()
         except urllib.error.HTTPError as error:
             return error.code, error.read()

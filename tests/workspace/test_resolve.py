@@ -248,7 +248,7 @@ def test_a_hundred_references_cost_one_listing_per_folder(
             found.locate(reference.format(number), near)
     assert len(listed) == len(set(listed))
     assert len(stats) == len(set(stats))
-    assert len(listed) <= 3
+    assert len(listed) <= 8  # those around the package as well
 
 
 class TestFence:

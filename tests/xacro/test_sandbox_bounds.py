@@ -1,7 +1,7 @@
 """The bounds of the sandbox: what is as large as allowed is made, and nothing larger."""
 
 from collections.abc import Callable
-from math import factorial, inf
+from math import comb, factorial, inf, lcm, prod
 from typing import Any
 
 import pytest
@@ -131,3 +131,23 @@ def test_what_is_made_is_charged_for_with_all_that_it_holds(what: str) -> None:
     budget = Charged()
     assert Sandbox(budget).keep(value) is value
     assert budget.units == [units]
+
+
+@pytest.mark.parametrize(
+    ("function", "arguments"),
+    [
+        (round, (2.567, 1)),
+        (int, ("ff", 16)),
+        (sum, ([1, 2],)),
+        (sum, ([[1], [2]], [])),
+        (prod, ([2, 3],)),
+        (lcm, (4, 6)),
+        (comb, (5, 2)),
+        (factorial, (5,)),
+    ],
+    ids=lambda value: getattr(value, "__name__", None),
+)
+def test_within_the_bounds_a_function_gives_what_it_gives_in_python(
+    function: Callable[..., Any], arguments: tuple[Any, ...]
+) -> None:
+    assert sandbox().call(function, *arguments) == function(*arguments)

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli.checking import run_check
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import examples
 from urdfkit.cli.options import CHECK, FILES, Option
 
 

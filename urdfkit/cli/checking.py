@@ -214,10 +214,9 @@ def _with_baseline(
 
     folder = os.path.dirname(os.path.abspath(file))
     if known is None:
-        atomic.write(file, output.encode(baseline.dump(report.diagnostics, folder)))
+        atomic.write(file, output.encode(baseline.dump(report, folder)))
         known = baseline.load(file)
-    new, tolerated = baseline.sift(report.diagnostics, known, folder)
-    return report._replace(diagnostics=tuple(new), tolerated=tolerated)
+    return baseline.sift(report, known, folder)
 
 
 def _progress(files: Sequence[str]) -> Progress | None:

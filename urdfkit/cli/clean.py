@@ -4,21 +4,14 @@ from __future__ import annotations
 
 import os
 
-import click
-
 from urdfkit.cli import output
 from urdfkit.cli.cache_contents import contents
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.core.cache_folder import cache_folder
 from urdfkit.errors import UnwritableFile
 
 
-@click.command(
-    "clean",
-    epilog=examples(
-        "urdfkit clean",
-    ),
-)
+@with_examples("clean", "urdfkit clean")
 def command() -> int:
     """Remove the cache: results of checks and measures of meshes.
 

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import check_options, last_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -22,12 +22,10 @@ SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown", ".html": "html"}
 _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value is not False]
 
 
-@click.command(
+@with_examples(
     "diff",
-    epilog=examples(
-        "urdfkit diff HEAD:urdf/robot.urdf.xacro urdf/robot.urdf.xacro",
-        "urdfkit diff old.urdf new.urdf --fail-on joints,limits --tolerance mass=0.01",
-    ),
+    "urdfkit diff HEAD:urdf/robot.urdf.xacro urdf/robot.urdf.xacro",
+    "urdfkit diff old.urdf new.urdf --fail-on joints,limits --tolerance mass=0.01",
 )
 @with_robot_and_targets("BEFORE AFTER [NAME:=VALUE]...")
 @click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")

@@ -15,7 +15,15 @@ import click
 from urdfkit import __version__
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.cache_contents import contents
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import (
+    CONFIG,
+    ISOLATED,
+    PACKAGE,
+    TARGET,
+    TRUST,
+    with_examples,
+    with_options,
+)
 from urdfkit.core.cache_folder import cache_folder
 from urdfkit.lint.config import Config, ConfigError
 from urdfkit.lint.context import Subject
@@ -48,23 +56,15 @@ _PACKAGES = (
     ("uvicorn", "the viewer", "urdfkit[report]"),
     ("yourdfpy", "conversion to yourdfpy", "urdfkit[exchange]"),
     ("pygls", "the language server", "urdfkit[lsp]"),
+    ("dask", "scan on several machines", "urdfkit[scan]"),
+    ("pyarrow", "scan to Parquet", "urdfkit[scan]"),
 )
 _PROGRAMS = {"git": "comparison with an earlier git revision"}
 
 
-@click.command(
-    "doctor",
-    epilog=examples(
-        "urdfkit doctor",
-        "urdfkit doctor robot.urdf.xacro",
-    ),
-)
+@with_examples("doctor", "urdfkit doctor", "urdfkit doctor robot.urdf.xacro")
 @click.argument("words", nargs=-1, metavar="[FILE] [NAME:=VALUE]...")
-@click.option("--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package.")
-@click.option("--target", multiple=True, metavar="NAMES", help="As in urdfkit check.")
-@click.option("--config", metavar="FILE", help="Configuration file. [default: the nearest one]")
-@click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
-@click.option("--trust", is_flag=True, help="Let the model run any expression and read any file.")
+@with_options(TRUST, ISOLATED, CONFIG, TARGET, PACKAGE)
 def command(words: tuple[str, ...], **values: Any) -> int:
     """Show the environment and optional dependencies.
 

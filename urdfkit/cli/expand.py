@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
@@ -22,12 +22,10 @@ if TYPE_CHECKING:
     from urdfkit.xacro import Xacro
 
 
-@click.command(
+@with_examples(
     "expand",
-    epilog=examples(
-        "urdfkit expand robot.urdf.xacro prefix:=left_ -o robot.urdf",
-        "urdfkit expand robot.urdf.xacro --map -",
-    ),
+    "urdfkit expand robot.urdf.xacro prefix:=left_ -o robot.urdf",
+    "urdfkit expand robot.urdf.xacro --map -",
 )
 @one_robot
 @click.option(

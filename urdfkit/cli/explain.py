@@ -8,7 +8,7 @@ from textwrap import fill, indent
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.rule_index import FAMILIES, find_rule, note
 from urdfkit.lint.rules import Need, Rule
@@ -30,12 +30,7 @@ _NEEDS = {
 _HARD = "\0"
 
 
-@click.command(
-    "explain",
-    epilog=examples(
-        "urdfkit explain MSH001",
-    ),
-)
+@with_examples("explain", "urdfkit explain MSH001")
 @click.argument("words", nargs=-1, required=True, metavar="RULE...")
 @click.option(
     "--rules",

@@ -10,7 +10,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
 from urdfkit.cli.checking import apply_fixes, choices, fail_on
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import examples
 from urdfkit.lint.fix import Fixes
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import shown

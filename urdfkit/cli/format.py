@@ -8,7 +8,7 @@ import sys
 import click
 
 from urdfkit.cli import options, output, stdin
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import CONFIG, ISOLATED, with_examples, with_options
 from urdfkit.lint.formatting import Formatted, format_files
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite
@@ -16,13 +16,7 @@ from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable
 
 
-@click.command(
-    "format",
-    epilog=examples(
-        "urdfkit format urdf",
-        "urdfkit format --check .",
-    ),
-)
+@with_examples("format", "urdfkit format urdf", "urdfkit format --check .")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("--check", is_flag=True, help="Write nothing; exit with 1 if a file would change.")
 @click.option("--diff", is_flag=True, help="As --check, and show the changes as a diff.")
@@ -37,8 +31,7 @@ from urdfkit.text.terminal import printable
     is_flag=True,
     help="Also format files that are generated, read-only or ignored by git.",
 )
-@click.option("--config", metavar="FILE", help="Configuration file. [default: the nearest one]")
-@click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
+@with_options(ISOLATED, CONFIG)
 def command(
     files: tuple[str, ...],
     check: bool,

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
 from urdfkit.lint.runner import run_rules
@@ -21,12 +21,7 @@ from urdfkit.text.terminal import printable, wrap
 VERSION = 1
 
 
-@click.command(
-    "gazebo",
-    epilog=examples(
-        "urdfkit gazebo robot.urdf.xacro",
-    ),
-)
+@with_examples("gazebo", "urdfkit gazebo robot.urdf.xacro")
 @one_robot
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @click.option("--old", is_flag=True, help="Convert as sdformat did before 9.10.1 and 12.7.2.")

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, progress
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
 from urdfkit.robot.inertia import MassProperties
@@ -22,12 +22,10 @@ from urdfkit.text.source import shown
 VERSION = 1
 
 
-@click.command(
+@with_examples(
     "inertia",
-    epilog=examples(
-        "urdfkit inertia robot.urdf.xacro --diff",
-        "urdfkit inertia robot.urdf.xacro --link arm --material steel",
-    ),
+    "urdfkit inertia robot.urdf.xacro --diff",
+    "urdfkit inertia robot.urdf.xacro --link arm --material steel",
 )
 @click.option(
     "--from", "source", type=click.Choice(SOURCES), default="auto", help="Geometry to use."

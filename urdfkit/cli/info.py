@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, progress
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
@@ -29,22 +29,15 @@ MOST = 8
 _LABEL = 12
 
 
-@click.command(
+@with_examples(
     "info",
-    epilog=examples(
-        "urdfkit info robot.urdf.xacro",
-        "urdfkit info robot.urdf.xacro --pose ready --format json",
-    ),
+    "urdfkit info robot.urdf.xacro",
+    "urdfkit info robot.urdf.xacro --pose ready --format json",
 )
 @one_robot
 @posed
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
-def command(
-    asked: dict[str, Any],
-    joint: tuple[str, ...],
-    pose: str | None,
-    form: str,
-) -> int:
+def command(asked: dict[str, Any], form: str) -> int:
     """Show a summary of a robot on one page.
 
     Links, joints and degrees of freedom, mass, size and reach, meshes, sensors and plugins. Mass
@@ -54,7 +47,7 @@ def command(
     """
     with progress.shown("mesh files") as bar:
         subject = robot(asked, bar)
-        found = summarise(subject, positions(subject, joint, pose))
+        found = summarise(subject, positions(subject, asked))
     if form == "json":
         output.write(dumped(as_json(found)))
     else:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.core import atomic
 from urdfkit.errors import UnwritableFile
 from urdfkit.lint.argument_values import found_values
@@ -24,12 +24,7 @@ from urdfkit.xacro import Xacro
 _FILE = "urdfkit.toml"
 
 
-@click.command(
-    "init",
-    epilog=examples(
-        "urdfkit init --print",
-    ),
-)
+@with_examples("init", "urdfkit init --print")
 @click.argument("folder", default=os.curdir)
 @click.option("--print", "only_print", is_flag=True, help="Print the configuration; write nothing.")
 def command(folder: str, only_print: bool) -> int:

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.spatial import Transform, to_rpy
@@ -25,12 +25,10 @@ VERSION = 1
 _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
-@click.command(
+@with_examples(
     "kinematics",
-    epilog=examples(
-        "urdfkit kinematics robot.urdf.xacro --joint elbow=90deg",
-        "urdfkit kinematics robot.urdf.xacro --transform base_link tool0",
-    ),
+    "urdfkit kinematics robot.urdf.xacro --joint elbow=90deg",
+    "urdfkit kinematics robot.urdf.xacro --transform base_link tool0",
 )
 @one_robot
 @posed
@@ -42,8 +40,6 @@ _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(
     asked: dict[str, Any],
-    joint: tuple[str, ...],
-    pose: str | None,
     ends: tuple[str, str] | None,
     jacobian: str | None,
     mass_matrix: bool,
@@ -57,7 +53,7 @@ def command(
     Exit codes: 0 done, 2 the file or the pose cannot be read, or a link is unknown.
     """
     subject = robot(asked)
-    given = positions(subject, joint, pose)
+    given = positions(subject, asked)
     found: dict[str, Any] = {"version": VERSION, "pose": given}
     if not (ends or jacobian or mass_matrix):
         found["frames"] = frames(subject.tree, given)

@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
@@ -24,24 +24,17 @@ from urdfkit.text.terminal import wrap
 VERSION = 1
 
 
-@click.command(
+@with_examples(
     "mass",
-    epilog=examples(
-        "urdfkit mass robot.urdf.xacro",
-        "urdfkit mass robot.urdf.xacro --format csv > masses.csv",
-    ),
+    "urdfkit mass robot.urdf.xacro",
+    "urdfkit mass robot.urdf.xacro --format csv > masses.csv",
 )
 @one_robot
 @posed
 @click.option(
     "--format", "form", type=click.Choice(["text", "json", "csv", "markdown"]), default="text"
 )
-def command(
-    asked: dict[str, Any],
-    joint: tuple[str, ...],
-    pose: str | None,
-    form: str,
-) -> int:
+def command(asked: dict[str, Any], form: str) -> int:
     """Show the mass properties of every link and of the whole robot.
 
     Declared mass, centre of mass and principal moments, next to the density and the moments that
@@ -51,7 +44,7 @@ def command(
     """
     with shown("mesh files") as bar:
         subject = robot(asked, bar)
-        found = mass_properties(subject, positions(subject, joint, pose))
+        found = mass_properties(subject, positions(subject, asked))
     if form == "text":
         output.page(render(found))
     else:

@@ -9,19 +9,14 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.lint.migrate import Migration, migrate
 from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.terminal import printable
 
 
-@click.command(
-    "migrate",
-    epilog=examples(
-        "urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch",
-    ),
-)
+@with_examples("migrate", "urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch")
 @one_robot
 @click.option(
     "--to", "target", type=click.Choice(GAZEBO), required=True, help="Target Gazebo generation."

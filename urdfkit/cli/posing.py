@@ -3,39 +3,34 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from typing import Any, TypeVar
+from collections.abc import Mapping
+from typing import Any
 
 import click
 
 from urdfkit.cli import options
+from urdfkit.cli.decorators import with_options
 from urdfkit.lint.context import Subject
 from urdfkit.physics.poses import outside_limits, pose
 from urdfkit.text.terminal import printable
 
-Command = TypeVar("Command", bound=Callable[..., Any])
+#: Gives a command the options ``--joint`` and ``--pose``, as ``joint`` and ``pose``.
+posed = with_options(
+    click.option(
+        "--pose",
+        metavar="FILE",
+        help="Pose file, or an SRDF group state such as ready or arm.srdf:ready.",
+    ),
+    click.option(
+        "--joint",
+        multiple=True,
+        metavar="NAME=VALUE",
+        help="Joint position in rad or m, or in degrees such as 90deg.",
+    ),
+)
 
 
-def posed(command: Command) -> Command:
-    """Give a command the options ``--joint`` and ``--pose``, as ``joint`` and ``pose``."""
-    for add in (
-        click.option(
-            "--pose",
-            metavar="FILE",
-            help="Pose file, or an SRDF group state such as ready or arm.srdf:ready.",
-        ),
-        click.option(
-            "--joint",
-            multiple=True,
-            metavar="NAME=VALUE",
-            help="Joint position in rad or m, or in degrees such as 90deg.",
-        ),
-    ):
-        command = add(command)
-    return command
-
-
-def positions(subject: Subject, joint: tuple[str, ...], name: str | None) -> dict[str, float]:
+def positions(subject: Subject, asked: Mapping[str, Any]) -> dict[str, float]:
     """The positions that the options give; those outside the limits are reported.
 
     Raises:
@@ -43,14 +38,14 @@ def positions(subject: Subject, joint: tuple[str, ...], name: str | None) -> dic
         PoseError: there is no such joint or pose.
     """
     given = {}
-    for word in joint:
+    for word in asked["joint"]:
         key, equals, value = word.rpartition("=")
         if not (key and equals):
             raise options.UsageError(
                 f"--joint {word}: expected NAME=VALUE: the joint and its position"
             )
         given[key] = value
-    found = pose(subject, given, name)
+    found = pose(subject, given, asked["pose"])
     for sentence in outside_limits(subject.tree, found):
         print(f"note: {printable(sentence)}", file=sys.stderr)
     return found

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, progress
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
@@ -30,13 +30,11 @@ SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x25
 _NAMED = 5
 
 
-@click.command(
+@with_examples(
     "render",
-    epilog=examples(
-        "urdfkit render robot.urdf.xacro -o robot.png --view iso,front,top",
-        "urdfkit render robot.urdf.xacro -o bent.png --joint elbow=90deg",
-        "urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow",
-    ),
+    "urdfkit render robot.urdf.xacro -o robot.png --view iso,front,top",
+    "urdfkit render robot.urdf.xacro -o bent.png --joint elbow=90deg",
+    "urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow",
 )
 @one_robot
 @click.option("-o", "--output", metavar="FILE", help="robot.png, .webp, .jpg ...")
@@ -85,7 +83,7 @@ def command(asked: dict[str, Any], **values: Any) -> int:
         scene = _difference(files, asked, values)
     else:
         robot = read_robot(asked)
-        pose = positions(robot, values["joint"], values["pose"])
+        pose = positions(robot, asked)
         scene = _scene(robot, pose, values)
         if not scene.items:
             raise UrdfkitError(_nothing(files[0], robot))
@@ -164,7 +162,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
         for file, name in zip(files, ("before", "after"), strict=True):
             where = os.path.join(os.path.realpath(folder), name)
             robot = RobotState(file, where, chosen).subject
-            scenes.append(_scene(robot, positions(robot, values["joint"], values["pose"]), values))
+            scenes.append(_scene(robot, positions(robot, asked), values))
         before, after = scenes
         image = render.difference(
             before,

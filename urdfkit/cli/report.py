@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -19,12 +19,10 @@ from urdfkit.output.report.writing import form_of, report
 from urdfkit.text.diagnostic import Severity
 
 
-@click.command(
+@with_examples(
     "report",
-    epilog=examples(
-        "urdfkit report robot.urdf.xacro -o robot.html",
-        "urdfkit report robot.urdf.xacro -o masses.csv --table links",
-    ),
+    "urdfkit report robot.urdf.xacro -o robot.html",
+    "urdfkit report robot.urdf.xacro -o masses.csv --table links",
 )
 @with_robot_and_targets()
 @click.option(

@@ -6,11 +6,21 @@ import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 
 from urdfkit.cli import options, stdin
+from urdfkit.cli.decorators import (
+    CONFIG,
+    ISOLATED,
+    PACKAGE,
+    TARGET,
+    TRUST,
+    VARIANT,
+    Command,
+    with_options,
+)
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
@@ -29,54 +39,31 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.text.diagnostic import Problem
 
-Command = TypeVar("Command", bound=Callable[..., Any])
-
 #: Robots of a folder that an error names.
 _NAMED = 5
 
-_TRUST = click.option(
-    "--trust", is_flag=True, help="Let the model run any expression and read any file."
-)
-_PACKAGE = click.option(
-    "--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package."
-)
-_ISOLATED = click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
-_CONFIG = click.option(
-    "--config", metavar="FILE", help="Configuration file. [default: the nearest one]"
-)
-_VARIANT = click.option(
-    "--variant", default="", metavar="NAME", help="Variant in the configuration."
-)
-_TARGET = click.option(
-    "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
-)
-
-
 #: The options of reading a robot, and the keys of their values.
-_READING = (_TRUST, _ISOLATED, _CONFIG, _VARIANT, _PACKAGE)
-_KEYS = (options.FILES, "package", "variant", "config", "isolated", "trust")
+_READING = (TRUST, ISOLATED, CONFIG, VARIANT, PACKAGE)
+_KEYS = (options.FILES, "package", "variant", "config", "isolated", "trust", "joint", "pose")
+
+#: Gives a command the options of reading a robot, without the words that name it.
+read_by_options = with_options(*_READING)
 
 
 def one_robot(command: Callable[..., int]) -> Callable[..., int]:
     """Give a command the words ``FILE [NAME:=VALUE]...`` and the options of reading it.
 
-    It takes the values of all of them as ``asked``, which `robot` and `reading` understand.
+    It takes the values of all of them, and of those of `posed`, as ``asked``, which `robot`,
+    `reading` and `positions` understand.
     """
 
     @wraps(command)
     def collected(**values: Any) -> int:
-        asked = {key: values.pop(key) for key in _KEYS}
+        asked = {key: values.pop(key) for key in _KEYS if key in values}
         return command(asked=asked, **values)
 
     words = click.argument(options.FILES, nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
     return read_by_options(words(collected))
-
-
-def read_by_options(command: Command) -> Command:
-    """Give a command the options of reading a robot, without the words that name it."""
-    for add in _READING:
-        command = add(command)
-    return command
 
 
 def with_robot_and_targets(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[Command], Command]:
@@ -85,11 +72,7 @@ def with_robot_and_targets(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[
     Their values are those that the functions of `options` take.
     """
     words = click.argument(options.FILES, nargs=-1, required=True, metavar=metavar)
-
-    def decorated(command: Command) -> Command:
-        return read_by_options(_TARGET(words(command)))
-
-    return decorated
+    return with_options(words, TARGET, *_READING)
 
 
 def only_file(values: Mapping[str, Any]) -> str:

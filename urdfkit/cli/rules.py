@@ -8,19 +8,13 @@ from collections.abc import Sequence
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.lint.rule_index import all_rules
 from urdfkit.lint.rule_packages import add, installed
 from urdfkit.lint.rules import Rule
 
 
-@click.command(
-    "rules",
-    epilog=examples(
-        "urdfkit rules",
-        "urdfkit rules --format json",
-    ),
-)
+@with_examples("rules", "urdfkit rules", "urdfkit rules --format json")
 @click.option(
     "--format",
     "kind",

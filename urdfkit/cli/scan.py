@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import examples
 from urdfkit.cli.progress import shown
 from urdfkit.core import atomic
 from urdfkit.lint.options import Options

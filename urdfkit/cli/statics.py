@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
@@ -34,12 +34,10 @@ NOISE = 1e-9
 MAX_SAMPLES = 1_000_000
 
 
-@click.command(
+@with_examples(
     "statics",
-    epilog=examples(
-        "urdfkit statics robot.urdf.xacro --payload 2@tool0",
-        "urdfkit statics robot.urdf.xacro --pose ready",
-    ),
+    "urdfkit statics robot.urdf.xacro --payload 2@tool0",
+    "urdfkit statics robot.urdf.xacro --pose ready",
 )
 @one_robot
 @posed
@@ -60,8 +58,6 @@ MAX_SAMPLES = 1_000_000
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(
     asked: dict[str, Any],
-    joint: tuple[str, ...],
-    pose: str | None,
     payload: tuple[str, ...],
     samples: int,
     seed: int,
@@ -78,7 +74,7 @@ def command(
     Exit codes: 0 done, 2 usage or input error.
     """
     subject = robot(asked)
-    given = positions(subject, joint, pose)
+    given = positions(subject, asked)
     carried = _payload(subject, payload)
     loads = _statics(subject, given, carried, samples, seed)
     contacts = [_known(subject, link) for link in contact] or None

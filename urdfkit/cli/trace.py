@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output, stdin
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import first_of, read_by_options, reading
 from urdfkit.errors import UnreadableRobot
 from urdfkit.text.document import Attribute, Element, Step
@@ -24,12 +24,10 @@ MAX_LEVELS = 20
 _MOST = 100
 
 
-@click.command(
+@with_examples(
     "trace",
-    epilog=examples(
-        "urdfkit trace robot.urdf.xacro link/base_link",
-        "urdfkit trace robot.urdf.xacro link/base_link/inertial/mass@value",
-    ),
+    "urdfkit trace robot.urdf.xacro link/base_link",
+    "urdfkit trace robot.urdf.xacro link/base_link/inertial/mass@value",
 )
 @click.argument("file")
 @click.argument("address", metavar="ELEMENT[@ATTRIBUTE]")

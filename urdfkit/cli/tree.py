@@ -8,17 +8,13 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.output.diagrams import FORMATS, text
 
 
-@click.command(
-    "tree",
-    epilog=examples(
-        "urdfkit tree robot.urdf.xacro",
-        "urdfkit tree robot.urdf.xacro --format svg > tree.svg",
-    ),
+@with_examples(
+    "tree", "urdfkit tree robot.urdf.xacro", "urdfkit tree robot.urdf.xacro --format svg > tree.svg"
 )
 @one_robot
 @click.option("--format", "form", type=click.Choice(FORMATS), default="text")

@@ -9,18 +9,13 @@ from typing import Any
 import click
 
 from urdfkit.cli import options
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.output.report.translations import LANGUAGES, Translator
 from urdfkit.viewer.server import serve
 
 
-@click.command(
-    "view",
-    epilog=examples(
-        "urdfkit view robot.urdf.xacro prefix:=left_",
-    ),
-)
+@with_examples("view", "urdfkit view robot.urdf.xacro prefix:=left_")
 @with_robot_and_targets()
 @click.option("--port", type=click.IntRange(0, 65535), default=0, help="[default: a free one]")
 @click.option("--no-open", is_flag=True, help="Print the URL; do not open a browser.")

@@ -16,6 +16,8 @@ from collections.abc import Iterable
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
+from urdfkit.lint.merging import in_reading_order
+from urdfkit.lint.report import Report
 from urdfkit.lint.rule_index import redirect
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import why_unreadable
@@ -64,9 +66,14 @@ def fingerprints(diagnostics: Iterable[Diagnostic]) -> list[str]:
     return marks
 
 
-def dump(diagnostics: Iterable[Diagnostic], folder: str) -> str:
-    """The text of a baseline of these findings; the same findings give the same text."""
-    counts = Counter(fingerprint(diagnostic, folder) for diagnostic in diagnostics)
+def dump(report: Report, folder: str) -> str:
+    """The text of a baseline of a report; the same findings give the same text.
+
+    It has what is silenced as well, for its cause is tolerated from now on.
+    """
+    silenced = (one for group in report.silenced for one in group.findings)
+    found = {_identity(one): one for one in (*report.diagnostics, *silenced)}
+    counts = Counter(fingerprint(diagnostic, folder) for diagnostic in found.values())
     findings = [{**key._asdict(), "count": count} for key, count in sorted(counts.items())]
     document = {"version": VERSION, "findings": findings}
     return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
@@ -93,23 +100,54 @@ def load(path: str) -> Counter[Fingerprint]:
         raise BaselineError(f"{path}: not a urdfkit baseline ({error})") from error
 
 
-def sift(
-    diagnostics: Iterable[Diagnostic], known: Counter[Fingerprint], folder: str
-) -> tuple[list[Diagnostic], int]:
-    """The findings that a baseline does not tolerate, and how many it does."""
-    paths = {key.path for key in known}
-    gone = {path for path in paths if not disk.has_name(os.path.join(folder, path))}
-    left: Counter[Fingerprint] = Counter()
-    for key, count in known.items():
-        left[key._replace(path="") if key.path in gone else key] += count
-    new: list[Diagnostic] = []
-    tolerated = 0
-    for diagnostic in diagnostics:
-        own = fingerprint(diagnostic, folder)
-        key = own if left[own] > 0 else own._replace(path="")
-        if left[key] > 0:
-            left[key] -= 1
-            tolerated += 1
-        else:
-            new.append(diagnostic)
-    return new, tolerated
+def sift(report: Report, known: Counter[Fingerprint], folder: str) -> Report:
+    """A report without what a baseline tolerates.
+
+    A tolerated finding silences nothing: what follows from it is reported, unless the baseline has
+    that, too.
+    """
+    tolerated = _Tolerated(known, folder)
+    new = [one for one in report.diagnostics if not tolerated.takes(one)]
+    stands = set(map(_identity, new))
+    found = {
+        _identity(one): one
+        for group in report.silenced
+        if stands.isdisjoint(map(_identity, group.causes))
+        for one in group.findings
+    }
+    new += [one for one in found.values() if not tolerated.takes(one)]
+    return report._replace(diagnostics=in_reading_order(new), tolerated=tolerated.count)
+
+
+def _identity(diagnostic: Diagnostic) -> tuple[object, ...]:
+    """The same for a finding of several robots, which merging makes one."""
+    span = diagnostic.span
+    return (diagnostic.code, disk.real(span.source.path), *span[1:], diagnostic.message)
+
+
+class _Tolerated:
+    """What a baseline still tolerates.
+
+    Args:
+        known: the findings in it, with how often each is tolerated.
+        folder: of the baseline.
+    """
+
+    def __init__(self, known: Counter[Fingerprint], folder: str) -> None:
+        self.count = 0
+        self._folder = folder
+        paths = {key.path for key in known}
+        gone = {path for path in paths if not disk.has_name(os.path.join(folder, path))}
+        self._left: Counter[Fingerprint] = Counter()
+        for key, count in known.items():
+            self._left[key._replace(path="") if key.path in gone else key] += count
+
+    def takes(self, diagnostic: Diagnostic) -> bool:
+        """True if a finding is tolerated, which is then used up."""
+        own = fingerprint(diagnostic, self._folder)
+        key = own if self._left[own] > 0 else own._replace(path="")
+        if self._left[key] <= 0:
+            return False
+        self._left[key] -= 1
+        self.count += 1
+        return True

@@ -114,7 +114,7 @@ def check_with(
     else:
         resolver = resolver.with_texts(options.texts)
     plan = planned(files, resolver, options)
-    return merged_report(plan, _checked(plan.jobs, options, resolver), _unopened(plan, options))
+    return merged_report(plan, _checked(plan.jobs, options, resolver), _unchecked(plan, options))
 
 
 def check_robots(
@@ -362,13 +362,11 @@ def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
     return result._replace(skipped=(Skipped("", subject.source.path, why),))
 
 
-def _unopened(plan: Plan, options: Options) -> Iterator[Diagnostic]:
-    """A finding for each file of a folder that is called like a robot and cannot be opened."""
+def _unchecked(plan: Plan, options: Options) -> Iterator[Diagnostic]:
+    """A finding for each file that looks like a robot and is none that can be checked."""
     code, config = rule_index.NOT_CHECKED, options.config
-    for path in plan.closed if code in options.select else ():
+    for path, message, help in plan.unchecked if code in options.select else ():
         at = rules.Location(Span(Source(path, b""), 0, 0))
-        message = "robot not checked: the file cannot be opened"
-        help = "check the symbolic link and the file permissions"
         for found in diagnose(rule_index.get(code), [rules.Finding(at, message, help)]):
             severity = config.severities.get(code, found.severity)
             if not config.ignores(code, path, severity):

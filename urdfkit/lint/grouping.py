@@ -14,6 +14,8 @@ from urdfkit.text.diagnostic import Diagnostic, Fix, Related
 MAX_SINGLE = 2
 #: Of the others, those whose places are shown.
 MAX_NOTES = 20
+#: Rules whose findings in several files have one cause outside of them: a package is not found.
+_ACROSS_FILES = frozenset(("XAC011",))
 
 
 def grouped(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
@@ -22,11 +24,13 @@ def grouped(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     for number, one in enumerate(diagnostics):
         key: object = number
         if one.alike:
-            key = (one.code, one.severity, one.alike, one.span.source.path, one.variants)
+            path = "" if one.code in _ACROSS_FILES else one.span.source.path
+            key = (one.code, one.severity, one.alike, path, one.variants)
         groups.setdefault(key, []).append(one)
     found: list[Diagnostic] = []
     for group in groups.values():
-        found += [_as_one(group)] if len(group) > MAX_SINGLE else group
+        most = 1 if group[0].code in _ACROSS_FILES else MAX_SINGLE
+        found += [_as_one(group)] if len(group) > most else group
     return tuple(found)
 
 
@@ -41,6 +45,8 @@ def _as_one(group: list[Diagnostic]) -> Diagnostic:
 
 def _note(other: Diagnostic, first: Diagnostic) -> Related:
     """The note about another one: its help, too, if that is its own."""
+    if other.code in _ACROSS_FILES:
+        return Related(other.span, other.message.partition("; searched")[0])
     own = other.help if other.help != first.help else ""
     return Related(other.span, f"{other.message}: {own}" if own else other.message)
 

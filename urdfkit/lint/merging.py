@@ -16,20 +16,20 @@ from urdfkit.text.source import shown
 Checked = tuple[Job, FileResult]
 
 
-def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnostic]) -> Report:
+def merged_report(plan: Plan, checked: list[Checked], unchecked: Iterable[Diagnostic]) -> Report:
     """The report on all descriptions of a plan.
 
     Args:
         plan: of the check.
         checked: the descriptions with their results, in the order of the plan.
-        unopened: findings about files that cannot be opened.
+        unchecked: findings about what nothing was checked of.
     """
     checked = _launched_once(checked)
     results = [result for _, result in checked]
     files = Counter(job.path for job in plan.jobs)
     return Report(
         tuple(files),
-        _in_reading_order((*_distinct(checked), *unopened)),
+        in_reading_order((*_distinct(checked), *unchecked)),
         (*plan.skipped, *(skip for result in results for skip in result.skipped)),
         (*plan.crashed, *(crash for result in results for crash in result.crashed)),
         tuple(sorted({code for result in results for code in result.ran})),
@@ -38,7 +38,7 @@ def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnos
         errors=tuple(
             tuple(
                 one
-                for one in (*result.diagnostics, *result.consequences)
+                for one in (*result.diagnostics, *result.silenced.findings)
                 if one.severity is Severity.ERROR
             )
             for result in results
@@ -53,6 +53,7 @@ def merged_report(plan: Plan, checked: list[Checked], unopened: Iterable[Diagnos
             for one in (results[0].unknown_arguments.items() if results else ())
             if all(one[0] in result.unknown_arguments for result in results)
         ),
+        silenced=tuple(result.silenced for result in results if result.silenced.findings),
     )
 
 
@@ -109,7 +110,7 @@ def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, .
     return tuple(dict.fromkeys(name for own in names.values() for name in own))
 
 
-def _in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     """By file, place, code and message."""
     found = tuple(diagnostics)
     names = {path: shown(path) for path in {one.span.source.path for one in found}}

@@ -40,6 +40,7 @@ class Options(Record):
         texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
         progress: called with the number of descriptions done and of all; of a single one, with
             those of its mesh files.
+        is_cancelled: asked before each rule; the check raises `Cancelled` once it is true.
     """
 
     arguments: Mapping[str, str] = {}
@@ -59,6 +60,7 @@ class Options(Record):
     only_errors: frozenset[Need] = frozenset()
     texts: Mapping[str, bytes] = {}
     progress: Callable[[int, int], None] | None = None
+    is_cancelled: Callable[[], bool] | None = None
 
     def given(self, **named: Any) -> Options:
         """The options with those of a call that are not empty."""

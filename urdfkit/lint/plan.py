@@ -86,8 +86,10 @@ def planned(
     if options.changed:
         plan.add_changed(files)
     else:
+        files = list(files)
         for file in files:
             plan.add(file)
+        plan.note_without_robot([os.fspath(f) for f in files if not isinstance(f, Source)])
     return plan
 
 
@@ -104,8 +106,8 @@ class Plan:
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
-        #: Descriptions of a folder that cannot be opened.
-        self.closed: list[str] = []
+        #: Why nothing of a file, or of a folder with it, is checked, and what to do about it.
+        self.unchecked: list[tuple[str, str, str]] = []
         #: The arguments with which the robots of a folder are checked, by path.
         self._launched: dict[str, list[dict[str, str]]] = {}
 
@@ -161,9 +163,26 @@ class Plan:
             self._add_closed(path)
 
     def _add_closed(self, path: str) -> None:
-        self.closed.append(path)
-        reason = "cannot be opened; check the symbolic link and the file permissions"
-        self.skipped.append(Skipped("", path, reason))
+        """A file of a directory that is called like a robot and cannot be opened."""
+        help = "check the symbolic link and the file permissions"
+        self.unchecked.append((path, "robot not checked: the file cannot be opened", help))
+        self.skipped.append(Skipped("", path, f"cannot be opened; {help}"))
+
+    def note_without_robot(self, given: Iterable[str]) -> None:
+        """Leave a note if directories hold no robot: a report on launch files is no verdict."""
+        folders = list(filter(disk.is_folder, given))
+        launches = [job.path for job in self.jobs if is_launch(job.path)]
+        if not folders or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
+            return
+        if launches:
+            what = f"only {len(launches)} launch file{'s'[len(launches) == 1 :]}"
+            help = "check the package of the robot, too, or pass --package NAME=DIRECTORY"
+        else:
+            what = "only macros and parts of robots"
+            help = "check a robot that uses them; urdfkit check --show-files lists the files"
+        named = ", ".join(f"'{shown(folder)}'" for folder in folders)
+        first = [*launches, *(skip.path for skip in self.skipped), *folders][0]
+        self.unchecked.append((first, f"no robot checked in {named}: {what}", help))
 
     def _add_source(self, source: Source) -> None:
         if is_launch(source.path):

@@ -68,6 +68,18 @@ class Fixable(Record):
     left: tuple[tuple[str, int], ...]
 
 
+class Silenced(Record):
+    """Findings that follow from others, which are reported in their place.
+
+    Attributes:
+        causes: the others, without what merging adds to them.
+        findings: what is not reported.
+    """
+
+    causes: tuple[Diagnostic, ...]
+    findings: tuple[Diagnostic, ...]
+
+
 class Report(Record):
     """The outcome of a check.
 
@@ -87,6 +99,7 @@ class Report(Record):
         unknown_arguments: those given that no description mentions, each with the one that was
             meant, or nothing.
         fixable: what ``urdfkit fix`` would do; None where nobody asked.
+        silenced: what is not reported because its cause is, of each description that has some.
     """
 
     files: tuple[str, ...]
@@ -102,6 +115,7 @@ class Report(Record):
     launched: tuple[Launched, ...] = ()
     unknown_arguments: tuple[tuple[str, str], ...] = ()
     fixable: Fixable | None = None
+    silenced: tuple[Silenced, ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.core.record import Record
+from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
 from urdfkit.lint.options import Options
-from urdfkit.lint.report import Crashed, Skipped, crash
+from urdfkit.lint.report import Crashed, Silenced, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
 from urdfkit.text.document import Attribute, Element, Step
@@ -46,7 +47,7 @@ class FileResult(Record):
         targets: the programs that severities depend on; None if none does.
         suppressed: how many findings the model's comments or the configuration suppress.
         unknown_arguments: those given that the description never mentions, with the one meant.
-        consequences: findings that follow from others, which are reported in their place.
+        silenced: findings that follow from others, which are reported in their place.
     """
 
     diagnostics: tuple[Diagnostic, ...]
@@ -56,7 +57,7 @@ class FileResult(Record):
     targets: Targets | None
     suppressed: int
     unknown_arguments: Mapping[str, str] = {}
-    consequences: tuple[Diagnostic, ...] = ()
+    silenced: Silenced = Silenced((), ())
 
 
 def run_rules(
@@ -116,13 +117,19 @@ class _Run:
             return otherwise
 
     def rules(self, chosen: Iterable[str]) -> None:
-        """Run those of some rules whose family applies to the subject."""
+        """Run those of some rules whose family applies to the subject.
+
+        Raises:
+            Cancelled: nobody waits for the result any more.
+        """
         families: dict[str, list[str]] = {}
         for code in chosen:
             families.setdefault(rule_index.family_of(code), []).append(code)
         for family, codes in families.items():
             applicable = self._applicable(family, codes)
             for rule in filter(self._is_chosen, map(rule_index.get, applicable)):
+                if self.options.is_cancelled and self.options.is_cancelled():
+                    raise Cancelled("the check was cancelled")
                 self._rule(rule)
 
     def _is_chosen(self, rule: Rule) -> bool:
@@ -221,7 +228,7 @@ class _Run:
     def verdict(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
-        diagnostics, consequences = _without_consequences(diagnostics, self._asked)
+        diagnostics, silenced = _without_consequences(diagnostics, self._asked)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return FileResult(
             diagnostics,
@@ -230,7 +237,7 @@ class _Run:
             frozenset(self.ran),
             targets,
             left_out,
-            consequences=consequences,
+            silenced=silenced,
         )
 
     def _distinct_crashes(self) -> Iterator[Crashed]:
@@ -251,11 +258,11 @@ class _Run:
 
 def _without_consequences(
     diagnostics: tuple[Diagnostic, ...], rules: Mapping[str, Rule]
-) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
+) -> tuple[tuple[Diagnostic, ...], Silenced]:
     """Findings without what follows from others, which are then as severe as that; and that."""
     causes = [one for one in diagnostics if _hides_parts(one, rules[one.code])]
     if not causes:
-        return diagnostics, ()
+        return diagnostics, Silenced((), ())
     kept: list[Diagnostic] = []
     hidden: list[Diagnostic] = []
     for one in diagnostics:
@@ -264,7 +271,7 @@ def _without_consequences(
         if found in causes:
             worst = min((found, *hidden), key=lambda one: one.severity.rank)
             kept[place] = found._replace(severity=worst.severity)
-    return tuple(kept), tuple(hidden)
+    return tuple(kept), Silenced(tuple(causes), tuple(hidden))
 
 
 def _hides_parts(diagnostic: Diagnostic, rule: Rule) -> bool:

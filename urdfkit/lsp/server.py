@@ -1,9 +1,9 @@
 """The protocol: requests of clients go to the workspace, its answers to the clients.
 
-All work on robots is done by a second thread, so that a slow robot never
-keeps the server from reading. A text that is changed is checked when no other change has come for
-a moment; the rules that open meshes run when it is saved. An error in answering is logged and
-answered by nothing: the server lives on.
+All work on robots is done by a second thread, so that a slow robot never keeps the server from
+reading. A text that is changed is checked when no other change has come for a moment, and a check
+of a text that has changed since ends before its next rule. The rules that open meshes run when it
+is saved. An error in answering is logged and answered by nothing: the server lives on.
 """
 
 from __future__ import annotations
@@ -123,8 +123,14 @@ class Server(LanguageServer):
             await self._publish_findings(uri, thorough=True)
 
     async def _publish_findings(self, uri: str, *, thorough: bool) -> None:
-        path = self.path(uri)
-        checked = await self.ask(lambda: self.robots.check(path, thorough=thorough), None)
+        path, task = self.path(uri), asyncio.current_task()
+
+        def is_cancelled() -> bool:
+            return self._waiting.get(uri) is not task
+
+        checked = await self.ask(
+            lambda: self.robots.check(path, thorough=thorough, is_cancelled=is_cancelled), None
+        )
         if checked is None:
             return
         if checked.trouble != self._told_trouble:

@@ -6,11 +6,11 @@ Nothing here speaks the protocol; one thread uses it.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache, cached_property
 
 from urdfkit.core.record import Record
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import Cancelled, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.config import RobotEntry as EntryPoint
@@ -269,19 +269,31 @@ class Workspace:
             self._resolvers[config.path] = Resolver(config.packages)
         return self._resolvers[config.path].with_texts(self.texts)
 
-    def check(self, path: str, *, thorough: bool = False) -> CheckedFile:
+    def check(
+        self,
+        path: str,
+        *,
+        thorough: bool = False,
+        is_cancelled: Callable[[], bool] | None = None,
+    ) -> CheckedFile:
         """Check the robots of a file.
 
         Args:
             path: of the file.
             thorough: run the rules that open meshes or compute dynamics, too.
+            is_cancelled: asked before each rule.
+
+        Raises:
+            Cancelled: it is true now; the findings stay those of the last whole check.
         """
         config, trouble = self.config(path)
         before = set(self._files())
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
         for root in roots:
             try:
-                found = self._check_root(root, config, thorough=thorough)
+                found = self._check_root(root, config, thorough, is_cancelled)
+            except Cancelled:
+                raise
             except UrdfkitError as error:
                 trouble, found = trouble or str(error), []
             by_file: dict[str, list[Diagnostic]] = {}
@@ -292,12 +304,15 @@ class Workspace:
         files = before | set(self._files()) | {path}
         return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, trouble)
 
-    def _check_root(self, root: str, config: Config, *, thorough: bool) -> Iterable[Diagnostic]:
+    def _check_root(
+        self, root: str, config: Config, thorough: bool, is_cancelled: Callable[[], bool] | None
+    ) -> Iterable[Diagnostic]:
         options = Options(
             arguments=self._launched.get(root) or {},
             config=config,
             texts=self.texts,
             ignore=() if thorough else slow_rules(),
+            is_cancelled=is_cancelled,
         )
         return check_with(options, [root], self._resolver(config)).diagnostics
 

@@ -21,7 +21,7 @@ from urdfkit.mesh.measures import Measures, from_json, to_json
 #: Goes up when measures change, or what they are made from.
 VERSION = 9
 
-#: Entries in one of the 256 folders; of some 2 kB each.
+#: Entries in one of the 256 directories; of some 2 kB each.
 MAX_ENTRIES = 100
 
 _MATERIALS = rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)"
@@ -31,11 +31,11 @@ _URI = rb'"uri"\s*:\s*"(?!data:)([^"]{1,1000})"'
 @lru_cache
 def shared(*, cached: bool) -> Store:
     """The store of this process."""
-    return Store(default_folder() if cached else None)
+    return Store(default_directory() if cached else None)
 
 
-def default_folder() -> str | None:
-    """The folder of the cache; None if the environment wants none."""
+def default_directory() -> str | None:
+    """The directory of the cache; None if the environment wants none."""
     cache = cache_folder()
     return os.path.join(cache, "meshes") if cache else None
 
@@ -44,11 +44,11 @@ class Store:
     """Measures mesh files, each content once.
 
     Args:
-        folder: where measures are kept; None keeps them for this process only.
+        directory: where measures are kept; None keeps them for this process only.
     """
 
-    def __init__(self, folder: str | None) -> None:
-        self._folder = os.path.join(folder, f"v{VERSION}") if folder else None
+    def __init__(self, directory: str | None) -> None:
+        self._directory = os.path.join(directory, f"v{VERSION}") if directory else None
         self._known: dict[tuple[object, ...], Measures | str] = {}
 
     def measures(self, path: str, form: str) -> Measures | str:
@@ -72,10 +72,10 @@ class Store:
             data = disk.read(path, MAX_BYTES)
         except OSError as error:
             return f"cannot be read: {error.strerror or error}"
-        if self._folder is None:
+        if self._directory is None:
             return _measured(data, path)
         digest = _digest(data, form, os.path.dirname(path))
-        entry = os.path.join(self._folder, digest[:2], f"{digest[2:]}.json")
+        entry = os.path.join(self._directory, digest[:2], f"{digest[2:]}.json")
         known = _read(entry)
         if known is None:
             known = _measured(data, path)
@@ -83,7 +83,7 @@ class Store:
         return known
 
 
-def _digest(data: bytes, form: str, folder: str) -> str:
+def _digest(data: bytes, form: str, directory: str) -> str:
     """Of all that the measures are made from: a file and those that it names."""
     from hashlib import blake2b
 
@@ -92,8 +92,8 @@ def _digest(data: bytes, form: str, folder: str) -> str:
     digest = blake2b(f"{form} {len(data)}\n".encode(), digest_size=20)
     digest.update(data)
     for name in _names(data, form):
-        path = referenced_files.place(name, folder)
-        digest.update(name.encode() + (referenced_files.read(path, MAX_BYTES, folder) or b""))
+        path = referenced_files.place(name, directory)
+        digest.update(name.encode() + (referenced_files.read(path, MAX_BYTES, directory) or b""))
     return digest.hexdigest()
 
 
@@ -139,20 +139,20 @@ def _write(entry: str, known: Measures | str) -> None:
     import json
 
     content = known if isinstance(known, str) else to_json(known)
-    folder = os.path.dirname(entry)
+    directory = os.path.dirname(entry)
     try:
-        os.makedirs(folder, exist_ok=True)
-        _make_room(folder)
+        os.makedirs(directory, exist_ok=True)
+        _make_room(directory)
         atomic.write(entry, json.dumps(content).encode(), durable=False)
     except (OSError, UnwritableFile):
         return
 
 
-def _make_room(folder: str) -> None:
-    """Remove the older half of the entries of a full folder."""
-    names = os.listdir(folder)
+def _make_room(directory: str) -> None:
+    """Remove the older half of the entries of a full directory."""
+    names = os.listdir(directory)
     if len(names) < MAX_ENTRIES:
         return
-    by_age = sorted((os.stat(os.path.join(folder, name)).st_mtime, name) for name in names)
+    by_age = sorted((os.stat(os.path.join(directory, name)).st_mtime, name) for name in names)
     for _, name in by_age[: MAX_ENTRIES // 2]:
-        os.unlink(os.path.join(folder, name))
+        os.unlink(os.path.join(directory, name))

@@ -26,14 +26,13 @@ try:
     )
     from urdfkit.render.camera import VIEWS, Camera, CameraOptions, looking
     from urdfkit.render.difference import difference
-    from urdfkit.render.draw import DrawingOptions, draw
+    from urdfkit.render.draw import QUALITIES, DrawingOptions, draw
     from urdfkit.render.findings import marked
     from urdfkit.render.fonts import unwritable
     from urdfkit.render.layers import LAYERS, explained
     from urdfkit.render.materials import SurfaceMaterial
     from urdfkit.render.picture import PictureError, colour, picture, save
     from urdfkit.render.pixels import STUDIO, Background
-    from urdfkit.render.quality import QUALITIES
     from urdfkit.render.scene import Label, MissingMesh, Scene, SceneItem, build
 except ImportError as error:
     raise MissingLibrary(

@@ -21,13 +21,12 @@ from urdfkit.render.light import LATTICE, Rig, ShadowMap, rig, shadow_map, sunli
 from urdfkit.render.materials import SurfaceMaterial
 from urdfkit.render.occlusion import openness
 from urdfkit.render.pixels import STUDIO, Background, encoded, gradient, matching, means, summed
-from urdfkit.render.quality import QUALITIES, Quality
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Illumination, shaded
 from urdfkit.render.soup import CameraTriangles, cut, extent, rows, soup
 from urdfkit.render.textures import sample, srgb_to_linear, texture
-from urdfkit.render.thread_pool import CHUNK, Workers
+from urdfkit.render.thread_pool import Workers
 
 #: Rows of pixels of a band.
 BAND = 60
@@ -46,6 +45,26 @@ NEAR = 0.012
 
 
 _OPAQUE, _CLEAR, _SIGN = range(3)
+
+
+class Quality(NamedTuple):
+    """How much work a picture is worth.
+
+    Attributes:
+        samples: of a pixel, for smooth edges.
+        sky, sun: samples of what hides the sky and the sun; none are taken for 0.
+    """
+
+    samples: int
+    sky: int
+    sun: int
+
+
+QUALITIES = {
+    "draft": Quality(3, 0, 4),
+    "default": Quality(6, 16, 10),
+    "high": Quality(16, 32, 16),
+}
 
 
 class DrawingOptions(TypedDict, total=False):
@@ -110,7 +129,7 @@ class _Drawing:
     ) -> None:
         self.scene, self.camera, self.quality, self.workers = scene, camera, quality, workers
         self.rig: Rig = rig(camera)
-        everything = soup(scene, camera, workers)
+        everything = soup(scene, camera)
         self.looks = [item.look for item in scene.items]
         workers.each(
             sorted({look.texture for look in self.looks if look.texture}, key=str), texture
@@ -120,7 +139,8 @@ class _Drawing:
         solid = [piece for piece, kind in pieces if kind == _OPAQUE]
         robot = [piece for piece, kind in pieces if kind != _SIGN]
         casts = rows(everything.faces, self._kind(everything) == _OPAQUE)
-        world = self._world(everything)
+        axes = np.asarray(camera.axes, dtype=np.float32).T
+        world = turned(everything.points, axes) + np.asarray(camera.eye, dtype=np.float32)
         lowest, highest = extent(world, robot)
         self.size = float((highest - lowest).max()) or 1.0
         self.sun: ShadowMap = shadow_map(everything, casts, solid, self.rig, workers)
@@ -131,7 +151,7 @@ class _Drawing:
         x, y, near = camera.project(everything.points)
         self._lift(near, everything, (lowest + highest) / 2)
         self.screen: Projected
-        self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0], workers)
+        self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0])
         self.soup: CameraTriangles = everything
         if len(chosen) < len(everything.faces):
             self.soup = everything._replace(
@@ -198,18 +218,6 @@ class _Drawing:
                 near[piece] += step
             else:
                 near[piece] *= 1 + step / np.float32(max(distance, self.size))
-
-    def _world(self, everything: CameraTriangles) -> Floats:
-        """The vertices in the world."""
-        points = np.empty_like(everything.points)
-        axes = np.asarray(self.camera.axes, dtype=np.float32).T
-        eye = np.asarray(self.camera.eye, dtype=np.float32)
-
-        def some(first: int, last: int) -> None:
-            points[first:last] = turned(everything.points[first:last], axes) + eye
-
-        self.workers.bands(len(points), CHUNK, some)
-        return points
 
     # -- the first pass: what is seen --
 

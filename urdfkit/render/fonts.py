@@ -13,7 +13,7 @@ from PIL import ImageFont
 
 Font = ImageFont.FreeTypeFont | ImageFont.ImageFont
 
-#: Files that Pillow looks for in the folders of the system, with the number of the face in each:
+#: Files that Pillow looks for in the directories of the system, and the number of the face in each:
 #: of Noto's faces the simplified Chinese one, which has the other scripts as well.
 _FILES = (
     ("NotoSansCJK-Regular.ttc", 2),

@@ -131,7 +131,7 @@ def _contact(
     """How much of the sky the robot hides from the floor, roughly: heights, blurred."""
     x, y = ((points[:, i] - np.float32(origin[i])) / np.float32(cell) for i in range(2))
     top = height + 2 * size
-    screen, _ = projected(x, y, np.float32(top) - points[:, 2], faces, CELLS, workers)
+    screen, _ = projected(x, y, np.float32(top) - points[:, 2], faces, CELLS)
     everything, middle = np.arange(len(screen.top)), np.array((0.5,), dtype=np.float32)
     above = np.empty((CELLS, CELLS), dtype=np.float32)
 

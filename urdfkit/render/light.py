@@ -11,7 +11,7 @@ from urdfkit.render.arrays import Floats, Integers, dot, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, nearest, projected, split
 from urdfkit.render.soup import CameraTriangles, extent
-from urdfkit.render.thread_pool import CHUNK, Workers
+from urdfkit.render.thread_pool import Workers
 
 #: Texels of the edge of the shadow map.
 TEXELS = 1024
@@ -85,12 +85,7 @@ def shadow_map(
         workers: that do it.
     """
     axes = _axes(rig)
-    seen = np.empty_like(whole.points)
-
-    def turn(first: int, last: int) -> None:
-        seen[first:last] = turned(whole.points[first:last], axes)
-
-    workers.bands(len(seen), CHUNK, turn)
+    seen = turned(whole.points, axes)
     lowest, highest = extent(seen, pieces)
     edge = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
     middle = (lowest + highest) / 2
@@ -101,7 +96,7 @@ def shadow_map(
         axes, origin.astype(np.float32), scale, np.zeros((TEXELS, TEXELS), dtype=np.float32)
     )
     x, y, z = result.placed(seen)
-    screen, _ = projected(x, y, z, faces, TEXELS, workers)
+    screen, _ = projected(x, y, z, faces, TEXELS)
     everything = np.arange(len(screen.top))
     offsets = np.array((0.5,), dtype=np.float32)
 

@@ -17,7 +17,6 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.render.arrays import Bools, Floats, Integers, Keys
-from urdfkit.render.thread_pool import CHUNK, Workers
 
 #: Samples that are worked on at a time: bounds memory whatever lies on top of what.
 MAX_SAMPLES = 1 << 20
@@ -45,31 +44,16 @@ class Projected(NamedTuple):
 
 
 def projected(
-    x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int, workers: Workers
+    x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int
 ) -> tuple[Projected, Integers]:
     """Triangles that may be in a picture of some width, and their numbers among all."""
-    count = len(faces)
-    a, b, c = (np.empty(count, dtype=np.int32) for _ in range(3))
-    top, bottom = (np.empty(count, dtype=np.float32) for _ in range(2))
-    inside = np.empty(count, dtype=bool)
-
-    def some(first: int, last: int) -> None:
-        here = slice(first, last)
-        for corner, column in enumerate((a, b, c)):
-            column[here] = faces[here, corner]
-        xs, ys = ([values[column[here]] for column in (a, b, c)] for values in (x, y))
-        np.minimum(np.minimum(ys[0], ys[1]), ys[2], out=top[here])
-        np.maximum(np.maximum(ys[0], ys[1]), ys[2], out=bottom[here])
-        inside[here] = bottom[here] > top[here]
-        inside[here] &= np.minimum(np.minimum(xs[0], xs[1]), xs[2]) < width
-        inside[here] &= np.maximum(np.maximum(xs[0], xs[1]), xs[2]) > 0
-
-    workers.bands(count, CHUNK, some)
+    columns = [np.ascontiguousarray(faces[:, corner], dtype=np.int32) for corner in range(3)]
+    xs, ys = ([values[column] for column in columns] for values in (x, y))
+    top, bottom = np.minimum.reduce(ys), np.maximum.reduce(ys)
+    inside = (bottom > top) & (np.minimum.reduce(xs) < width) & (np.maximum.reduce(xs) > 0)
     chosen = np.flatnonzero(inside)
-    if len(chosen) < count:
-        a, b, c = (column[chosen] for column in (a, b, c))
-        top, bottom = top[chosen], bottom[chosen]
-    return Projected(x, y, nearness, (a, b, c), top, bottom), chosen
+    a, b, c = (column[chosen] for column in columns)
+    return Projected(x, y, nearness, (a, b, c), top[chosen], bottom[chosen]), chosen
 
 
 class Grid(NamedTuple):

@@ -10,8 +10,7 @@ import numpy as np
 
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds, cross, turned, unit
 from urdfkit.render.camera import Camera
-from urdfkit.render.scene import Scene, SceneItem
-from urdfkit.render.thread_pool import CHUNK, Workers
+from urdfkit.render.scene import Scene
 
 
 class CameraTriangles(NamedTuple):
@@ -38,7 +37,7 @@ class CameraTriangles(NamedTuple):
     pieces: tuple[slice, ...]
 
 
-def soup(scene: Scene, camera: Camera, workers: Workers) -> CameraTriangles:
+def soup(scene: Scene, camera: Camera) -> CameraTriangles:
     """The triangles of a scene as a camera sees them."""
     faces = [item.faces for item in scene.items]
     ends = list(accumulate((len(item.vertices) for item in scene.items), initial=0))
@@ -46,48 +45,26 @@ def soup(scene: Scene, camera: Camera, workers: Workers) -> CameraTriangles:
     colored = any(item.colors is not None for item in scene.items)
     # Of a texture on a mesh without coordinates, as Interbotix' STL files, one corner shows.
     textured = any(item.uv is not None or item.look.texture for item in scene.items)
-    whole = CameraTriangles(
-        np.empty((total, 3), dtype=np.float32),
-        np.zeros((total, 3), dtype=np.float32),
-        np.zeros((total, 2), dtype=np.float32) if textured else None,
-        np.ones((total, 4), dtype=np.float32) if colored else None,
-        np.empty((sum(map(len, faces)), 3), dtype=np.int32),
-        np.repeat(np.arange(len(faces), dtype=np.int32), [len(some) for some in faces]),
-        np.zeros((0, 3), dtype=np.float32),
-        tuple(slice(*edges) for edges in pairwise(ends)),
-    )
-    row = 0
-    for item, start, some in zip(scene.items, ends[:-1], faces, strict=True):
-        _place(item, scene, camera, workers, whole, start)
-        np.add(some, np.int32(start), out=whole.faces[row : row + len(some)])
-        row += len(some)
-    return _with_flat(whole, workers)
-
-
-def _place(
-    item: SceneItem,
-    scene: Scene,
-    camera: Camera,
-    workers: Workers,
-    whole: CameraTriangles,
-    start: int,
-) -> None:
-    """The vertices of an item, from a place in the list on."""
-    frame = scene.frames[item.link]
-    rotation, position = camera.to_view(np.asarray(frame.rotation), np.asarray(frame.position))
-
-    def some(first: int, last: int) -> None:
-        here = slice(start + first, start + last)
-        whole.points[here] = turned(item.vertices[first:last], rotation) + position
+    points, normals = (np.zeros((total, 3), dtype=np.float32) for _ in range(2))
+    uv = np.zeros((total, 2), dtype=np.float32) if textured else None
+    colors = np.ones((total, 4), dtype=np.float32) if colored else None
+    pieces = tuple(slice(*edges) for edges in pairwise(ends))
+    for item, here in zip(scene.items, pieces, strict=True):
+        frame = scene.frames[item.link]
+        rotation, position = camera.to_view(np.asarray(frame.rotation), np.asarray(frame.position))
+        points[here] = turned(item.vertices, rotation) + position
         if item.normals is not None:
-            whole.normals[here] = turned(item.normals[first:last], rotation)
-
-    workers.bands(len(item.vertices), CHUNK, some)
-    here = slice(start, start + len(item.vertices))
-    if item.uv is not None and whole.uv is not None:
-        whole.uv[here] = item.uv
-    if item.colors is not None and whole.colors is not None:
-        whole.colors[here] = item.colors
+            normals[here] = turned(item.normals, rotation)
+        if item.uv is not None and uv is not None:
+            uv[here] = item.uv
+        if item.colors is not None and colors is not None:
+            colors[here] = item.colors
+    moved = [some + np.int32(start) for some, start in zip(faces, ends, strict=False)]
+    every = np.concatenate([np.zeros((0, 3), dtype=np.int32), *moved])
+    of_item = np.repeat(np.arange(len(faces), dtype=np.int32), [len(some) for some in faces])
+    a, b, c = (points[every[:, corner]] for corner in range(3))
+    flat = unit(cross(b - a, c - a))
+    return CameraTriangles(points, normals, uv, colors, every, of_item, flat, pieces)
 
 
 def rows(values: Integers, chosen: Bools) -> Integers:
@@ -99,17 +76,6 @@ def extent(points: Floats, pieces: Iterable[slice]) -> tuple[Floats, Floats]:
     """The least and the greatest coordinates of some pieces of a list of points."""
     ends = [end for piece in pieces if len(points[piece]) for end in bounds(points[piece])]
     return bounds(np.array(ends, dtype=np.float32).reshape(-1, 3))
-
-
-def _with_flat(whole: CameraTriangles, workers: Workers) -> CameraTriangles:
-    flat = np.empty((len(whole.faces), 3), dtype=np.float32)
-
-    def some(first: int, last: int) -> None:
-        a, b, c = (whole.points[whole.faces[first:last, corner]] for corner in range(3))
-        flat[first:last] = unit(cross(b - a, c - a))
-
-    workers.bands(len(flat), CHUNK, some)
-    return whole._replace(flat=flat)
 
 
 def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:

@@ -9,8 +9,6 @@ from typing import TypeVar
 
 T = TypeVar("T")
 
-#: Vertices or faces that one thread works on at a time.
-CHUNK = 1 << 16
 #: More threads than this wait for one another.
 MAX_THREADS = 8
 

@@ -185,7 +185,7 @@ class RobotModel:
         name: of the robot; empty where there is none.
         links, joints, materials: in the order of the document, duplicates included.
         gazebo, transmissions, ros2_controls: their elements.
-        packages: folders of ROS packages that it was read with, by name.
+        packages: directories of ROS packages that it was read with, by name.
     """
 
     def __init__(self, document: Document, packages: Mapping[str, str] | None = None) -> None:

@@ -45,11 +45,6 @@ class Deviation(Record):
     name: str = ""
     suggested: str = ""
 
-    @property
-    def at(self) -> Element | Attribute:
-        """The place that a person must edit."""
-        return self.attribute or self.element
-
 
 def deviations(
     document: Document, *, plain: bool, claimed: Collection[str] = ()
@@ -157,8 +152,8 @@ class _Walk:
         name: str = "",
         suggested: str = "",
     ) -> None:
-        deviation = Deviation(element, attribute, name, suggested)
-        self.found.setdefault(code, []).append(deviation)
+        found = Deviation(element, attribute, name, suggested)
+        self.found.setdefault(code, []).append(found)
 
     def attributes(self, element: Element, grammar: Grammar) -> None:
         """Missing, unknown and unreadable attributes of an element."""

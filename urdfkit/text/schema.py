@@ -9,6 +9,8 @@ adds to URDF without a prefix (Bullet, MuJoCo, Drake) is in ``catalog/urdf_exten
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from urdfkit.core.record import Record
 
 #: Types of attributes.
@@ -68,7 +70,9 @@ class Grammar(Record):
 
 _REQUIRED_FLOAT = AttributeRule(FLOAT, required=True)
 _OPTIONAL_FLOAT = AttributeRule(FLOAT)
-_LEAF_NAME = AttributeRule(NAME)
+_NAME = AttributeRule(NAME)
+_REQUIRED_NAME = AttributeRule(NAME, required=True)
+_TEXT = AttributeRule(TEXT)
 
 ANYTHING = Grammar({}, {}, open=True)
 ORIGIN = Grammar(
@@ -92,21 +96,21 @@ SHAPES = {
 GEOMETRY = Grammar({}, SHAPES, choice=True)
 
 MATERIAL = Grammar(
-    {"name": AttributeRule(NAME, required=True)},
+    {"name": _REQUIRED_NAME},
     {
         "color": Grammar({"rgba": AttributeRule(RGBA, required=True)}, {}),
-        "texture": Grammar({"filename": AttributeRule(TEXT)}, {}),
+        "texture": Grammar({"filename": _TEXT}, {}),
     },
 )
 
 VISUAL = Grammar(
-    {"name": _LEAF_NAME},
+    {"name": _NAME},
     {"origin": ORIGIN, "geometry": GEOMETRY, "material": MATERIAL},
     required=("geometry",),
 )
 
 COLLISION = Grammar(
-    {"name": _LEAF_NAME},
+    {"name": _NAME},
     {"origin": ORIGIN, "geometry": GEOMETRY},
     required=("geometry",),
 )
@@ -124,25 +128,15 @@ INERTIAL = Grammar(
 )
 
 LINK_GRAMMAR = Grammar(
-    {
-        "name": AttributeRule(NAME, required=True),
-        "type": AttributeRule(TEXT),
-    },
-    {
-        "inertial": INERTIAL,
-        "visual": VISUAL,
-        "collision": COLLISION,
-    },
+    {"name": _REQUIRED_NAME, "type": _TEXT},
+    {"inertial": INERTIAL, "visual": VISUAL, "collision": COLLISION},
     many=("visual", "collision"),
 )
 
 JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 
 JOINT_GRAMMAR = Grammar(
-    {
-        "name": AttributeRule(NAME, required=True),
-        "type": AttributeRule(TEXT, required=True),
-    },
+    {"name": _REQUIRED_NAME, "type": AttributeRule(TEXT, required=True)},
     {
         "origin": ORIGIN,
         "parent": Grammar({"link": AttributeRule(LINK, required=True)}, {}),
@@ -152,7 +146,7 @@ JOINT_GRAMMAR = Grammar(
             {
                 "rising": _OPTIONAL_FLOAT,
                 "falling": _OPTIONAL_FLOAT,
-                "reference_position": AttributeRule(TEXT),  # in the specification, never read
+                "reference_position": _TEXT,  # in the specification, never read
             },
             {},
         ),
@@ -165,7 +159,7 @@ JOINT_GRAMMAR = Grammar(
         "limit": Grammar(
             dict.fromkeys(("lower", "upper", "effort", "velocity"), _OPTIONAL_FLOAT)
             # URDF 1.2, and ignored in older versions
-            | dict.fromkeys(("acceleration", "deceleration", "jerk"), AttributeRule(TEXT)),
+            | dict.fromkeys(("acceleration", "deceleration", "jerk"), _TEXT),
             {},
         ),
         "mimic": Grammar(
@@ -191,7 +185,7 @@ JOINT_GRAMMAR = Grammar(
 
 #: The grammar of ``<robot>``.
 ROBOT = Grammar(
-    {"name": AttributeRule(NAME, required=True), "version": AttributeRule(TEXT)},
+    {"name": _REQUIRED_NAME, "version": _TEXT},
     {
         "link": LINK_GRAMMAR,
         "joint": JOINT_GRAMMAR,
@@ -233,25 +227,25 @@ XACRO_TAGS = {
 }
 
 
-def places_of(tag: str) -> list[str]:
-    """The elements that may hold a tag, such as ``visual`` for ``material``."""
-    found: list[str] = []
+def elements() -> Iterator[tuple[str, Grammar]]:
+    """The tags of URDF with their grammars, from ``<robot>`` down; one may come several times."""
     stack = [("robot", ROBOT)]
     while stack:
-        parent, grammar = stack.pop()
-        for child, inner in grammar.children.items():
-            if child == tag and parent not in found:
-                found.append(parent)
-            stack.append((child, inner))
-    return found
+        tag, grammar = stack.pop()
+        yield tag, grammar
+        stack.extend(grammar.children.items())
+
+
+def places_of(tag: str) -> list[str]:
+    """The elements that may hold a tag, such as ``visual`` for ``material``."""
+    return list(dict.fromkeys(place for place, grammar in elements() if tag in grammar.children))
 
 
 def numeric_attributes() -> frozenset[str]:
     """The attributes that hold numbers, in whichever element."""
-    found: set[str] = set()
-    stack = [ROBOT]
-    while stack:
-        grammar = stack.pop()
-        found.update(name for name, rule in grammar.attributes.items() if rule.type in LENGTHS)
-        stack += grammar.children.values()
-    return frozenset(found)
+    return frozenset(
+        name
+        for _, grammar in elements()
+        for name, rule in grammar.attributes.items()
+        if rule.type in LENGTHS
+    )

@@ -111,12 +111,7 @@ class _Scanner:
         self.mistakes.append(SyntaxMistake(start, end, message, notes))
 
     def _declaration(self, position: int) -> int:
-        if not self.data.startswith(b"<?xml", position) or self.data[
-            position + 5 : position + 6
-        ] in (
-            b"-",
-            b"_",
-        ):
+        if not re.compile(rb"<\?xml(?![-_])").match(self.data, position):
             return position
         if good := _DECLARATION.match(self.data, position):
             return good.end()

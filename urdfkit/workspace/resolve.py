@@ -260,8 +260,32 @@ class Resolver:
         tried: list[str] = []
         path = self._find(name, candidate.folder, relative, tried)
         return ResolvedReference(
-            reference, scheme, name, candidate.folder, relative, path, tuple(tried)
+            reference,
+            scheme,
+            name,
+            candidate.folder,
+            relative,
+            path or self._around(name, relative, near),
+            tuple(tried),
         )
+
+    def _around(self, name: str, relative: str, near: str) -> str | None:
+        """The file of a package in a directory around a file of it, or of no package.
+
+        The build of a repository may copy several of its directories into one package.
+        """
+        package = self.packages.enclosing(near)
+        if not relative or (package and package[0] != name):
+            return None
+        root, folder = self.packages.workspace(near), self.packages.folder_of(near)
+        while _within(folder, root):
+            for path in (relative, f"{name}/{relative}"):
+                if found := self.folders.find(folder, path):
+                    return found
+            if folder == root:
+                break
+            folder = os.path.dirname(folder)
+        return None
 
     def _in_models(self, reference: str, name: str, rest: str, near: str) -> ResolvedReference:
         """As Gazebo finds it: below its model path, which packages may add to."""

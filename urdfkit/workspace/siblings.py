@@ -27,6 +27,8 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     """
     folder = os.path.dirname(os.path.abspath(robot))
     package = resolver.packages.enclosing(robot)
+    if _is_for_tests(robot, package):
+        return list(_srdf_in([folder], resolver))
     top = package[1] if package else folder
     folders = dict.fromkeys((folder, *(os.path.join(top, name) for name in ("config", "srdf"))))
     for moveit in _moveit_packages(robot, resolver):
@@ -47,6 +49,8 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
         resolver: finds files.
     """
     package = resolver.packages.enclosing(robot)
+    if _is_for_tests(robot, package):
+        return []
     folders: dict[str, None] = {}
     for moveit in _moveit_packages(robot, resolver):
         setup = _setup(moveit)
@@ -54,6 +58,14 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
         if not setup.urdf or (is_for and setup.has_arguments):
             folders.update(dict.fromkeys(_folders(moveit, setup)))
     return [path for path in _srdf_in(folders, resolver) if _may_be_called(path, name)]
+
+
+def _is_for_tests(robot: str, package: tuple[str, str] | None) -> bool:
+    """True for a robot in a test directory of a package, which may be wrong on purpose."""
+    if package is None:
+        return False
+    inside = os.path.relpath(os.path.abspath(robot), package[1])
+    return not {"test", "tests"}.isdisjoint(inside.split(os.sep))
 
 
 def _may_be_called(srdf: str, name: str) -> bool:

@@ -12,6 +12,7 @@ from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.document import CallFrame
 from urdfkit.text.xml_reader import DocumentTooLarge
+from urdfkit.workspace.manifest import manifest_of
 from urdfkit.xacro import dom_builder
 from urdfkit.xacro.budget import Budget
 from urdfkit.xacro.definitions import Definitions
@@ -192,6 +193,7 @@ class Run:
             disk.Environment(),
             None if self.trust else self.sandbox,
             {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
+            self._ros_version,
         )
         try:
             return substitute(content, context)
@@ -202,6 +204,11 @@ class Run:
             raise xacro.XacroException(exc=error) from error
         except Exception as error:
             raise xacro.XacroException(f"{type(error)}: {error}", exc=error) from error
+
+    def _ros_version(self) -> str:
+        """``ROS_VERSION``, which every shell of ROS sets: that of the package, else 2."""
+        manifest = manifest_of(self.resolver, self.source.path)
+        return str((manifest.ros if manifest else None) or 2)
 
     def _find_package(self, name: str) -> str:
         near = self.xacro.filestack[-1] or self.source.path

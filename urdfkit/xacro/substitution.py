@@ -50,6 +50,7 @@ class Context(Record):
         environment: the variables.
         sandbox: for expressions; None if every variable and expression is allowed.
         functions: what expressions may call.
+        ros_version: what ``ROS_VERSION`` is where no ROS has set it.
     """
 
     find: Callable[[str], str]
@@ -59,6 +60,7 @@ class Context(Record):
     environment: Mapping[str, str]
     sandbox: Sandbox | None
     functions: Mapping[str, Any]
+    ros_version: Callable[[], str]
 
 
 def substitute(content: str, context: Context) -> str:
@@ -102,6 +104,8 @@ def may_read(name: str, context: Context) -> bool:
 
 def _variable(name: str, context: Context) -> str:
     if name not in context.environment:
+        if name == "ROS_VERSION":
+            return context.ros_version()
         raise SubstitutionError(f"environment variable '{name}' is not set")
     if not may_read(name, context):
         raise EnvironmentRefused(f"environment variable '{name}' is not on the allow-list")

@@ -213,3 +213,9 @@ def test_a_wheel_that_stands_on_its_side_tells_nothing() -> None:
 def test_wheels_of_different_size_tell_nothing_of_the_diameter() -> None:
     robot = BASE + tyre("left", 0.15) + tyre("right", -0.15, radius=0.2)
     assert of_plugin(plugged(diameter="1", robot=robot)) == []
+
+
+def test_wheels_without_a_place_of_their_own(tmp_path: Path) -> None:
+    wheels = "".join(wheel(name, 0, 0) for name in ("fl", "rl", "fr", "rr"))
+    (found,) = reported(tmp_path, drive(0.3, 0.1), '<link name="base"/>' + wheels)
+    assert found.help == "give the wheels' joints the <origin> where the wheels are"

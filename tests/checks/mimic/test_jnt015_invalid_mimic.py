@@ -53,10 +53,10 @@ def test_no_cycle(text: str) -> None:
 
 
 def test_a_long_cycle_is_named_in_part() -> None:
-    count = 20_000
+    count = 2_000
     names = {f"j{number}": f"j{(number + 1) % count}" for number in range(count)}
     (found,) = reported("JNT015", following(**names))
-    assert found.message.endswith(" -> 'j5' -> 19994 more -> 'j0'")
+    assert found.message.endswith(" -> 'j5' -> 1994 more -> 'j0'")
     assert len(found.related) == 20
 
 

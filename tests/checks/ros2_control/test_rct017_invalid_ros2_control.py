@@ -231,26 +231,3 @@ def test_a_misspelt_parameter_is_fixed() -> None:
 )
 def test_numbers_and_parameters_of_others(name: str, value: str) -> None:
     assert messages("RCT017", with_parameter(name, value)) == []
-
-
-def with_attributes(rw_rate: str, size: str) -> str:
-    interface = f'<command_interface name="position" size="{size}"/>'
-    text = ROBOT + control(f'<joint name="swing">{interface}</joint>')
-    return text.replace("<ros2_control", f'<ros2_control rw_rate="{rw_rate}"')
-
-
-@pytest.mark.parametrize("rate", ["-50", "50.5", "fast", ""])
-def test_an_invalid_rate(rate: str) -> None:
-    (message,) = messages("RCT017", with_attributes(rate, "1"))
-    assert message.endswith(f": rw_rate is '{rate}', must be an integer >= 0")
-
-
-@pytest.mark.parametrize("size", ["-4", "0", "1.5", "all"])
-def test_an_invalid_size(size: str) -> None:
-    assert messages("RCT017", with_attributes("100", size)) == [
-        f"joint 'swing', position: size is '{size}', must be an integer >= 1"
-    ]
-
-
-def test_attributes_that_are_read() -> None:
-    assert messages("RCT017", with_attributes("0", "3")) == []

@@ -4,19 +4,17 @@ from pathlib import Path
 
 import pytest
 
-from tests.srdfs import findings
+from tests.srdfs import findings, message_of
 from urdfkit import check
 
 BAD = [
     (
         '<virtual_joint name="v" type="hinge" parent_frame="w" child_link="base"/>',
         "virtual joint 'v' has type 'hinge', which is not one of fixed, planar, floating",
-        None,
     ),
     (
         '<virtual_joint name="v" type="fixed" parent_frame="w" child_link="arm"/>',
         "virtual joint 'v' is attached to 'arm', which is not the root link",
-        None,
     ),
 ]
 GOOD = [
@@ -24,13 +22,9 @@ GOOD = [
 ]
 
 
-@pytest.mark.parametrize(("text", "message", "word"), BAD)
-def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: str | None) -> None:
-    (finding,) = findings(tmp_path, text, "SRD007")
-    assert finding.message == message
-    assert finding.span.source.path == str(tmp_path / "r.srdf")
-    assert finding.span.line == 2
-    assert word is None or finding.span.text == word
+@pytest.mark.parametrize(("text", "message"), BAD)
+def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str) -> None:
+    assert message_of(tmp_path, text, "SRD007") == message
 
 
 @pytest.mark.parametrize("text", GOOD)

@@ -150,8 +150,6 @@ def test_every_kind_of_surface_looks_upwards(tmp_path: Path, surface: str, faces
         ("<rotate>0 0 2 90</rotate><translate>1 0 0</translate>", (-1, 2, 0)),
         ("<translate>1 0 0</translate><rotate>0 0 1 90</rotate>", (0, 1, 0)),
         ("<matrix>0 -1 0 5  1 0 0 0  0 0 1 0  0 0 0 1</matrix>", (4, 1, 0)),
-        ("<lookat>0 0 0  0 0 -1  0 1 0</lookat>", (1, 1, 0)),
-        ("<lookat>0 0 1  1 0 1  0 0 1</lookat>", (0, -1, 2)),
     ],
 )
 def test_moves_of_nodes(tmp_path: Path, moves: str, corner: tuple[float, ...]) -> None:

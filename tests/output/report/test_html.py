@@ -25,6 +25,7 @@ from urdfkit.text.diagnostic import Confidence
 for module in ("jinja2", "numpy", "trimesh"):
     pytest.importorskip(module)
 
+pytestmark = pytest.mark.usefixtures("small_pictures")
 MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
 TEMPLATES = Path(html.__file__).parent / "templates"
 VOID = {"meta", "link", "br", "img", "input"}

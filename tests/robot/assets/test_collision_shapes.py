@@ -65,6 +65,15 @@ def test_the_box_is_written_where_the_visual_is(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["m.stl", "r.urdf"]
 
 
+def test_a_ball_becomes_a_sphere(tmp_path: Path) -> None:
+    file = robot(tmp_path, link(), trimesh.creation.icosphere(3, 0.2))
+    edited(read(file), propose(read(file), error=0.01)).write()
+    (body,) = read(file).model.links_by_name["a"].collisions
+    assert body.shape is not None
+    assert body.shape.kind == "sphere"
+    assert body.shape.radius == pytest.approx(0.2, rel=0.02)
+
+
 def test_a_hull_becomes_a_file_beside_the_mesh(tmp_path: Path) -> None:
     cone = trimesh.creation.cone(0.2, 0.5)
     file = robot(tmp_path, link(scale="1 1 2"), cone)

@@ -142,7 +142,7 @@ def test_the_part_of_another_model_is_not_what_was_meant(package: Path) -> None:
 def test_the_search_for_names_is_bounded(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for number in range(10):
         add_file(package / f"folder{number}" / "x" / "forearm.stl")
-    monkeypatch.setattr(module, "MAX_FOLDERS", 5)
+    monkeypatch.setattr(module, "MAX_DIRECTORIES", 5)
     assert nearest(package, "package://arm/meshes/forearm.stl") == [None]
 
 

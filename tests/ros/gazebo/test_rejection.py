@@ -53,7 +53,7 @@ ROBOTS = {
         ["INE001"],
     ),
     "no mass": (WITHOUT_MASS, ["INE004"]),
-    "joint of a merged link": (BASE + FIXED + sdf_joint("arm"), [""]),
+    "joint of a merged link": (BASE + FIXED + sdf_joint("arm"), ["GAZ067"]),
     "joint of a link": (BASE + FIXED + sdf_joint("base"), []),
     "joint twice": (BASE + FIXED + sdf_joint("base", "hand_joint"), [""]),
     "floating": (BASE + child("arm", "floating"), ["JNT022"]),

@@ -4,7 +4,8 @@ It wants arguments for which no file has values, or it cannot be read for a reas
 is configured to ignore. Nothing of the robot was checked, and a report without findings would hide
 that. The same holds for single values of an argument: more than 16, or a directory with whose name
 the robot does not expand. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore
-comment above the root element and `per-file-ignores` accept robots that stay unchecked.
+comment above the root element and `per-file-ignores` accept robots that stay unchecked. A directory
+that has launch files or macros, and no robot, is reported in the same way.
 
 Values for arguments are taken from the launch files of the package and of the workspace, from the
 choices and defaults that launch files declare under the same name, from defaults in the files

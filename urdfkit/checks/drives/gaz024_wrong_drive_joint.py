@@ -14,6 +14,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.robot.joints import bounds
 from urdfkit.ros.gazebo.drives import drive_of, driven
 from urdfkit.ros.gazebo.plugins import Reference
 from urdfkit.ros.gazebo.samples import WHEELED, gazebo_xml, plugin_xml
@@ -29,6 +30,10 @@ GOOD = WHEELED + gazebo_xml(
 BAD = GOOD.replace("continuous", "revolute").replace(
     "</joint>", '  <limit lower="-3" upper="3" effort="10" velocity="10"/>\n</joint>'
 )
+
+
+#: Range in rad of a revolute joint that is limited for form's sake.
+ENDLESS = 1e4
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
@@ -52,6 +57,9 @@ def check(subject: Subject) -> Findings:
             elif joint is None or "steer" in name.lower():
                 continue
             elif joint.kind in ("revolute", "prismatic", "floating", "planar"):
+                ends = bounds(joint)
+                if joint.kind == "revolute" and ends and ends[1] - ends[0] > ENDLESS:
+                    continue
                 yield Finding(
                     at,
                     f"{use.title} drives joint '{joint.name}' as a wheel, but it is {joint.kind}",

@@ -51,7 +51,8 @@ def check(subject: Subject) -> Findings:
     overloaded = overloadable(subject.tree)
     if not overloaded or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return
-    from urdfkit.physics.gravity import GravityModel, gravity_loads
+    from urdfkit.physics.gravity import gravity_loads
+    from urdfkit.physics.gravity_model import GravityModel
 
     model = GravityModel(subject.tree, weightless=_weightless(subject))
     joints = {joint.name: joint for joint in overloaded}

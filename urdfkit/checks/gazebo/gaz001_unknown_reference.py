@@ -2,7 +2,8 @@
 
 Gazebo's converter compares the reference with the names of links and joints and drops the whole
 block, with its sensors and friction, without a message. Correct the name; xacro prefixes are a
-usual cause.
+usual cause. A link that another `<gazebo>` adds as SDF is not of the URDF either: a warning, as the
+tags can stand in that link. A joint added in this way must name links that are there.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -27,19 +28,44 @@ def check(subject: Subject) -> Findings:
     model = subject.model
     known = {**model.links_by_name, **model.joints_by_name}
     suggester = Suggester(known)
+    added = {
+        one.get("name")
+        for block in model.gazebo
+        for one in (*block.all("link"), *block.all("joint"))
+    }
     for block in model.gazebo:
         reference = block.attributes.get("reference")
         if reference is None or not reference.value or reference.value in known:
             continue
         if subject.is_part:  # the file that includes it has the link
             return
-        if block.children:
+        if not block.children:
+            continue
+        lost = ", ".join(dict.fromkeys(f"<{child.tag}>" for child in block.children))
+        if reference.value in added:
+            yield Finding(
+                reference,
+                f"'{reference.value}' is SDF of another <gazebo>, not of the URDF: Gazebo ignores "
+                f"{lost}",
+                "write the tags as SDF into that element",
+                severity=Severity.WARNING,
+            )
+        else:
             suggested = suggester.suggested(reference.value)
-            lost = ", ".join(dict.fromkeys(f"<{child.tag}>" for child in block.children))
             yield Finding(
                 reference,
                 f"unknown link or joint '{reference.value}': Gazebo ignores {lost}",
                 f"did you mean '{suggested}'?" if suggested else "",
                 fix_value(reference, suggested),
                 alike="" if suggested else "unknown",
+            )
+    if subject.is_part or not any(block.all("joint") for block in model.gazebo):
+        return
+    for joint, end, into in subject.gazebo.lost_joint_ends():
+        if not into:
+            yield Finding(
+                end,
+                f"joint '{joint.get('name')}' in <gazebo>: {end.tag} '{end.text.strip()}' is not "
+                "in the converted model",
+                "name a link that Gazebo has; 'urdfkit gazebo' lists them",
             )

@@ -97,6 +97,11 @@ def _in_sensor(child: Element, who: str, parent: str, known: Iterable[str]) -> F
     if instead := _INSTEAD.get(child.tag):
         return Finding(child, message, instead, alike=child.tag)
     intended = nearest(child.tag, known, _TYPO)
-    fix = fix_tag(child, intended)
+    others = child.parent.children if child.parent else ()
+    # <center_x> and <center_y> do not both become <center>.
+    is_taken = any(
+        one is not child and intended in (one.tag, nearest(one.tag, known, _TYPO)) for one in others
+    )
+    fix = None if is_taken else fix_tag(child, intended)
     message += did_you_mean(child.tag, known)
     return Finding(child, message, "fix the name of the element", fix, alike=child.tag)

@@ -36,6 +36,9 @@ FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
     '"0" iyz="0" izz="0"', '"0.00197917" iyz="0" izz="0.000625"'
 )
 
+#: In kg/m³: air has 1.2.
+MIN_DENSITY = 1.0
+
 
 @rule(
     Severity.ERROR,
@@ -66,12 +69,20 @@ def _zero(masses: Masses) -> Iterator[tuple[LinkInertia, Finding]]:
 
 
 def _finding(one: LinkInertia, joint: Joint) -> Finding:
+    help, fix = "", None
+    if one.is_measured and one.solid is not None:
+        help, fix = as_solid(one), replacement(one, one.expected)
+        if one.mass < MIN_DENSITY * one.solid.volume:  # a placeholder, which gives no tensor
+            help = (
+                f"write the mass of the link, which has {one.solid.volume:.3g} m³, and its tensor"
+            )
+            fix = None
     return Finding(
         one.at,
         f"link '{one.link.name}' of {one.mass:g} kg has no moment of inertia and is moved by the "
         f"{joint.kind} joint '{joint.name}'",
-        as_solid(one) if one.is_measured else "",
-        replacement(one, one.expected) if one.is_measured else None,
+        help,
+        fix,
         weight=one.mass,
     )
 

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, unit
-from urdfkit.robot.model import Joint, Limit
+from urdfkit.robot.model import Joint, Limit, number
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.editing.edits import swap
 
@@ -74,5 +74,11 @@ def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
         f"joint '{joint.name}' is {joint.kind} but cannot move: {why}",
         f"set lower and upper, {continuous}or make it fixed",
         alike="cannot move",
-        severity=Severity.WARNING,
+        severity=Severity.INFO if _is_locked(limit) else Severity.WARNING,
     )
+
+
+def _is_locked(limit: Limit) -> bool:
+    """True if all limits are written as 0: the usual way to keep Gazebo from merging a link."""
+    keys = ("lower", "upper", "effort", "velocity")
+    return all(number(limit.at.get(key) or "") == 0 for key in keys)

@@ -16,6 +16,8 @@ Sources:
 
 from __future__ import annotations
 
+import os
+
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, reported, rule
 from urdfkit.robot.samples import xacro_xml
@@ -47,10 +49,14 @@ def check(subject: Subject) -> Findings:
         if xacro is None or xacro.document is None:
             continue  # LAU004
         known = {argument.name for argument in xacro.arguments}
+        call = description.frame.call.span
+        # A launch file for any robot passes what some of them have.
+        is_for_any = os.path.basename(description.path).encode() not in call.source.data
         for name in description.arguments:
             if name not in known:
                 yield Finding(
-                    Location(description.frame.call.span, description.frame.outer),
+                    Location(call, description.frame.outer),
                     f"'{description.path}': unknown argument '{name}'{did_you_mean(name, known)}",
-                    "pass one of: " + ", ".join(sorted(known)) if known else "pass none",
+                    "pass one of: " + ", ".join(sorted(known)) if known else "remove the argument",
+                    severity=Severity.INFO if is_for_any else None,
                 )

@@ -47,7 +47,7 @@ def check(subject: Subject) -> Findings:
         known = subject.resolver.packages.known(subject.source.path)
         alike = [one for one in known if is_typo(name, one) or one.rstrip("0123456789") == name]
         help = finding.help + ("" if severity else did_you_mean(name, alike))
-        yield finding._replace(help=help, alike=help, severity=severity)  # it names the package
+        yield finding._replace(help=help, alike=name, severity=severity)
     if is_launch(subject.source.path):
         yield from _launched(subject)
         return
@@ -68,10 +68,11 @@ def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
     suggested = did_you_mean(name, [package for package in known if is_typo(name, package)])
     return Finding(
         first.at,
-        f"link '{first.link}': package '{name}' is not found, so {count} of it cannot be checked; "
-        f"searched {', '.join(first.located.searched)}",
+        f"link '{first.link.name}': package '{name}' is not found, so {count} of it cannot be "
+        f"checked; searched {', '.join(first.located.searched)}",
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
+        alike=f"meshes of {name}",
         severity=_severity(subject, name, first.at.span),
     )
 

@@ -1,4 +1,4 @@
-"""Parameters and integer attributes in ``<ros2_control>`` with invalid values."""
+"""Parameters of interfaces in ``<ros2_control>`` with invalid values."""
 
 from __future__ import annotations
 
@@ -16,25 +16,11 @@ _TYPO = 0.85
 
 
 def invalid_values(component: Component) -> Findings:
-    """The parameters of interfaces, ``rw_rate`` and ``size``."""
-    yield from _integer(component.at, "rw_rate", 0, component.called)
+    """The parameters of interfaces."""
     for part in component.parts:
         for interface in part.interfaces:
-            who = f"{part.kind} '{part.name}', {interface.name}"
-            yield from _integer(interface.at, "size", 1, who)
             for element in interface.at.all("param"):
-                yield from _parameter(who, element)
-
-
-def _integer(element: Element, name: str, least: int, who: str) -> Findings:
-    attribute = element.attributes.get(name)
-    text = attribute.value.strip() if attribute else ""
-    if attribute is None or is_expression(text):
-        return
-    if not (text.isascii() and text.isdecimal() and int(text) >= least):
-        message = f"{who}: {name} is '{text}', must be an integer >= {least}"
-        help = f"write an integer >= {least}"
-        yield Finding(attribute, message, help, severity=Severity.WARNING)
+                yield from _parameter(f"{part.kind} '{part.name}', {interface.name}", element)
 
 
 def _parameter(who: str, element: Element) -> Findings:

@@ -9,7 +9,7 @@ The parser of ros2_control throws an exception and the controller manager does n
 
 Reported as a warning are unknown elements in a joint, sensor or GPIO, which are ignored; an
 interface whose name is nearly a standard one, or that the simulator does not offer; a misspelt
-`initial_value`; and values that are not numbers: `min`, `max`, `initial_value`, `rw_rate`, `size`.
+`initial_value`; and values of `min`, `max` and `initial_value` that are not numbers.
 Interfaces with other names are legal, since hardware and controller agree on them. The
 `<hardwareInterface>` of a transmission of ROS 1 is checked in the same way.
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output, progress
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
@@ -23,12 +23,10 @@ if TYPE_CHECKING:
     from urdfkit.ros.moveit.srdf import Srdf
 
 
-@click.command(
+@with_examples(
     "collisions",
-    epilog=examples(
-        "urdfkit collisions robot.urdf.xacro --srdf robot.srdf",
-        "urdfkit collisions robot.urdf.xacro --compare robot.srdf",
-    ),
+    "urdfkit collisions robot.urdf.xacro --srdf robot.srdf",
+    "urdfkit collisions robot.urdf.xacro --compare robot.srdf",
 )
 @one_robot
 @posed
@@ -47,8 +45,6 @@ if TYPE_CHECKING:
 @click.option("--format", "form", type=click.Choice(["text", "json", "markdown"]), default="text")
 def command(
     asked: dict[str, Any],
-    joint: tuple[str, ...],
-    pose: str | None,
     samples: int,
     seed: int,
     jobs: int | None,
@@ -67,7 +63,7 @@ def command(
     input error.
     """
     subject = robot(asked)
-    begin = positions(subject, joint, pose)
+    begin = positions(subject, asked)
     given = _srdf(compare, subject) if compare else None
     for_moveit = bool(srdf or compare)  # which ignores units
     applied = units == "applied" if units else (False if for_moveit else None)

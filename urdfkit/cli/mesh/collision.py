@@ -8,19 +8,17 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, progress
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.assets.collision_shapes import CollisionProposal, edited, propose
 from urdfkit.text.source import shown
 
 
-@click.command(
+@with_examples(
     "collision",
-    epilog=examples(
-        "urdfkit mesh collision robot.urdf.xacro --diff",
-        "urdfkit mesh collision robot.urdf.xacro --link arm --write",
-    ),
+    "urdfkit mesh collision robot.urdf.xacro --diff",
+    "urdfkit mesh collision robot.urdf.xacro --link arm --write",
 )
 @click.option(
     "--error",

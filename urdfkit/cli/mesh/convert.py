@@ -7,19 +7,17 @@ from math import inf
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.mesh.saving import save
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import scaled, upright
 from urdfkit.mesh.writers import require_replaceable
 
 
-@click.command(
+@with_examples(
     "convert",
-    epilog=examples(
-        "urdfkit mesh convert arm.dae arm.stl",
-        "urdfkit mesh convert arm_mm.stl arm.stl --scale 0.001",
-    ),
+    "urdfkit mesh convert arm.dae arm.stl",
+    "urdfkit mesh convert arm_mm.stl arm.stl --scale 0.001",
 )
 @click.argument("file", metavar="FILE")
 @click.argument("out", metavar="OUT")

@@ -7,7 +7,7 @@ import os
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
 from urdfkit.mesh.containment import missing, protrusion
@@ -18,12 +18,7 @@ from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import in_metres
 
 
-@click.command(
-    "decompose",
-    epilog=examples(
-        "urdfkit mesh decompose arm.dae -o arm_pieces.obj --most 8",
-    ),
-)
+@with_examples("decompose", "urdfkit mesh decompose arm.dae -o arm_pieces.obj --most 8")
 @click.argument("file", metavar="FILE")
 @click.option("-o", "--output", "out", metavar="OUT", help="Write the pieces to this file.")
 @click.option("--split", is_flag=True, help="One file for each piece: OUT_1, OUT_2, ...")

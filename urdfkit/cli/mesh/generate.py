@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.parts import PARTS
@@ -28,12 +28,10 @@ def _is_robot(files: list[str]) -> bool:
     return bool(files) and files[0].endswith((".urdf", ".xacro", ".xml"))
 
 
-@click.command(
+@with_examples(
     "generate",
-    epilog=examples(
-        "urdfkit mesh generate --model robot.urdf.xacro",
-        "urdfkit mesh generate lidar.dae --part rplidar_a2",
-    ),
+    "urdfkit mesh generate --model robot.urdf.xacro",
+    "urdfkit mesh generate lidar.dae --part rplidar_a2",
 )
 @click.argument("words", nargs=-1, metavar="[MESH] [NAME:=VALUE]...")
 @click.option("--model", metavar="FILE", help="Robot that references the mesh.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.mesh.convex_hull import hull
@@ -14,12 +14,7 @@ from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import in_metres
 
 
-@click.command(
-    "hull",
-    epilog=examples(
-        "urdfkit mesh hull arm.dae -o arm_hull.stl",
-    ),
-)
+@with_examples("hull", "urdfkit mesh hull arm.dae -o arm_hull.stl")
 @click.argument("file", metavar="FILE")
 @writes
 def command(file: str, out: str | None, in_place: bool, force: bool) -> int:

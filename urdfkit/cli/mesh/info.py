@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.core.strict_json import dumped
 from urdfkit.mesh.describe import MeshDescription, describe
@@ -16,12 +16,7 @@ from urdfkit.mesh.geometry import MeshPart
 VERSION = 1
 
 
-@click.command(
-    "info",
-    epilog=examples(
-        "urdfkit mesh info meshes/arm.dae meshes/hand.stl",
-    ),
-)
+@with_examples("info", "urdfkit mesh info meshes/arm.dae meshes/hand.stl")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(files: tuple[str, ...], form: str) -> int:

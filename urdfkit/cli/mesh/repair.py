@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import output, progress
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.mesh.health import Health
@@ -17,13 +17,7 @@ from urdfkit.mesh.repair import Repair, RepairStep, repair
 from urdfkit.mesh.transforms import in_metres
 
 
-@click.command(
-    "repair",
-    epilog=examples(
-        "urdfkit mesh repair arm.stl",
-        "urdfkit mesh repair arm.stl --write",
-    ),
-)
+@with_examples("repair", "urdfkit mesh repair arm.stl", "urdfkit mesh repair arm.stl --write")
 @click.argument("file", metavar="FILE")
 @writes
 @click.option("--keep-holes", is_flag=True, help="Do not fill holes.")

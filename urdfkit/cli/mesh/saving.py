@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any, TypeVar
+from collections.abc import Iterator
 
 import click
 
 from urdfkit.cli import options, output
+from urdfkit.cli.decorators import with_options
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.writers import GLB_NOTE, losses, require_replaceable, write
 from urdfkit.text.source import shown
 
-Command = TypeVar("Command", bound=Callable[..., Any])
-
-
-def writes(command: Command) -> Command:
-    """Give a command the options that say where the mesh goes."""
-    for add in (
-        click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh."),
-        click.option("--write", "in_place", is_flag=True, help="Replace FILE itself."),
-        click.option("-o", "--output", "out", metavar="OUT", help="Write the mesh to this file."),
-    ):
-        command = add(command)
-    return command
+#: Gives a command the options that say where the mesh goes.
+writes = with_options(
+    click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh."),
+    click.option("--write", "in_place", is_flag=True, help="Replace FILE itself."),
+    click.option("-o", "--output", "out", metavar="OUT", help="Write the mesh to this file."),
+)
 
 
 def destination(file: str, out: str | None, in_place: bool, force: bool) -> str | None:

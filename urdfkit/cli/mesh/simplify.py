@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import options, output, progress
-from urdfkit.cli.epilog import examples
+from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.mesh.io.load import load
@@ -15,12 +15,10 @@ from urdfkit.mesh.simplify import Simplified, to_budget, to_error
 from urdfkit.mesh.transforms import in_metres
 
 
-@click.command(
+@with_examples(
     "simplify",
-    epilog=examples(
-        "urdfkit mesh simplify arm.dae --triangles 2000 -o arm.stl",
-        "urdfkit mesh simplify arm.dae --error 0.001 --write",
-    ),
+    "urdfkit mesh simplify arm.dae --triangles 2000 -o arm.stl",
+    "urdfkit mesh simplify arm.dae --error 0.001 --write",
 )
 @click.argument("file", metavar="FILE")
 @click.option("--triangles", type=int, metavar="N", help="Maximum number of triangles.")

@@ -89,7 +89,7 @@ def read_bytes(path: str) -> bytes:
 
 def _parse(data: bytes, path: str, found: MeshFacts, *, recover: bool = False) -> Mesh:
     """Read by the format that was found; ``recover``: what is there of a broken file."""
-    folder = os.path.dirname(os.path.abspath(path))
+    directory = os.path.dirname(os.path.abspath(path))
     try:
         if found.format == facts.BINARY_STL:
             from urdfkit.mesh.io.load_stl import binary
@@ -102,19 +102,19 @@ def _parse(data: bytes, path: str, found: MeshFacts, *, recover: bool = False) -
         if found.format == facts.COLLADA:
             from urdfkit.mesh.io import load_collada
 
-            return load_collada.read(data, folder, recover=recover)
+            return load_collada.read(data, directory, recover=recover)
         if found.format == facts.OBJ:
             from urdfkit.mesh.io import load_obj
 
-            return load_obj.read(data, folder)
+            return load_obj.read(data, directory)
         if found.format in (facts.GLB, facts.GLTF) and not found.defect:
             from urdfkit.mesh.io import load_gltf
 
-            return load_gltf.read(data, found.format, folder)
+            return load_gltf.read(data, found.format, directory)
         if found.format == facts.PLY and not found.defect:
             from urdfkit.mesh.io import load_ply
 
-            return load_ply.read(data, folder)
+            return load_ply.read(data, directory)
     except NoTriangles as error:
         raise UnloadableMesh(path, str(error)) from error
     if found.defect:

@@ -40,12 +40,12 @@ _EXTRAS = {"instance_camera": "camera", "instance_light": "light", "animation": 
 _INSTANCES = ("instance_geometry", "instance_controller")
 
 
-def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
+def read(data: bytes, directory: str, *, recover: bool = False) -> Mesh:
     """What the scene of a COLLADA file shows.
 
     Args:
         data: the file.
-        folder: that it lies in.
+        directory: that it lies in.
         recover: read what is there of XML that is not well formed; geometry that no node shows,
             for the end of the file is missing, is shown as it is.
 
@@ -53,7 +53,7 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
         NoTriangles: it shows nothing, or is not to be read.
     """
     try:
-        return _ColladaReader(ColladaTree(data, recover=recover), folder).mesh(unplaced=recover)
+        return _ColladaReader(ColladaTree(data, recover=recover), directory).mesh(unplaced=recover)
     except NoTriangles:
         comma = _DECIMAL_COMMA.search(data)
         if comma is None:
@@ -63,11 +63,11 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
 
 
 class _ColladaReader:
-    def __init__(self, tree: ColladaTree, folder: str) -> None:
+    def __init__(self, tree: ColladaTree, directory: str) -> None:
         self._tree = tree
         self._losses = LostData()
         self._geometries = Geometries(tree, self._losses)
-        self._files = ReferencedFiles(folder)
+        self._files = ReferencedFiles(directory)
         self._materials = ColladaMaterials(tree, self._files, self._losses)
         self._triangles = 0
         self._placed = False
@@ -242,21 +242,6 @@ def _moves(kind: str, numbers: Floats) -> Floats | None:
         if any(numbers[:3]):
             axis = unit(vector(numbers[:3]))
             matrix[:3, :3] = rotation_about(axis, radians(numbers[3]))
-    elif kind == "lookat" and len(numbers) >= 9:
-        return _look_at(numbers[:9].reshape(3, 3))
     else:
         return None
-    return matrix
-
-
-def _look_at(points: Floats) -> Floats | None:
-    """At a place, looking along -z to a second one, with y upwards."""
-    eye, interest, up = points
-    back = eye - interest
-    right = np.cross(up, back)
-    if not np.linalg.norm(back) or not np.linalg.norm(right):
-        return None
-    back, right = back / np.linalg.norm(back), right / np.linalg.norm(right)
-    matrix = np.eye(4)
-    matrix[:3, :4] = np.stack([right, np.cross(back, right), back, eye], axis=1)
     return matrix

@@ -42,13 +42,13 @@ _COMPRESSED = {
 }
 
 
-def read(data: bytes, form: str, folder: str) -> Mesh:
+def read(data: bytes, form: str, directory: str) -> Mesh:
     """What the scene of a glTF file shows.
 
     Args:
         data: the file, whose JSON is sound.
         form: ``GLB`` or ``glTF``.
-        folder: that it lies in, and what it refers to.
+        directory: that it lies in, and what it refers to.
 
     Raises:
         NoTriangles: it shows none, or is not to be read.
@@ -59,7 +59,7 @@ def read(data: bytes, form: str, folder: str) -> Mesh:
         for extension in root.get("extensionsRequired", ()):
             if extension in _COMPRESSED:
                 raise NoTriangles(f"is compressed with {_COMPRESSED[extension]}, which is not read")
-        return _GltfReader(root, binary, folder).mesh()
+        return _GltfReader(root, binary, directory).mesh()
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise NoTriangles(f"is not valid glTF: {type(error).__name__}: {error}") from error
 
@@ -75,10 +75,10 @@ def _chunks(data: bytes) -> tuple[bytes, bytes]:
 
 
 class _GltfReader:
-    def __init__(self, root: GltfObject, binary: bytes, folder: str) -> None:
+    def __init__(self, root: GltfObject, binary: bytes, directory: str) -> None:
         self._root = root
         self._losses = LostData()
-        self._files = ReferencedFiles(folder)
+        self._files = ReferencedFiles(directory)
         self._lists = Accessors(root, binary, self._files)
         self._materials = GltfMaterials(root, self._lists, self._files)
         self._meshes: dict[int, list[MeshPart]] = {}

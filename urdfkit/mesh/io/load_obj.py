@@ -24,19 +24,19 @@ class _Group(NamedTuple):
     faces: list[bytes]
 
 
-def read(data: bytes, folder: str) -> Mesh:
+def read(data: bytes, directory: str) -> Mesh:
     """What an OBJ file holds.
 
     Args:
         data: the file.
-        folder: that it lies in, and its materials.
+        directory: that it lies in, and its materials.
 
     Raises:
         NoTriangles: it holds none.
     """
     lines = _Lines(data)
     losses = LostData()
-    files = ReferencedFiles(folder)
+    files = ReferencedFiles(directory)
     library = MaterialLibrary(lines.libraries, files, losses)
     points = lines.table(b"v")
     values = (points[:, :3], lines.table(b"vt")[:, :2], lines.table(b"vn")[:, :3])

@@ -17,12 +17,12 @@ from urdfkit.mesh.io.referenced_files import ReferencedFiles
 _TEXTURE = re.compile(rb"\ncomment TextureFile[ \t]+([^\r\n]+)")
 
 
-def read(data: bytes, folder: str) -> Mesh:
+def read(data: bytes, directory: str) -> Mesh:
     """What a PLY file holds.
 
     Args:
         data: the file.
-        folder: that it lies in, and its image.
+        directory: that it lies in, and its image.
 
     Raises:
         NoTriangles: it holds none, or trimesh cannot read it.
@@ -36,7 +36,7 @@ def read(data: bytes, folder: str) -> Mesh:
     named = _TEXTURE.search(data[:MAX_HEADER])
     if named is None:
         return mesh
-    files = ReferencedFiles(folder)
+    files = ReferencedFiles(directory)
     path = files.image(named.group(1).decode("utf-8", "replace").strip())
     part = mesh.parts[0]._replace(material=MeshMaterial("", (1.0, 1.0, 1.0, 1.0), path))
     return files.added_to(mesh._replace(parts=(part,)))

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import re
-from struct import Struct
+from struct import calcsize
 
 from urdfkit.core.record import Record
 from urdfkit.mesh.io.facts import Defect, empty, truncated, unreadable
 
 MAX_HEADER = 64 * 1024
-#: Lists are walked one by one, which takes time: the length is not validated beyond this.
-MAX_LISTS = 1_000_000
 
 _END_OF_HEADER = re.compile(rb"\nend_header[ \t]*\r?\n")
 _CODES = {
@@ -19,7 +17,7 @@ _CODES = {
     "int": "i", "int32": "i", "uint": "I", "uint32": "I",
     "float": "f", "float32": "f", "double": "d", "float64": "d",
 }  # fmt: skip
-_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">"}
+_ENCODINGS = ("ascii", "binary_little_endian", "binary_big_endian")
 
 
 class _Property(Record):
@@ -37,11 +35,22 @@ class _PlyElement(Record):
     number: int
     properties: list[_Property]
 
-    def single(self, order: str) -> Struct | None:
-        """The layout of one of them, if all have the same."""
-        if any(property.length for property in self.properties):
-            return None
-        return Struct(order + "".join(_CODES[property.type] for property in self.properties))
+    @property
+    def least_words(self) -> int:
+        """The numbers of one of them at least; a face has three corners."""
+        return len(self.properties) + 3 * self._lists
+
+    @property
+    def least_bytes(self) -> int:
+        """The bytes of one of them at least."""
+        sizes = [calcsize("=" + _CODES[one.length or one.type]) for one in self.properties]
+        corners = [3 * calcsize("=" + _CODES[one.type]) for one in self.properties if one.length]
+        return sum(sizes) + sum(corners[: self._lists])
+
+    @property
+    def _lists(self) -> int:
+        """1 for what has a list of corners."""
+        return int(self.name == "face" and any(one.length for one in self.properties))
 
 
 def judge(data: bytes) -> tuple[Defect | None, str]:
@@ -52,7 +61,7 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
             return truncated("ends inside its header"), ""
         return unreadable("has no 'end_header'"), ""
     encoding, elements = _header(data[: end.start()].decode("utf-8", "replace"))
-    if encoding != "ascii" and encoding not in _ORDERS:
+    if encoding not in _ENCODINGS:
         return unreadable(f"has the format '{encoding}', which PLY does not know"), ""
     for element in elements:
         for property in element.properties:
@@ -62,10 +71,7 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
     counts = {element.name: element.number for element in elements}
     if not counts.get("vertex") or not (counts.get("face") or counts.get("tristrips")):
         return empty("holds no triangles"), ""
-    body = data[end.end() :]
-    if encoding == "ascii":
-        return _judge_ascii(body, elements), ""
-    return _judge_binary(body, elements, _ORDERS[encoding]), ""
+    return _too_short(data[end.end() :], elements, encoding), ""
 
 
 def _counts(length: str) -> bool:
@@ -89,71 +95,17 @@ def _header(text: str) -> tuple[str, list[_PlyElement]]:
     return encoding, elements
 
 
-def _judge_ascii(body: bytes, elements: list[_PlyElement]) -> Defect | None:
+def _too_short(body: bytes, elements: list[_PlyElement], encoding: str) -> Defect | None:
+    """A body that cannot hold what the header declares."""
+    if encoding != "ascii":
+        needed = sum(element.number * element.least_bytes for element in elements)
+        if len(body) < needed:
+            return truncated(f"needs {needed} bytes after its header and has {len(body)}")
+        return None
     lines = [line for line in body.split(b"\n") if line.strip()]
-    at = 0
-    for element in elements:
-        held = lines[at : at + element.number]
-        at += len(held)
-        if len(held) < element.number:
-            return _too_few(element, len(held))
-        if held and not _is_whole(held[-1], element):
-            return _too_few(element, len(held) - 1)
+    needed = sum(element.number for element in elements)
+    if len(lines) < needed:
+        return truncated(f"declares {needed} vertices, faces and the like and holds {len(lines)}")
+    if len(lines) == needed and len(lines[-1].split()) < elements[-1].least_words:
+        return truncated("ends inside its last line")
     return None
-
-
-def _is_whole(line: bytes, element: _PlyElement) -> bool:
-    """True if a line has as many numbers as one of the element needs."""
-    words = line.split()
-    needed = 0
-    for property in element.properties:
-        if property.length and needed < len(words) and words[needed].isdigit():
-            needed += int(words[needed][:9])
-        needed += 1
-    return len(words) >= needed
-
-
-def _judge_binary(body: bytes, elements: list[_PlyElement], order: str) -> Defect | None:
-    at = 0
-    for element in elements:
-        single = element.single(order)
-        if single is None:
-            held, at = _walk(body, at, element, order)
-        else:
-            held = element.number
-            if single.size:
-                held = min(held, (len(body) - at) // single.size)
-            at += held * single.size
-        if held < element.number:
-            return _too_few(element, held)
-    return None
-
-
-def _walk(body: bytes, at: int, element: _PlyElement, order: str) -> tuple[int, int]:
-    """How many elements with lists are there, and where they end."""
-    steps = [
-        (Struct(order + _CODES[p.length]) if p.length else None, Struct(order + _CODES[p.type]))
-        for p in element.properties
-    ]
-    end = len(body)
-    for number in range(element.number):
-        if number >= MAX_LISTS:
-            return element.number, end
-        for length, item in steps:
-            many = 1
-            if length is not None:
-                if at + length.size > end:
-                    return number, end
-                many = max(int(length.unpack_from(body, at)[0]), 0)
-                at += length.size
-            at += many * item.size
-        if at > end:
-            return number, end
-    return element.number, at
-
-
-def _too_few(element: _PlyElement, held: int) -> Defect:
-    things = {"vertex": "vertices", "face": "faces"}.get(element.name, f"'{element.name}'")
-    if element.number == 1:
-        return truncated(f"declares 1 {element.name} and holds {held}")
-    return truncated(f"declares {element.number} {things} and holds {held}")

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
 
 
-def find_image(name: str, folder: str) -> str | None:
-    """The file of an image that a mesh file in a folder names; None if it is not there.
+def find_image(name: str, directory: str) -> str | None:
+    """The file of an image that a mesh file in a directory names; None if it is not there.
 
     Names are paths or URIs. Those of other machines end in the file's own name, which often lies
     next to the mesh; Gazebo and assimp search it there too.
@@ -23,9 +23,9 @@ def find_image(name: str, folder: str) -> str | None:
 
     plain = name.strip().removeprefix("file://").replace("\\", "/")
     for path in dict.fromkeys((plain, unquote(plain), os.path.basename(unquote(plain)))):
-        found = os.path.normpath(os.path.join(folder, path))
+        found = os.path.normpath(os.path.join(directory, path))
         try:
-            if disk.is_file(found) and _may_be_read(found, folder):
+            if disk.is_file(found) and _may_be_read(found, directory):
                 return found
         except ValueError:  # a NUL in the name
             return None
@@ -36,11 +36,11 @@ class ReferencedFiles:
     """The files that one mesh file names, each as often as it is named.
 
     Args:
-        folder: that the mesh file is in; names are relative to it.
+        directory: that the mesh file is in; names are relative to it.
     """
 
-    def __init__(self, folder: str) -> None:
-        self._folder = folder
+    def __init__(self, directory: str) -> None:
+        self._directory = directory
         self._textures: list[str] = []
         self._missing: list[str] = []
         self._files: list[str] = []
@@ -48,21 +48,21 @@ class ReferencedFiles:
     def image(self, name: str) -> str | None:
         """The file of an image; None if it is not there."""
         self._textures.append(name)
-        path = find_image(name, self._folder)
+        path = find_image(name, self._directory)
         if path is None:
             from urllib.parse import unquote
 
             self._missing.append(name)
-            self._files.append(place(unquote(name), self._folder))
+            self._files.append(place(unquote(name), self._directory))
         else:
             self._files.append(path)
         return path
 
     def read(self, name: str, most: int) -> bytes | None:
         """What another file holds; None if it is not there, or has more than some bytes."""
-        path = place(name, self._folder)
+        path = place(name, self._directory)
         self._files.append(path)
-        data = read(path, most, self._folder)
+        data = read(path, most, self._directory)
         if data is None:
             self._missing.append(name)
         return data
@@ -76,13 +76,13 @@ class ReferencedFiles:
         )
 
 
-def place(name: str, folder: str) -> str:
-    """Where a file lies, or would, that a mesh file in a folder names."""
-    return os.path.normpath(os.path.join(folder, name.replace("\\", "/")))
+def place(name: str, directory: str) -> str:
+    """Where a file lies, or would, that a mesh file in a directory names."""
+    return os.path.normpath(os.path.join(directory, name.replace("\\", "/")))
 
 
-def read(path: str, most: int, folder: str) -> bytes | None:
-    """What a file holds that a mesh file in a folder names.
+def read(path: str, most: int, directory: str) -> bytes | None:
+    """What a file holds that a mesh file in a directory names.
 
     None if it is not there, lies outside the workspace or package of the mesh, or has more than
     some bytes.
@@ -90,24 +90,26 @@ def read(path: str, most: int, folder: str) -> bytes | None:
     try:
         if not disk.is_file(path) or disk.state(path).st_size > most:
             return None
-        if not _may_be_read(path, folder):
+        if not _may_be_read(path, directory):
             return None
         return disk.read(path, most)
     except (OSError, ValueError):
         return None
 
 
-def _may_be_read(path: str, folder: str) -> bool:
-    """True for a file in the folder of a mesh file, or else in its workspace."""
+def _may_be_read(path: str, directory: str) -> bool:
+    """True for a file in the directory of a mesh file, or else in its workspace."""
     real = disk.real(path)
-    return is_within(real, disk.real(folder)) or any(is_within(real, at) for at in _roots(folder))
+    return is_within(real, disk.real(directory)) or any(
+        is_within(real, at) for at in _roots(directory)
+    )
 
 
 @lru_cache(maxsize=256)
-def _roots(folder: str) -> tuple[str, ...]:
-    """The workspaces of a folder: of its path, and of where that leads."""
-    from urdfkit.workspace.resolve import Resolver  # few meshes name files of other folders
+def _roots(directory: str) -> tuple[str, ...]:
+    """The workspaces of a directory: of its path, and of where that leads."""
+    from urdfkit.workspace.resolve import Resolver  # few meshes name files of other directorys
 
     packages = Resolver().packages
-    near = (os.path.join(at, "x") for at in (os.path.abspath(folder), disk.real(folder)))
+    near = (os.path.join(at, "x") for at in (os.path.abspath(directory), disk.real(directory)))
     return tuple(disk.real(packages.workspace(one)) for one in near)

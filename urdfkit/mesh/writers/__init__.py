@@ -42,7 +42,7 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
 
     Args:
         mesh: with at least one triangle.
-        name: of the file, without folders; its suffix says the format.
+        name: of the file, without directories; its suffix says the format.
 
     Returns:
         Contents by file name. The mesh is the first; materials and textures of OBJ and COLLADA
@@ -114,28 +114,28 @@ def require_replaceable(path: str | os.PathLike[str]) -> None:
 def write(mesh: Mesh, path: str | os.PathLike[str]) -> list[str]:
     """Write a mesh file and the files that it needs, each whole or not at all.
 
-    The mesh comes last, so that it never names a file that is not there yet. Missing folders are
-    made.
+    The mesh comes last, so that it never names a file that is not there yet. Directories that are
+    missing are made.
 
     Returns:
         The paths that were written, the mesh first.
 
     Raises:
         UnwritableMesh: as for `encode`.
-        UnwritableFile: a folder or file cannot be written.
+        UnwritableFile: a directory or file cannot be written.
     """
-    folder, name = os.path.split(os.path.abspath(path))
-    return write_files(encode(mesh, name), folder)
+    directory, name = os.path.split(os.path.abspath(path))
+    return write_files(encode(mesh, name), directory)
 
 
-def write_files(files: dict[str, bytes], folder: str) -> list[str]:
-    """Write what `encode` gave into a folder, which is made where it is missing.
+def write_files(files: dict[str, bytes], directory: str) -> list[str]:
+    """Write what `encode` gave into a directory, which is made where it is missing.
 
     Raises:
-        UnwritableFile: a folder or file cannot be written.
+        UnwritableFile: a directory or file cannot be written.
     """
-    atomic.make_folder(folder)
-    paths = [os.path.join(folder, name) for name in files]
+    atomic.make_folder(directory)
+    paths = [os.path.join(directory, name) for name in files]
     for path, data in reversed([*zip(paths, files.values(), strict=True)]):
         atomic.write(path, data)
     return paths

@@ -44,7 +44,7 @@ class Comparison(Record):
         notes: what could not be compared, a sentence each.
         tolerances: what was let pass.
         pictures: addresses of pictures of the states before and after; empty if not asked for.
-        folders: workspaces of the two states, whose paths a page shows from there on.
+        directories: workspaces of the two states, whose paths a page shows from there on.
     """
 
     before: str
@@ -59,7 +59,7 @@ class Comparison(Record):
     notes: tuple[str, ...]
     tolerances: Tolerances
     pictures: tuple[str, ...] = ()
-    folders: tuple[str, ...] = ()
+    directories: tuple[str, ...] = ()
 
     @property
     def centers(self) -> tuple[Vector, Vector] | None:
@@ -158,11 +158,11 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
         went,
         tuple(notes),
         allowed,
-        folders=tuple(dict.fromkeys(folder for one in (old, new) for folder in _folders(one))),
+        directories=tuple(dict.fromkeys((*_directories(old), *_directories(new)))),
     )
 
 
-def _folders(subject: Subject) -> tuple[str, str]:
+def _directories(subject: Subject) -> tuple[str, str]:
     """The workspace of a robot, and the directory of its file."""
     file = disk.real(subject.source.path)
     return subject.resolver.packages.workspace(file), os.path.dirname(file)
@@ -170,8 +170,8 @@ def _folders(subject: Subject) -> tuple[str, str]:
 
 def portable(text: str, comparison: Comparison) -> str:
     """A page without the directories of the machine that it was made on."""
-    for folder in comparison.folders:
-        text = without_folder(text, folder)
+    for directory in comparison.directories:
+        text = without_folder(text, directory)
     return without_folder(text, os.path.expanduser("~"), "~/")
 
 

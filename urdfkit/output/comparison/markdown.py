@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from math import degrees
 
-from urdfkit.output.comparison import KINDS, Comparison
+from urdfkit.output.comparison import KINDS, Comparison, portable
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.markdown import escape, fitted, table
 
@@ -24,7 +24,7 @@ _TITLES = {
 
 def render(comparison: Comparison, *, width: int = 80) -> str:
     """A summary, then a section for each kind."""
-    return fitted([_head(comparison), *_sections(comparison)])
+    return portable(fitted([_head(comparison), *_sections(comparison)]), comparison)
 
 
 def _head(comparison: Comparison) -> str:

@@ -1,4 +1,4 @@
-"""One output per file: the listing of this folder is the catalogue, and one law holds.
+"""One output per file: the listing of this directory is the catalogue, and one law holds.
 
 A format is a module with
 ``render(report: Report, *, color: bool = False, width: int = 80) -> str``; the text ends with a

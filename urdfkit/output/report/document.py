@@ -167,7 +167,7 @@ def _document(subject: Subject, report: Report) -> Document:
 
 
 def _portable(value: Any, subject: Subject) -> Any:
-    """Plain values without the folders of the machine that they were made on.
+    """Plain values without the directories of the machine that they were made on.
 
     Paths in the workspace of the robot begin at the workspace.
     """
@@ -178,8 +178,8 @@ def _portable(value: Any, subject: Subject) -> Any:
     if not isinstance(value, str) or os.sep not in value:
         return value
     file = disk.real(subject.source.path)
-    for folder in (subject.resolver.packages.workspace(file), os.path.dirname(file)):
-        value = without_folder(value, folder)
+    for directory in (subject.resolver.packages.workspace(file), os.path.dirname(file)):
+        value = without_folder(value, directory)
     return without_folder(value, os.path.expanduser("~"), "~/")
 
 

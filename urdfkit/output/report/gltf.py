@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
+from struct import pack
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,6 @@ from urdfkit.render.textures import texture as read_image
 
 Bytes = NDArray[np.uint8]
 
-_MAGIC, _VERSION, _JSON, _BIN = b"glTF", 2, b"JSON", b"BIN\0"
 _ARRAY, _ELEMENTS = 34962, 34963
 _TYPES = {"i1": 5120, "u1": 5121, "u2": 5123, "u4": 5125, "f4": 5126}
 _SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
@@ -97,9 +97,10 @@ class Writer:
         text = json.dumps({key: value for key, value in document.items() if value != []})
         head = text.encode()
         head += b" " * (-len(head) % 4)
-        chunks = _chunk(_JSON, head) + (_chunk(_BIN, bytes(self._bytes)) if self._bytes else b"")
-        length = 12 + len(chunks)
-        return _MAGIC + _integers(_VERSION, length) + chunks
+        chunks = pack("<I4s", len(head), b"JSON") + head
+        if self._bytes:
+            chunks += pack("<I4s", len(self._bytes), b"BIN\0") + self._bytes
+        return pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
     def _once(self, key: object, place: list[dict[str, Any]], entry: dict[str, Any]) -> int:
         """The number of an entry, which is made if there is none like it."""
@@ -255,11 +256,3 @@ def _kind(data: bytes) -> str:
     if data.startswith(b"\x89PNG\r\n\x1a\n"):
         return "image/png"
     return "image/jpeg" if data.startswith(b"\xff\xd8\xff") else ""
-
-
-def _chunk(kind: bytes, data: bytes) -> bytes:
-    return _integers(len(data)) + kind + data
-
-
-def _integers(*values: int) -> bytes:
-    return b"".join(value.to_bytes(4, "little") for value in values)

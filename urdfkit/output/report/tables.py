@@ -142,7 +142,7 @@ def meshes(subject: Subject) -> list[Row]:
         facts = mesh.facts
         rows.append(
             {
-                "link": mesh.link,
+                "link": mesh.link.name,
                 "role": mesh.role,
                 "name": mesh.at.value,
                 "path": shown(mesh.located.path) if mesh.located.path else None,

@@ -20,8 +20,8 @@ class Translator:
         self.language = language
         self.known: dict[str, str] = {}
         if language != "en":
-            folder = os.path.join(os.path.dirname(__file__), "languages")
-            with open(os.path.join(folder, f"{language}.json"), encoding="utf-8") as file:
+            directory = os.path.join(os.path.dirname(__file__), "languages")
+            with open(os.path.join(directory, f"{language}.json"), encoding="utf-8") as file:
                 self.known = json.load(file)
 
     def __call__(self, word: str) -> str:

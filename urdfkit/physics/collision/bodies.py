@@ -54,12 +54,9 @@ class CollisionBody(Record):
     @property
     def radius(self) -> float:
         """Of a sphere about the centre that holds the body, or the points of a mesh."""
-        if self.kind == "sphere":
-            return self.size[0]
-        if self.kind in ("cylinder", "capsule"):
-            radius, above = self.size[0], self.half[2]
-            return above if self.kind == "capsule" else hypot(radius, above)
-        return max((dist(self.center, point) for point in self.points), default=hypot(*self.half))
+        if self.kind == "mesh" and self.points:
+            return max(dist(self.center, point) for point in self.points)
+        return bounding_radius(self.kind, self.half)
 
     @property
     def thickness(self) -> float:
@@ -118,6 +115,21 @@ def primitive_size(shape: Shape) -> tuple[float, ...]:
     return tuple(max(value, THINNEST) for value in _sizes(shape) or () if value is not None)
 
 
+def half_edges(kind: str, size: tuple[float, ...]) -> Vector:
+    """Half the sides of the box around a primitive."""
+    if kind == "box":
+        return (size[0] / 2, size[1] / 2, size[2] / 2)
+    above = size[0] if kind == "sphere" else size[1] / 2
+    return (size[0], size[0], above + size[0] if kind == "capsule" else above)
+
+
+def bounding_radius(kind: str, half: Vector) -> float:
+    """Of the sphere about the centre of a body, given half the sides of the box around it."""
+    if kind in ("sphere", "capsule"):
+        return half[2]
+    return hypot(half[0], half[2]) if kind == "cylinder" else hypot(*half)
+
+
 def _sizes(shape: Shape) -> tuple[float | None, ...] | None:
     """As they are written; None for what is no primitive."""
     if shape.kind == "box":
@@ -132,11 +144,7 @@ def _sizes(shape: Shape) -> tuple[float | None, ...] | None:
 def _primitive(link: str, number: int, body: Body) -> CollisionBody:
     assert body.shape is not None
     kind, size = body.shape.kind, primitive_size(body.shape)
-    if kind == "box":
-        half = (size[0] / 2, size[1] / 2, size[2] / 2)
-    else:
-        above = size[0] if kind == "sphere" else size[1] / 2
-        half = (size[0], size[0], above + size[0] if kind == "capsule" else above)
+    half = half_edges(kind, size)
     x, y, z = ((-edge, edge) for edge in half)
     corners = tuple(product(x, y, z))
     return CollisionBody(

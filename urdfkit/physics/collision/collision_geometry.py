@@ -10,7 +10,7 @@ import coal
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
-from urdfkit.physics.collision.bodies import TOUCH
+from urdfkit.physics.collision.bodies import TOUCH, bounding_radius, half_edges
 from urdfkit.physics.collision.bounds import apart
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays
 
@@ -67,21 +67,9 @@ def form(solid: CollisionArrays) -> CollisionGeometry:
     if solid.kind == "mesh":
         return _mesh(solid)
     exact = _PRIMITIVES[solid.kind](*solid.size)
-    return CollisionGeometry(solid, exact, exact, np.zeros(3), *_extent(solid))
-
-
-def _extent(solid: CollisionArrays) -> tuple[Floats, float]:
-    """Half the sides of the box around a primitive, and the radius of the sphere, in m."""
-    if solid.kind == "box":
-        half = np.array(solid.size) / 2
-        return half, float(np.linalg.norm(half))
-    radius = solid.size[0]
-    if solid.kind == "sphere":
-        return np.full(3, radius), radius
-    above = solid.size[1] / 2
-    if solid.kind == "capsule":
-        return np.array([radius, radius, above + radius]), above + radius
-    return np.array([radius, radius, above]), float(np.hypot(radius, above))
+    half = half_edges(solid.kind, solid.size)
+    radius = bounding_radius(solid.kind, half)
+    return CollisionGeometry(solid, exact, exact, np.zeros(3), np.array(half), radius)
 
 
 def _mesh(solid: CollisionArrays) -> CollisionGeometry:

@@ -17,7 +17,7 @@ from urdfkit.physics.collision.batch_kinematics import Chain
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision
 from urdfkit.physics.collision.task import PairFindings, Task
 
-#: The folders of modules are handed over, so that nothing is imported from where we stand.
+#: The directories of modules are handed over, so that nothing is imported from where we stand.
 _BOOT = (
     "import sys; sys.path[:] = sys.argv[1:]; "
     "from urdfkit.physics.collision.worker import main; main()"

@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.physics.gravity import GravityModel, Load, gravity_loads
+from urdfkit.physics.gravity import Load, gravity_loads
+from urdfkit.physics.gravity_model import GravityModel
 
 if TYPE_CHECKING:
     from urdfkit.physics.dynamics.robot import Dynamics

@@ -93,8 +93,8 @@ def find_defects(
 
 def missing_textures(use: MeshUse) -> list[str]:
     """The images that a mesh uses and that do not exist, as written."""
-    folder = os.path.dirname(use.path)
-    return [name for name in use.measures.textures if name and find_image(name, folder) is None]
+    directory = os.path.dirname(use.path)
+    return [name for name in use.measures.textures if name and find_image(name, directory) is None]
 
 
 def extras(use: MeshUse) -> list[str]:

@@ -15,7 +15,9 @@ from urdfkit.text.document import Attribute, Tag
 from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
 #: Folders of a package that are searched for a file of the wanted name.
-MAX_FOLDERS = 2000
+MAX_DIRECTORIES = 2000
+#: Directories of a missing file that lead to one of several files of its name for sure.
+MIN_COMMON_FOLDERS = 2
 
 _SEPARATORS = str.maketrans("_-.", "   ")
 
@@ -193,14 +195,17 @@ class MeshFiles:
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
         """The file that a reference to a missing one probably means.
 
-        A file of the same name elsewhere in the package, else one of a similar name in the same
-        directory. It is sure if it is the only candidate and no other link uses it.
+        One of another format in the same directory, else a file of the same name elsewhere in the
+        package, else one of a similar name in the same directory, else one of another format
+        elsewhere. It is sure if it is the only candidate and no other link uses it.
         """
-        path = self._same_name_elsewhere(mesh.located)
-        if path is None:
-            path, sure = self._similar_name(mesh.located)
-        else:
-            sure = True
+        located = mesh.located
+        similar = self._similar_name(located)
+        found = [self._same_name_elsewhere(located), similar]
+        if similar[0] is not None and _stem(similar[0]) == _stem(located.relative):
+            found.reverse()
+        found.append(self._same_name_elsewhere(located, any_format=True))
+        path, sure = next((one for one in found if one[0] is not None), (None, False))
         if path is None:
             return None
         sure = sure and path not in self._used
@@ -213,10 +218,10 @@ class MeshFiles:
         package = self.resolver.packages.enclosing(path)
         if like.scheme != "relative" and package:
             return f"package://{package[0]}/{_relative(path, package[1])}"
-        return _relative(path, self._folder) if like.scheme == "relative" else path
+        return _relative(path, self._directory) if like.scheme == "relative" else path
 
     @property
-    def _folder(self) -> str:
+    def _directory(self) -> str:
         return os.path.dirname(os.path.abspath(self.top))
 
     @cached_property
@@ -229,49 +234,71 @@ class MeshFiles:
         return MeshReference(filename, link, role, body, located, facts)
 
     def _expected(self, located: ResolvedReference) -> tuple[str, str]:
-        """The folder below which a missing file should be, and its path there."""
+        """The directory below which a missing file should be, and its path there."""
         if located.folder:
             return located.folder, located.relative
         if located.scheme == "relative":
-            return self._folder, located.relative
+            return self._directory, located.relative
         return os.path.split(located.tried[0])
 
-    def _same_name_elsewhere(self, located: ResolvedReference) -> str | None:
-        """The only file of the wanted name in the package; None if there are several."""
+    def _same_name_elsewhere(
+        self, located: ResolvedReference, *, any_format: bool = False
+    ) -> tuple[str | None, bool]:
+        """The file of the wanted name in the package, and whether it certainly is the wanted one.
+
+        Of several the one in the most directories of the wanted names; none if that is not one.
+        """
         base = located.folder
         if base is None:
             package = self.resolver.packages.enclosing(self.top)
             base = package[1] if package else self.resolver.packages.workspace(self.top)
         if base not in self._below:
-            self._below[base] = self.resolver.folders.files_below(base, MAX_FOLDERS)
-        folder, wanted = os.path.split(located.relative)
-        numbers = _numbers(folder)
-        found = [
-            path
-            for path in self._below[base]
-            if os.path.basename(path).casefold() == wanted.casefold()
+            self._below[base] = self.resolver.folders.files_below(base, MAX_DIRECTORIES)
+        directory, wanted = os.path.split(located.relative)
+        found: dict[int, list[str]] = {}
+        for path in self._below[base]:
+            name = os.path.basename(path)
+            if name.casefold() != wanted.casefold() and not (
+                any_format and _suffix(name) in BY_SUFFIX and _stem(name) == _stem(wanted)
+            ):
+                continue
+            common, ours, theirs = _without_common_end(directory, _relative(path, base))
             # Not the same part of another model of the series.
-            and (not numbers or _numbers(_relative(path, base)) in ([], numbers))
-        ]
-        return found[0] if len(found) == 1 else None
+            if not (numbers := _numbers(ours)) or _numbers(theirs) in ([], numbers):
+                found.setdefault(common, []).append(path)
+        best = max(found, default=0)
+        if len(found.get(best, ())) != 1:
+            return None, False
+        is_only = len(found) == 1 or best >= MIN_COMMON_FOLDERS
+        return found[best][0], is_only and not any_format
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
-        """A mesh file of a similar name in the same folder, and whether that is a typo."""
+        """A mesh file of a similar name in the same directory, and whether that is a typo."""
         base, relative = self._expected(located)
-        folder, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
-        entries = self.resolver.folders.entries(folder) or {}
+        directory, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
+        entries = self.resolver.folders.entries(directory) or {}
         numbers = _numbers(wanted)
         meshes = [
             name
-            for name, is_folder in entries.items()
-            if not is_folder and _suffix(name) in BY_SUFFIX and _numbers(name) == numbers
+            for name, is_directory in entries.items()
+            if not is_directory and _suffix(name) in BY_SUFFIX and _numbers(name) == numbers
         ]
         # Without the endings, which are alike anyway.
         stems = {os.path.splitext(name)[0]: name for name in meshes}
         stem = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
         if stem is None:
             return None, False
-        return os.path.join(folder, stems[stem]), is_typo(wanted, stems[stem])
+        return os.path.join(directory, stems[stem]), is_typo(wanted, stems[stem])
+
+
+def _without_common_end(directory: str, path: str) -> tuple[int, str, str]:
+    """How many directories a wanted directory and that of a path end in alike, and what is left."""
+    ours, theirs = directory.split("/"), path.split("/")[:-1]
+    common = 0
+    while ours and theirs and ours[-1] == theirs[-1]:
+        ours, theirs = ours[:-1], theirs[:-1]
+        common += 1
+    return common, "/".join(ours), "/".join(theirs)
 
 
 def _content(mesh: MeshReference) -> bytes:
@@ -308,12 +335,16 @@ def _words(name: str) -> list[str]:
     return os.path.splitext(name)[0].casefold().translate(_SEPARATORS).split()
 
 
+def _stem(name: str) -> str:
+    return os.path.splitext(os.path.basename(name))[0].casefold()
+
+
 def _suffix(name: str) -> str:
     return os.path.splitext(name)[1].lower()
 
 
-def _relative(path: str, folder: str) -> str:
-    return os.path.relpath(path, folder).replace(os.sep, "/")
+def _relative(path: str, directory: str) -> str:
+    return os.path.relpath(path, directory).replace(os.sep, "/")
 
 
 def _tag(placed: Placed[str]) -> Tag:

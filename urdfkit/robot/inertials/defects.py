@@ -29,6 +29,8 @@ TOO_SMALL = 0.01
 
 #: Densities of robot parts in kg/m³, from hollow plastic to lead.
 LIGHTEST, HEAVIEST = 20.0, 12000.0
+#: A centre of mass may be this far in m from a shape that only marks a place.
+FAR_FROM_MARKER = 0.1
 
 #: A density outside by less than this factor may be that of a shape drawn a little too small.
 NEAR = 1.2
@@ -148,6 +150,8 @@ def center_is_outside(link: LinkInertia) -> float | None:
     if any(2 * dist(center, part.origin.position) <= part.longest for part in link.solid.parts):
         return None
     distance, longest = _outside(center, link.outline), max(link.outline.edges)
+    if link.is_marker and distance < FAR_FROM_MARKER:
+        return None
     if distance > longest or (distance > MISTAKEN * longest and not link.is_marker):
         return distance if distance > longest or center_mistake(link) else None
     return None

@@ -145,6 +145,21 @@ class Conversion:
         """Names of the links and joints that ``<gazebo>`` tags bring in as SDF."""
         return frozenset(one.get("name") or "" for one in self.added_links + self.added_joints)
 
+    def lost_joint_ends(self) -> Iterator[tuple[Element, Element, str]]:
+        """Ends of the added joints that are no link: the joint, the end, what it is merged into.
+
+        The last is empty for a name that the converted model does not have in any way.
+        """
+        frames = {"world", *self.joint_names, *self.added, *(link.name for link in self.links)}
+        frames |= {
+            one.get("name") or "" for block in self.model.gazebo for one in block.all("frame")
+        }
+        for joint in self.added_joints:
+            for end in filter(None, (joint.child("parent"), joint.child("child"))):
+                name = end.text.strip()
+                if name and "::" not in name and name not in frames:
+                    yield joint, end, self.merged.get(name, "")
+
     @cached_property
     def survivor(self) -> dict[str, str]:
         """The link of Gazebo that a link of the URDF is, or is merged into, by name."""

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from urdfkit.workspace.folders import Folders
 
 #: Bounds of the search.
-MAX_FOLDERS, MAX_FILES, MAX_BYTES = 500, 1000, 65_536
+MAX_DIRECTORIES, MAX_FILES, MAX_BYTES = 500, 1000, 65_536
 
 _STARTERS = (b"ros_gz_sim", b"ros_ign_gazebo", b"gazebo_ros", b"gz_sim.launch", b"spawn_entity")
 _TELLERS = (
@@ -54,7 +54,7 @@ def survey(root: str, folders: Folders) -> ResourcePaths:
         root: the directory.
         folders: cached listings of directories.
     """
-    files = [path for path in folders.files_below(root, MAX_FOLDERS) if path.endswith(_TEXTS)]
+    files = [path for path in folders.files_below(root, MAX_DIRECTORIES) if path.endswith(_TEXTS)]
     starter = None
     for path in files[:MAX_FILES]:
         data = _begin(path)

@@ -119,19 +119,12 @@ def _of_names(conversion: Conversion) -> Iterator[Rejection]:
 
 def _of_joints(conversion: Conversion) -> Iterator[Rejection]:
     """Joints of SDF between links that are not there, and floating joints, which leave no frame."""
-    model = conversion.model
-    frames = {"world", *(joint.joint.name for joint in conversion.joints)}
-    frames |= {link.name for link in conversion.links} | conversion.added
-    frames |= {one.get("name") or "" for block in model.gazebo for one in block.all("frame")}
-    for joint in conversion.added_joints:
-        for tag in ("parent", "child"):
-            end = joint.child(tag)
-            name = end.text.strip() if end else ""
-            if end and name and "::" not in name and name not in frames:
-                into = conversion.merged.get(name)
-                what = f"is merged into '{into}'" if into else "is not in the converted model"
-                message = f"<joint> '{joint.get('name')}' in <gazebo>: {tag} '{name}' {what}"
-                yield Rejection("gz", "", message, end.span)
+    for joint, end, into in conversion.lost_joint_ends():
+        what = f"is merged into '{into}'" if into else "is not in the converted model"
+        message = (
+            f"<joint> '{joint.get('name')}' in <gazebo>: {end.tag} '{end.text.strip()}' {what}"
+        )
+        yield Rejection("gz", "GAZ067" if into else "GAZ001", message, end.span)
     for link in conversion.links:
         above = link.body.joint
         if above is not None and above.kind == "floating":

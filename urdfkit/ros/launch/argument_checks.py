@@ -20,7 +20,7 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 #: The end of the name of a launch file that begins with an expression, in XML or in Python.
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
 #: Files that are searched for one that includes another, and directories of them.
-MAX_FILES, MAX_FOLDERS = 500, 2000
+MAX_FILES, MAX_DIRECTORIES = 500, 2000
 
 
 def is_typo(name: str, known: Iterable[str]) -> bool:
@@ -89,9 +89,9 @@ def declares_others(path: str) -> bool:
 def is_included(path: str, resolver: Resolver) -> bool:
     """True if another launch file of the package names this one: arguments may come from there."""
     home = resolver.packages.enclosing(path)
-    folder = home[1] if home else os.path.dirname(os.path.abspath(path))
+    directory = home[1] if home else os.path.dirname(os.path.abspath(path))
     name = os.path.basename(path)
-    siblings = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
+    siblings = filter(is_launch, resolver.folders.files_below(directory, MAX_DIRECTORIES))
     others = [file for file in siblings if os.path.basename(file) != name]
     return len(others) > MAX_FILES or any(_names(name.encode(), one, resolver) for one in others)
 

@@ -65,12 +65,12 @@ class Collector:
     def package(self, name: str, source: Source, span: Span) -> str | None:
         """The directory of a package; records that it is needed."""
         try:
-            folder: str | None = self.resolver.package(name, source.path)
+            directory: str | None = self.resolver.package(name, source.path)
             searched = None
         except PackageNotFound as error:
-            folder, searched = None, error.searched
+            directory, searched = None, error.searched
         self.packages.setdefault(name, PackageUse(name, span, searched))
-        return folder
+        return directory
 
     def file(self, path: str, span: Span, purpose: str) -> bool:
         """Record that a file is needed; True if it exists and may be read."""
@@ -152,3 +152,9 @@ class Collector:
 def frame_at(source: Source, tag: Tag, outer: CallFrame | None) -> CallFrame:
     """The step from a launch file to what it starts."""
     return CallFrame("launch", os.path.basename(source.path), tag, None, outer)
+
+
+def path_from(source: Source, text: str) -> str:
+    """A path as launch finds it: absolute, or relative to the launch file."""
+    directory = os.path.dirname(os.path.abspath(source.path))
+    return os.path.normpath(os.path.join(directory, text))

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Mapping
 from itertools import pairwise
 
-from urdfkit.ros.launch.collect import Collector, frame_at
+from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import PARAMETERS, StartedProgram
@@ -130,7 +130,7 @@ class _Reader:
     def _include(self, call: ast.Call) -> None:
         node = argument(call, 0, "launch_description_source")
         path = self.values.text(node)
-        path = "" if path is None else self.values.path(path)
+        path = "" if path is None else path_from(self.source, path)
         is_there = False
         if node is not None and path:
             is_there = self.collector.file(path, self.values.span(node), "included launch file")
@@ -188,7 +188,7 @@ class _Reader:
         elif argument(call, None, "mappings") is not None:
             arguments[""] = None
         span = self.values.span(call)
-        self.collector.description(self.values.path(path), arguments, span, self._frame(call))
+        self.collector.description(path_from(self.source, path), arguments, span, self._frame(call))
 
     def _frame(self, call: ast.Call) -> CallFrame:
         start = self.values.span(call).start
@@ -197,4 +197,4 @@ class _Reader:
     def _file(self, node: ast.expr, purpose: str) -> None:
         path = self.values.text(node)
         if path is not None:
-            self.collector.file(self.values.path(path), self.values.span(node), purpose)
+            self.collector.file(path_from(self.source, path), self.values.span(node), purpose)

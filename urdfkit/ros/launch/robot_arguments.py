@@ -22,7 +22,7 @@ from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 #: Launch files of a package that are read, and directories that are searched for them.
-MAX_FILES, MAX_FOLDERS = 200, 2000
+MAX_FILES, MAX_DIRECTORIES = 200, 2000
 
 
 class RobotArguments(Record):
@@ -55,8 +55,8 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
     own: dict[tuple[tuple[str, str], ...], RobotArguments] = {}
     others: dict[tuple[str, ...], RobotArguments] = {}
     package = resolver.packages.enclosing(robot)
-    for folder, name in _searched(robot, resolver):
-        for launch, description in _descriptions(folder, name, resolver):
+    for directory, name in _searched(robot, resolver):
+        for launch, description in _descriptions(directory, name, resolver):
             arguments = description.arguments
             if not arguments.keys() >= set(needed):
                 continue
@@ -81,8 +81,8 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
     Yields:
         The path of a launch file, and the choices or the default of each of its arguments.
     """
-    for folder, name in _searched(robot, resolver):
-        yield from _declarations(folder, name, resolver)
+    for directory, name in _searched(robot, resolver):
+        yield from _declarations(directory, name, resolver)
 
 
 def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
@@ -96,12 +96,12 @@ def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
 
 @lru_cache(maxsize=2)  # the robots of a package are queried one after the other
 def _descriptions(
-    folder: str, mentioned: str, resolver: Resolver
+    directory: str, mentioned: str, resolver: Resolver
 ) -> tuple[tuple[str, LaunchedDescription], ...]:
     """The robots that launch files of a directory start, with the path of the launch file."""
     return tuple(
         (source.path, description)
-        for source in _launch_files(folder, mentioned, resolver)
+        for source in _launch_files(directory, mentioned, resolver)
         for choice in _choices(source)
         for description in read_launch(source, resolver, choice).descriptions
     )
@@ -109,17 +109,17 @@ def _descriptions(
 
 @lru_cache(maxsize=2)
 def _declarations(
-    folder: str, mentioned: str, resolver: Resolver
+    directory: str, mentioned: str, resolver: Resolver
 ) -> tuple[tuple[str, dict[str, list[str]]], ...]:
     return tuple(
         (source.path, _declared(source, with_defaults=True))
-        for source in _launch_files(folder, mentioned, resolver)
+        for source in _launch_files(directory, mentioned, resolver)
     )
 
 
-def _launch_files(folder: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
+def _launch_files(directory: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
     """The launch files of a directory whose text mentions a package."""
-    files = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
+    files = filter(is_launch, resolver.folders.files_below(directory, MAX_DIRECTORIES))
     for path in islice(files, MAX_FILES):
         try:
             source = resolver.read(path)

@@ -14,7 +14,7 @@ from urdfkit.text.source import Source, Span
 #: Expressions inside one another that are followed.
 MAX_DEPTH = 40
 
-_PACKAGE_FOLDER = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
+_PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
 _JOINED = ("PathJoinSubstitution", "join", "joinpath")
 _PASSED_ON = (
     "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
@@ -93,11 +93,6 @@ class Values:
             for item in self.items(node)
         )
 
-    def path(self, text: str) -> str:
-        """A path as launch finds it: absolute, or relative to the launch file."""
-        folder = os.path.dirname(os.path.abspath(self.source.path))
-        return os.path.normpath(os.path.join(folder, text))
-
     def span(self, node: ast.expr) -> Span:
         """The place of a node; ast counts columns in bytes of UTF-8."""
         starts = self.source.offset(node.lineno, 1) + node.col_offset
@@ -106,8 +101,8 @@ class Values:
 
     def _of_call(self, call: ast.Call, depth: int) -> str | None:
         name = called(call)
-        if name in _PACKAGE_FOLDER:
-            return self._package_folder(call, depth)
+        if name in _PACKAGE_DIRECTORY:
+            return self._package_directory(call, depth)
         if name in _JOINED:
             parts = list(call.args)
             if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
@@ -119,18 +114,18 @@ class Values:
             return self.text(argument(call, 0, "name"), depth + 1)
         if name == "find" and isinstance(call.func, ast.Attribute):
             package = call.func.value  # FindPackageShare(...).find(...)
-            is_one = isinstance(package, ast.Call) and called(package) in _PACKAGE_FOLDER
+            is_one = isinstance(package, ast.Call) and called(package) in _PACKAGE_DIRECTORY
             return self.text(package, depth + 1) if is_one else None
         if name in _PASSED_ON and call.args:
             return self.text(call.args[0], depth + 1)
         return None
 
-    def _package_folder(self, call: ast.Call, depth: int) -> str | None:
+    def _package_directory(self, call: ast.Call, depth: int) -> str | None:
         package = self.text(argument(call, 0, "package"), depth + 1)
         if package is None:
             return None
-        folder = self.collector.package(package, self.source, self.span(call))
-        return f"{UNKNOWN}/{package}" if folder is None else folder
+        directory = self.collector.package(package, self.source, self.span(call))
+        return f"{UNKNOWN}/{package}" if directory is None else directory
 
     def configuration(self, name: str, depth: int = 0) -> str | None:
         """The value of an argument of the launch file; None where it is not known."""

@@ -16,7 +16,7 @@ from urdfkit.ros.launch.argument_checks import (
     undeclared,
     unknown_to_included,
 )
-from urdfkit.ros.launch.collect import Collector, frame_at
+from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, StartedProgram, Word
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
@@ -210,7 +210,7 @@ class _File:
             self.collector.follow(path, self.source, self._passed(element), frame)
             return
         here = (*self.outer, self.source.path)
-        is_xml = not path.endswith((".yaml", ".yml"))
+        is_xml = not path.endswith(YAML)
         is_followed = path not in here and len(here) <= MAX_DEPTH and is_xml
         self.collector.included += 1
         if not is_followed or self.collector.included > MAX_INCLUDED:
@@ -265,7 +265,9 @@ class _File:
             elif key == "textfile" and _DESCRIPTION.search(name):
                 path = self.text(attribute)
                 if path is not None:
-                    self.collector.description(self._path(path), {}, attribute.span, frame)
+                    self.collector.description(
+                        path_from(self.source, path), {}, attribute.span, frame
+                    )
             elif _DESCRIPTION.search(name):
                 self._described(attribute, frame)
 
@@ -290,7 +292,7 @@ class _File:
         if arguments:
             found = _RVIZ.search(self.text(arguments) or "")
             if found:
-                path = self._path(found.group(1))
+                path = path_from(self.source, found.group(1))
                 self.collector.file(path, arguments.span, "RViz configuration")
         executable = element.attributes.get("exec") or element.attributes.get("type")
         started = StartedProgram(
@@ -368,9 +370,4 @@ class _File:
         if any(self.values.get(name) == "" for name in USE.findall(attribute.value)):
             return None
         text = self.text(attribute)
-        return None if text is None else self._path(text)
-
-    def _path(self, text: str) -> str:
-        return os.path.normpath(
-            os.path.join(os.path.dirname(os.path.abspath(self.source.path)), text)
-        )
+        return None if text is None else path_from(self.source, text)

@@ -54,7 +54,7 @@ def group_entries(srdf: Srdf, resolver: Resolver) -> Iterator[GroupEntry]:
     for file, marks in _OF_GROUPS.items():
         found = [
             (key, node)
-            for key, node in _mappings(_load(srdf, file, resolver))
+            for key, node in _mappings(load_next_to(srdf, file, resolver))
             if not node.keys().isdisjoint(marks) and not key.startswith(_OPEN)
         ]
         for key, node in found:
@@ -68,7 +68,7 @@ def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]
         for joint in joints if isinstance(joints, list) else ():
             if isinstance(joint, Value) and not joint.text.startswith(_OPEN):
                 yield f"controller '{name}'", joint
-    for _, positions in _mappings(_load(srdf, _INITIAL, resolver)):
+    for _, positions in _mappings(load_next_to(srdf, _INITIAL, resolver)):
         for key in positions:
             if isinstance(key, Key) and not key.startswith(_OPEN):
                 yield _INITIAL, key.at
@@ -77,7 +77,7 @@ def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]
 def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str, Node]]]:
     """The controllers that MoveIt sends trajectories to, with their settings."""
     for file in _OF_CONTROLLERS:
-        root = _load(srdf, file, resolver)
+        root = load_next_to(srdf, file, resolver)
         for _, manager in _mappings(root):
             yield from _mappings(manager)
         listed = root.get("controller_list") if isinstance(root, dict) else None
@@ -89,7 +89,7 @@ def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str,
 
 def names_without_settings(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, list[str]]]:
     """The names of controllers for which there are no settings, with those that have some."""
-    root = _load(srdf, _OF_CONTROLLERS[0], resolver)
+    root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
     manager = root.get(_MANAGER) if isinstance(root, dict) else None
     names = manager.get("controller_names") if isinstance(manager, dict) else None
     known = [str(key) for key, _ in _mappings(manager)]
@@ -104,11 +104,11 @@ def _mappings(node: Node) -> Iterator[tuple[Key, dict[str, Node]]]:
             yield key, inner
 
 
-def _load(srdf: Srdf, name: str, resolver: Resolver) -> Node:
-    """A file next to the SRDF, or in the configuration that it is part of."""
-    folder = os.path.dirname(os.path.abspath(srdf.path))
-    above = os.path.dirname(folder)
-    for place in (folder, above, os.path.join(above, "config")):
+def load_next_to(srdf: Srdf, name: str, resolver: Resolver) -> Node:
+    """A YAML file next to an SRDF, or in the configuration that it is part of; None without one."""
+    directory = os.path.dirname(os.path.abspath(srdf.path))
+    above = os.path.dirname(directory)
+    for place in (directory, above, os.path.join(above, "config")):
         path = os.path.join(place, name)
         if disk.is_file(path) and resolver.allows(path, srdf.path):
             try:

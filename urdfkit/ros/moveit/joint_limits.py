@@ -5,16 +5,14 @@ Source: ``robot_model`` and ``robot_model_loader`` of MoveIt 1 and 2.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from math import radians
 from typing import TYPE_CHECKING
 
-from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.errors import UrdfkitError
 from urdfkit.robot.model import number
-from urdfkit.text.located_yaml import Key, Value, load
+from urdfkit.ros.moveit.config import load_next_to
+from urdfkit.text.located_yaml import Key, Value
 
 if TYPE_CHECKING:
     from urdfkit.ros import RosDescription
@@ -53,28 +51,12 @@ class PlannedLimit(Record):
 
 def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
     """The limits that MoveIt plans with, in the order of the file; nothing where there is none."""
-    path = _find(description)
-    if path is None or not description.resolver.allows(path, description.source.path):
+    if description.srdf is None:
         return
-    try:
-        root = load(description.resolver.read(path))
-    except UrdfkitError:
-        return
+    root = load_next_to(description.srdf, _FILE, description.resolver)
     limits = root.get("joint_limits") if isinstance(root, dict) else None
     for name, entry in limits.items() if isinstance(limits, dict) else ():
         values = entry.items() if isinstance(entry, dict) else ()
         given = {key: value for key, value in values if isinstance(value, Value)}
         if given and isinstance(name, Key):
             yield PlannedLimit(name, name.at, given)
-
-
-def _find(description: RosDescription) -> str | None:
-    """Next to the SRDF, or in ``config`` of its package."""
-    if description.srdf is None:
-        return None
-    folder = os.path.dirname(os.path.abspath(description.srdf.path))
-    for place in (folder, os.path.join(os.path.dirname(folder), "config")):
-        path = os.path.join(place, _FILE)
-        if disk.is_file(path):
-            return path
-    return None

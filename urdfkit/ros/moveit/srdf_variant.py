@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _UNKNOWN, _KNOWN = 0.25, 0.9
 _FEWEST = 3
 #: Bounds of the search for the other robot.
-_MAX_FOLDERS, _MAX_FILES, _MAX_XACROS = 200, 60, 10
+_MAX_DIRECTORIES, _MAX_FILES, _MAX_XACROS = 200, 60, 10
 _MAX_BYTES = 4 * 1024 * 1024
 
 
@@ -65,7 +65,7 @@ def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
     if package is None:
         return
     own = disk.real(description.source.path)
-    below = description.resolver.folders.files_below(package[1], _MAX_FOLDERS)
+    below = description.resolver.folders.files_below(package[1], _MAX_DIRECTORIES)
     paths = [path for path in below if path.endswith((".urdf", ".xacro"))]
     robots = [path for path in paths if disk.real(path) != own and _is_robot(path)]
     xacros = 0

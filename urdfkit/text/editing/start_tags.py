@@ -146,14 +146,7 @@ def _rest(line: str) -> str:
 @cache
 def _grammars() -> dict[str, schema.Grammar]:
     """The grammars of URDF's elements by tag."""
-    found: dict[str, schema.Grammar] = {}
-    stack = [("robot", schema.ROBOT)]
-    while stack:
-        tag, grammar = stack.pop()
-        if tag not in found:
-            found[tag] = grammar
-            stack.extend(grammar.children.items())
-    return found
+    return dict(schema.elements())
 
 
 @cache

@@ -1,0 +1,86 @@
+"""Files that are there: under another directory, in another one of the repository, or elsewhere."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.meshed import SOUND
+from urdfkit import check
+from urdfkit.lint.grouping import grouped
+from urdfkit.text.diagnostic import Diagnostic
+
+URDF = """\
+<robot name="r"><link name="a"><visual><geometry><mesh filename="{file}"/></geometry></visual>
+</link></robot>
+"""
+
+
+def package(folder: Path, name: str, *meshes: str) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    put(folder, *meshes)
+
+
+def put(folder: Path, *meshes: str) -> None:
+    for mesh in meshes:
+        (folder / mesh).parent.mkdir(parents=True, exist_ok=True)
+        (folder / mesh).write_bytes(SOUND)
+
+
+def robot(path: Path, file: str) -> tuple[Diagnostic, ...]:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(URDF.format(file=file))
+    return check(path, select=["MSH001"]).diagnostics
+
+
+@pytest.mark.parametrize(
+    ("wanted", "suggested"),
+    [
+        # kortex: the path of the author's installation; each arm has its own base_link
+        ("file:///root/c3_ws/install/arm/share/arm/gen3/7dof/base.stl", "gen3/7dof/base.stl"),
+        # a number in the name of the file says nothing about its directory
+        ("/home/me/arm/CADv0.1/XL430.stl", "CADv0.1/XL430.stl"),
+        ("package://arm/meshes/lid.stl", "cad/lid.obj"),
+        # Robotiq: the visual is a .dae, the collision the .stl
+        ("package://arm/visual/palm.stl", "visual/palm.dae"),
+        ("package://arm/ur10/visual/elbow.stl", None),
+    ],
+)
+def test_a_file_elsewhere_in_the_package(
+    tmp_path: Path, wanted: str, suggested: str | None
+) -> None:
+    meshes = ("gen3/7dof/base.stl", "gen3/6dof/base.stl", "CADv0.1/XL430.stl", "cad/lid.obj")
+    package(
+        tmp_path, "arm", *meshes, "collision/palm.stl", "ur5/visual/elbow.stl", "visual/palm.dae"
+    )
+    (found,) = robot(tmp_path / "urdf" / "r.urdf", wanted)
+    offer = f"did you mean 'package://arm/{suggested}'?"
+    assert found.help == offer if suggested else "generate" in found.help
+
+
+def test_a_package_that_the_build_copies_from_several_directories(tmp_path: Path) -> None:
+    """iCub: `package.xml` lies in one of three directories that become one package."""
+    (tmp_path / ".git").mkdir()
+    package(tmp_path / "arm_manual", "arm", "meshes/a.stl")
+    put(tmp_path / "arm", "meshes/b.stl")
+    put(tmp_path / "arm_made", "meshes_made/c.stl")
+    for folder in ("arm_made", "arm_manual"):
+        assert robot(tmp_path / folder / "robots" / "r.urdf", "package://arm/meshes/b.stl") == ()
+    assert robot(tmp_path / "arm_made/robots/r.urdf", "package://arm/meshes_made/c.stl") == ()
+    assert robot(tmp_path / "arm_made/robots/r.urdf", "package://arm/meshes_made/d.stl")
+    # Another package that lacks the file is not that build.
+    package(tmp_path / "other", "other", "meshes/e.stl")
+    assert robot(tmp_path / "other/urdf/r.urdf", "package://arm/meshes/e.stl")
+
+
+def test_a_missing_package_is_one_finding_for_people(tmp_path: Path) -> None:
+    for name in "ab":
+        robot(tmp_path / f"{name}.urdf", "package://lost/a.stl")
+    found = check(tmp_path, select=["XAC011"]).diagnostics
+    assert len(found) == 2
+    assert found[0].message.startswith("link 'a': package 'lost' is not found, so 1 mesh of it ")
+    (one,) = grouped(found)
+    assert one.message.endswith("(and 1 more like this)")
+    assert [note.span.source.path.rpartition("/")[2] for note in one.related] == ["b.urdf"]

@@ -1,0 +1,49 @@
+"""What several commands have in common: examples in their help, and options."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import click
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def examples(*lines: str) -> str:
+    """Command lines as a list, which click leaves as it is."""
+    return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
+
+
+def with_examples(name: str, *lines: str) -> Callable[[Callable[..., Any]], click.Command]:
+    """``click.command`` for a command whose help ends with some command lines."""
+    return click.command(name, epilog=examples(*lines))
+
+
+def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
+    """Give a command several options, of which the last is listed first."""
+
+    def decorated(command: Command) -> Command:
+        for add in options:
+            command = add(command)
+        return command
+
+    return decorated
+
+
+TRUST = click.option(
+    "--trust", is_flag=True, help="Let the model run any expression and read any file."
+)
+PACKAGE = click.option(
+    "--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package."
+)
+ISOLATED = click.option("--isolated", is_flag=True, help="Ignore all configuration files.")
+CONFIG = click.option(
+    "--config", metavar="FILE", help="Configuration file. [default: the nearest one]"
+)
+VARIANT = click.option(
+    "--variant", default="", metavar="NAME", help="Variant in the configuration."
+)
+TARGET = click.option(
+    "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
+)
