@@ -100,9 +100,9 @@ def read(path: str, most: int, directory: str) -> bytes | None:
 def _may_be_read(path: str, directory: str) -> bool:
     """True for a file in the directory of a mesh file, or else in its workspace."""
     real = disk.real(path)
-    return is_within(real, disk.real(directory)) or any(
-        is_within(real, at) for at in _roots(directory)
-    )
+    if is_within(real, disk.real(directory)):
+        return True
+    return any(is_within(real, root) for root in _roots(directory))
 
 
 @lru_cache(maxsize=256)
