@@ -67,6 +67,12 @@ def test_select_and_ignore(check: Screen, bad: str) -> None:
         assert codes(check(bad, "--format", "json", *words)[1]) == found, words
 
 
+def test_an_unknown_code_that_is_ignored_is_a_warning(check: Screen, bad: str) -> None:
+    code, out, err = check(bad, "--select", "TRE003", "--ignore", "XYZ999", "--format", "json")
+    assert (code, codes(out)) == (1, ["TRE003"])
+    assert err.startswith("warning: --ignore: no rule 'XYZ999'")
+
+
 def fake(severity: Severity) -> Rule:
     def find(subject: Subject):
         yield Finding(subject.document.root, "it is there")
@@ -162,7 +168,7 @@ def test_what_is_asked_for_reaches_the_library(
 ) -> None:
     asked: list[tuple[list[object], dict[str, object]]] = []
 
-    def record(options: Options, files: list[object]) -> object:
+    def record(options: Options, files: list[object], *, spills: bool) -> object:
         asked.append((files, options._asdict()))
         return engine.check()
 

@@ -59,3 +59,12 @@ def test_a_launch_file_for_any_robot_passes_what_some_of_them_have(
     files = {"fly_base.xacro": '<robot name="fly"><link name="a"/></robot>'}
     (found,) = reported(tmp_path / "arm", "LAU005", "a.launch", text, files)
     assert (found.severity.value, found.help) == (severity, "remove the argument")
+
+
+def test_arguments_that_make_an_expression(tmp_path: Path) -> None:
+    """Unitree: `$(arg dollar)` before `(find go1_description)`, which roslaunch resolves later."""
+    text = (
+        '<arg name="dollar" value="$"/><arg name="path" default="(find go1_description)"/>'
+        '<rosparam file="$(arg dollar)$(arg path)/config/control.yaml"/>'
+    )
+    assert reported(tmp_path / "arm", "LAU003", "a.launch", text) == []

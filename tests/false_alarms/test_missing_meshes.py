@@ -32,7 +32,7 @@ def put(folder: Path, *meshes: str) -> None:
 def robot(path: Path, file: str) -> tuple[Diagnostic, ...]:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(URDF.format(file=file))
-    return check(path, select=["MSH001"]).diagnostics
+    return tuple(check(path, select=["MSH001"]).diagnostics)
 
 
 @pytest.mark.parametrize(

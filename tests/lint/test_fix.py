@@ -9,7 +9,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit.errors import UnwritableFile
-from urdfkit.lint import rule_index
+from urdfkit.lint import engine, fix_guard, rule_index
 from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import fix as fix_as_configured
@@ -429,3 +429,26 @@ def test_rules_that_are_left_out_of_the_guard_have_no_fix() -> None:
     slow = [rule for rule in rule_index.all_rules() if rule.needs & SLOW]
     assert {"COL001", "SRD009"} <= {rule.code for rule in slow}
     assert [rule.code for rule in slow if rule.fixable] == []
+
+
+def test_many_fixes_cost_three_checks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Before, with all fixes together, and of what people asked for; halves only on conflict."""
+    count = 40
+    parts = (
+        f'<link name="l{n}"/><joint name="j{n}" type="fixed"><parent link="base"/>\n'
+        f'<child link="l{n}"/>\n<axis xyz="0 1 0"/>\n</joint>'
+        for n in range(count)
+    )
+    path = write(tmp_path, "r.urdf", '<link name="base"/>' + "".join(parts))
+    checked: list[object] = []
+
+    def counting(*arguments: object) -> object:
+        checked.append(arguments)
+        return engine.check_with(*arguments)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(fix_guard, "check_with", counting)
+    fixes = fix(path, select=["JNT020"])
+    assert len(fixes.applied) == count
+    assert len(checked) <= 3
+    changed = [line for line in fixes.diff().splitlines() if line.startswith(("-", "+"))]
+    assert len(changed) == 2 + len(fixes.applied)  # the names of the file, and a line for each

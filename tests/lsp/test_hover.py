@@ -152,3 +152,8 @@ def test_nothing_to_say(tmp_path: Path, place: str) -> None:
 def test_names_cannot_break_out_of_their_frame(tmp_path: Path) -> None:
     text = '<robot name="r"><link name="a`**x**&#10;# b|"/></robot>'
     assert "`" not in reported(Edited(tmp_path / "r.urdf", text)).splitlines()[0][12:-1]
+
+
+def test_a_package_has_its_directory() -> None:
+    shown = reported(Edited(MISSION, mission("package://gazebo_", "pkg/meshes")))
+    assert shown.startswith(f"**package** `gazebo_pkg`: `{MODELS / 'gazebo_pkg'}`")

@@ -1,1 +1,1 @@
-"""One rule per file, named by its code: the listing of this folder is the catalogue."""
+"""One rule per file, named by its code: the listing of this directory is the catalogue."""

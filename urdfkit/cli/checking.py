@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.cli import options, output, result_recording, stdin
 from urdfkit.core import atomic
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import check_with
+from urdfkit.lint.finding_store import StoredFindings
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import planned
 from urdfkit.lint.report import Report
@@ -52,26 +53,52 @@ def run_check(values: Mapping[str, Any]) -> int:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
     else:
         report = _check(values, chosen)
-        if any(name == "text" for name, _ in outputs) and any(d.fix for d in report.diagnostics):
+        if any(name == "text" for name, _ in outputs) and _has_fixes(report):
             report = _with_fixable(report, values, chosen)
     report = _with_baseline(report, known, values)
     _show_crashes(report)
+    written = _write(report, outputs, values)
+    code = report.exit_code(fail_on(values, chosen))
+    code = 0 if code == 1 and values["exit_zero"] else code
+    if _may_be_kept(values, chosen) and not (report.crashed or _is_huge(report)):
+        result_recording.keep(code, written)
+    return code
+
+
+def _write(
+    report: Report, outputs: Iterable[tuple[str, str]], values: Mapping[str, Any]
+) -> list[tuple[str, bytes]]:
+    """Write the report in each format to its file; what was written, unless it is huge."""
     written: list[tuple[str, bytes]] = []
     # Files first: if one cannot be written, standard output stays empty.
     for name, file in sorted(outputs, key=lambda one: not one[1]):
-        render = formats.get(name)
         if file:
-            data = output.encode(render(report))
+            parts = map(output.encode, formats.stream(name, report))
+            if _is_huge(report):
+                atomic.write(file, parts)
+                continue
+            data = b"".join(parts)
             atomic.write(file, data)
         else:
             color = output.has_color(values["color"])
-            data = output.write(render(report, color=color, width=output.width()))
+            texts = formats.stream(name, report, color=color, width=output.width())
+            if _is_huge(report):
+                for text in texts:
+                    output.write(text)
+                continue
+            data = output.write("".join(texts))
         written.append((file, data))
-    code = report.exit_code(fail_on(values, chosen))
-    code = 0 if code == 1 and values["exit_zero"] else code
-    if _may_be_kept(values, chosen) and not report.crashed:
-        result_recording.keep(code, written)
-    return code
+    return written
+
+
+def _is_huge(report: Report) -> bool:
+    """True of a report whose findings are not in memory."""
+    return isinstance(report.diagnostics, StoredFindings)
+
+
+def _has_fixes(report: Report) -> bool:
+    """True if it is worth while to say what would be fixed: not of thousands of robots."""
+    return not _is_huge(report) and any(found.fix for found in report.diagnostics)
 
 
 def _may_be_kept(values: Mapping[str, Any], chosen: Options) -> bool:
@@ -126,7 +153,7 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
     progress = _progress(files)
     try:
         sources = [stdin.read(name) if file == "-" else file for file in files]
-        return check_with(chosen._replace(progress=progress), sources)
+        return check_with(chosen._replace(progress=progress), sources, spills=True)
     finally:
         if progress is not None:
             progress.wipe()

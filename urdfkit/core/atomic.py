@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import os
 import stat
+from collections.abc import Iterable
 
 from urdfkit.errors import UnwritableFile
 
 
-def write(path: str | os.PathLike[str], data: bytes, *, durable: bool = True) -> None:
+def write(
+    path: str | os.PathLike[str], data: bytes | Iterable[bytes], *, durable: bool = True
+) -> None:
     """Write a file whole or not at all; one that exists keeps its permissions.
 
     The bytes go to a new file in the same folder, which then takes the name. A link stays a link.
@@ -16,14 +19,15 @@ def write(path: str | os.PathLike[str], data: bytes, *, durable: bool = True) ->
 
     Args:
         path: of the file.
-        data: all that it is to hold.
+        data: all that it is to hold, or its parts.
         durable: wait until the disk has it; a cache does without.
 
     Raises:
         UnwritableFile: the folder is missing, or permission or space.
     """
     try:
-        _write(os.path.realpath(path), data, durable=durable)
+        parts = (data,) if isinstance(data, bytes) else data
+        _write(os.path.realpath(path), parts, durable=durable)
     except OSError as error:
         raise UnwritableFile(f"{os.fspath(path)}: {_why_unwritable(path, error)}") from error
     except ValueError as error:  # a NUL in the name
@@ -45,20 +49,20 @@ def make_folder(path: str | os.PathLike[str]) -> None:
         ) from error
 
 
-def _write(path: str, data: bytes, *, durable: bool) -> None:
+def _write(path: str, parts: Iterable[bytes], *, durable: bool) -> None:
     try:
         mode = os.stat(path).st_mode
     except FileNotFoundError:
         mode = None
     if mode is not None and not stat.S_ISREG(mode):
         with open(path, "wb") as file:
-            file.write(data)
+            file.writelines(parts)
         return
     temporary = f"{path}.{os.getpid()}.tmp"
     file = open(temporary, "xb")  # noqa: SIM115 - closed before it takes the name
     try:
         with file:
-            file.write(data)
+            file.writelines(parts)
             file.flush()
             if durable:
                 os.fsync(file.fileno())

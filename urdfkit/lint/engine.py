@@ -96,6 +96,8 @@ def check_with(
     options: Options,
     files: Iterable[str | os.PathLike[str] | Source],
     resolver: Resolver | None = None,
+    *,
+    spills: bool = False,
 ) -> Report:
     """Check descriptions of robots.
 
@@ -104,6 +106,7 @@ def check_with(
         files: as of ``check``.
         resolver: what an earlier check with these packages has found of packages and folders;
             for many checks in a row, while nothing changes on disk.
+        spills: keep the findings of very many robots on disk, for a report that is only printed.
 
     Raises:
         UrdfkitError: as of ``check``.
@@ -114,7 +117,8 @@ def check_with(
     else:
         resolver = resolver.with_texts(options.texts)
     plan = planned(files, resolver, options)
-    return merged_report(plan, _checked(plan.jobs, options, resolver), _unchecked(plan, options))
+    checked = _checked(plan.jobs, options, resolver)
+    return merged_report(plan, checked, _unchecked(plan, options), spills=spills)
 
 
 def check_robots(
@@ -175,16 +179,15 @@ def _reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
     return read
 
 
-def _checked(jobs: list[Job], options: Options, resolver: Resolver) -> list[Checked]:
+def _checked(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[Checked]:
     if len(jobs) == 1:
-        return _check_job(jobs[0], options, resolver)
+        yield from _check_job(jobs[0], options, resolver)
+        return
     progress, options = options.progress, options._replace(progress=None)
-    checked: list[Checked] = []
     for done, some in enumerate(_each(jobs, options, resolver), 1):
-        checked += some
+        yield from some
         if progress is not None:
             progress(done, len(jobs))
-    return checked
 
 
 def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[list[Checked]]:

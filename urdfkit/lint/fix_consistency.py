@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfkit.lint.rules import Finding, Location
+from urdfkit.lint.rules import Finding
 from urdfkit.text.document import Attribute, Element, Tag
 
 
@@ -45,9 +45,4 @@ def _proposal(finding: Finding, element: Element) -> tuple[object, ...]:
 
 def _element(finding: Finding) -> Element | None:
     """The element that a finding is at; None for a place that is no element of the document."""
-    at = finding.at
-    if isinstance(at, Location):
-        return None
-    if not isinstance(at, (Element, Attribute)):
-        at = at.at
-    return at.element if isinstance(at, Attribute) else at
+    return finding.node.element if isinstance(finding.node, Attribute) else finding.node

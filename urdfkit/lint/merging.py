@@ -2,112 +2,125 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.lint.finding_store import FindingStore
 from urdfkit.lint.plan import Job, Plan
-from urdfkit.lint.report import Report
+from urdfkit.lint.report import Launched, Report, Silenced
 from urdfkit.lint.runner import FileResult
-from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import shown
+
+if TYPE_CHECKING:
+    from urdfkit.ros.targets import Targets
 
 #: A description, and what the rules say about it.
 Checked = tuple[Job, FileResult]
 
 
-def merged_report(plan: Plan, checked: list[Checked], unchecked: Iterable[Diagnostic]) -> Report:
+def merged_report(
+    plan: Plan, checked: Iterable[Checked], unchecked: Iterable[Diagnostic], *, spills: bool = False
+) -> Report:
     """The report on all descriptions of a plan.
 
     Args:
         plan: of the check.
         checked: the descriptions with their results, in the order of the plan.
         unchecked: findings about what nothing was checked of.
+        spills: of very many robots, keep the findings on disk, and in the report nothing that only
+            fixes need: no errors and no proposals.
     """
-    checked = _launched_once(checked)
-    results = [result for _, result in checked]
-    files = Counter(job.path for job in plan.jobs)
-    return Report(
-        tuple(files),
-        in_reading_order((*_distinct(checked), *unchecked)),
-        (*plan.skipped, *(skip for result in results for skip in result.skipped)),
-        (*plan.crashed, *(crash for result in results for crash in result.crashed)),
-        tuple(sorted({code for result in results for code in result.ran})),
-        tuple((job.path, result.targets) for job, result in checked if result.targets is not None),
-        sum(result.suppressed for result in results),
-        errors=tuple(
-            tuple(
-                one
-                for one in (*result.diagnostics, *result.silenced.findings)
-                if one.severity is Severity.ERROR
-            )
-            for result in results
-        ),
-        proposals=tuple(
-            tuple(edit for d in result.diagnostics if d.fix for edit in d.fix.edits)
-            for result in results
-        ),
-        launched=tuple(one for job, _ in checked for one in job.launched),
-        unknown_arguments=tuple(
-            one
-            for one in (results[0].unknown_arguments.items() if results else ())
-            if all(one[0] in result.unknown_arguments for result in results)
-        ),
-        silenced=tuple(result.silenced for result in results if result.silenced.findings),
-    )
-
-
-def _launched_once(checked: list[Checked]) -> list[Checked]:
-    """The results, without that a robot is not checked as a launch file starts it.
-
-    What a launch file gives it is not always known without running it. It is enough that the
-    robot is checked otherwise.
-    """
-    read = {
-        disk.real(job.path) for job, result in checked if all(skip.code for skip in result.skipped)
-    }
-    return [
-        (job, result._replace(diagnostics=(), skipped=()))
-        if job.frame
-        and any(not skip.code for skip in result.skipped)
-        and disk.real(job.path) in read
-        else (job, result)
-        for job, result in checked
-    ]
-
-
-def _distinct(checked: list[Checked]) -> Iterator[Diagnostic]:
-    """The findings, each once, with the variants of the robot that it is found in.
-
-    Two robots of one run may include the same file, each in its own words; its defect is reported
-    once.
-    """
-    once: dict[tuple[object, ...], Diagnostic] = {}
-    found_in: dict[tuple[object, ...], list[Job]] = {}
-    files_of: dict[str, str] = {}
+    merger = _Merger(plan, spills=spills)
+    # That a robot is not checked as a launch file starts it is nothing to report if it is checked
+    # otherwise: what a launch file gives it is not always known without running it.
+    launched: list[Checked] = []
     for job, result in checked:
-        for diagnostic in result.diagnostics:
-            path = diagnostic.span.source.path
-            file = files_of.get(path) or files_of.setdefault(path, disk.real(path))
-            key = (diagnostic.code, file, *diagnostic.span[1:], diagnostic.message)
-            once.setdefault(key, diagnostic)
-            found_in.setdefault(key, []).append(job)
-    variants: dict[str, set[str]] = {}
-    for job, _ in checked:
-        variants.setdefault(job.path, set()).add(job.name)
-    for jobs, diagnostic in zip(found_in.values(), once.values(), strict=True):
-        names = _partial(jobs, variants)
-        yield diagnostic._replace(variants=names) if names else diagnostic
+        if job.frame and _is_skipped(result):
+            launched.append((job, result))
+        else:
+            merger.add(job, result)
+    for job, result in launched:
+        is_read = disk.real(job.path) in merger.read
+        merger.add(job, result._replace(diagnostics=(), skipped=()) if is_read else result)
+    for one in unchecked:
+        merger.findings.add_finding(one, [])
+    return merger.report()
 
 
-def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, ...]:
-    """The names of variants with a finding; none if it is in all those of some robot."""
-    names: dict[str, dict[str, None]] = {}
-    for job in found_in:
-        names.setdefault(job.path, {})[job.name] = None
-    if any("" in own or len(own) == len(variants[path] - {""}) for path, own in names.items()):
-        return ()
-    return tuple(dict.fromkeys(name for own in names.values() for name in own))
+def _is_skipped(result: FileResult) -> bool:
+    """True of a description that was skipped as a whole."""
+    return any(not skip.code for skip in result.skipped)
+
+
+class _Merger:
+    """Gathers the results of descriptions, and keeps no more of them than the report needs.
+
+    Attributes:
+        findings: all of them.
+        read: the real paths of the descriptions that were not skipped.
+    """
+
+    def __init__(self, plan: Plan, *, spills: bool) -> None:
+        self.findings = FindingStore(spills=spills)
+        self.read: set[str] = set()
+        self._plan = plan
+        self._spills = spills
+        self._skipped = list(plan.skipped)
+        self._crashed = list(plan.crashed)
+        self._ran: set[str] = set()
+        self._targets: list[tuple[str, Targets]] = []
+        self._suppressed = 0
+        self._errors: list[tuple[Diagnostic, ...]] = []
+        self._proposals: list[tuple[Edit, ...]] = []
+        self._launched: list[Launched] = []
+        self._unknown: dict[str, str] | None = None
+        self._silenced: list[Silenced] = []
+
+    def add(self, job: Job, result: FileResult) -> None:
+        """One description."""
+        self.findings.add(job.path, job.name, result.diagnostics)
+        if not _is_skipped(result):
+            self.read.add(disk.real(job.path))
+        self._skipped += result.skipped
+        self._crashed += result.crashed
+        self._ran |= result.ran
+        if result.targets is not None:
+            self._targets.append((job.path, result.targets))
+        self._suppressed += result.suppressed
+        self._launched += job.launched
+        unknown = result.unknown_arguments
+        if self._unknown is None:
+            self._unknown = dict(unknown)
+        self._unknown = {name: one for name, one in self._unknown.items() if name in unknown}
+        if result.silenced.findings:
+            self._silenced.append(result.silenced)
+        if not self._spills:
+            self._add_for_fixes(result)
+
+    def _add_for_fixes(self, result: FileResult) -> None:
+        every = (*result.diagnostics, *result.silenced.findings)
+        self._errors.append(tuple(one for one in every if one.severity is Severity.ERROR))
+        fixes = [one.fix for one in result.diagnostics if one.fix]
+        self._proposals.append(tuple(edit for fix in fixes for edit in fix.edits))
+
+    def report(self) -> Report:
+        """On all that was added."""
+        return Report(
+            tuple(dict.fromkeys(job.path for job in self._plan.jobs)),
+            self.findings.diagnostics(),
+            tuple(self._skipped),
+            tuple(self._crashed),
+            tuple(sorted(self._ran)),
+            tuple(self._targets),
+            self._suppressed,
+            errors=tuple(self._errors),
+            proposals=tuple(self._proposals),
+            launched=tuple(self._launched),
+            unknown_arguments=tuple((self._unknown or {}).items()),
+            silenced=tuple(self._silenced),
+        )
 
 
 def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.lint.finding_store import StoredFindings
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 
 if TYPE_CHECKING:
@@ -103,7 +105,7 @@ class Report(Record):
     """
 
     files: tuple[str, ...]
-    diagnostics: tuple[Diagnostic, ...]
+    diagnostics: Sequence[Diagnostic]
     skipped: tuple[Skipped, ...]
     crashed: tuple[Crashed, ...]
     rules: tuple[str, ...]
@@ -119,6 +121,8 @@ class Report(Record):
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""
+        if isinstance(self.diagnostics, StoredFindings):
+            return self.diagnostics.counts[severity]
         return sum(1 for diagnostic in self.diagnostics if diagnostic.severity is severity)
 
     @property
@@ -130,4 +134,4 @@ class Report(Record):
         """0 clean, 1 findings of ``fail_on`` or worse, 3 a bug in urdfkit."""
         if self.crashed:
             return 3
-        return int(any(d.severity.rank <= fail_on.rank for d in self.diagnostics))
+        return int(any(self.count(one) for one in Severity if one.rank <= fail_on.rank))

@@ -84,6 +84,13 @@ class Finding(Record):
     targets: tuple[str, ...] = ()
     data: tuple[Related, ...] = ()
 
+    @property
+    def node(self) -> Element | Attribute | None:
+        """The element or attribute that it is at; None for a place that is none."""
+        if isinstance(self.at, Location):
+            return None
+        return self.at if isinstance(self.at, (Element, Attribute)) else self.at.at
+
 
 #: What a rule yields.
 Findings = Iterator[Finding]

@@ -13,7 +13,7 @@ from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Silenced, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
-from urdfkit.text.document import Attribute, Element, Step
+from urdfkit.text.document import Step
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span, shown_text
 
@@ -147,7 +147,8 @@ class _Run:
             return
         try:
             findings = self._undisputed(findings)
-            targets = _targets(rule, findings, self.subject)
+            # Detected only where severities depend on them.
+            targets = self.subject.targets.names if findings and rule.by_target else ()
             self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
         except Exception as error:
             self.ran.discard(rule.code)
@@ -187,11 +188,9 @@ class _Run:
 
     def _with_data(self, finding: Finding) -> Finding:
         """A finding with the places of its numbers in data files."""
-        at = finding.at
-        if isinstance(at, Location) or is_launch(self.subject.source.path):
+        if finding.node is None or is_launch(self.subject.source.path):
             return finding
-        at = at if isinstance(at, (Element, Attribute)) else at.at
-        places = self.subject.data_places(at)
+        places = self.subject.data_places(finding.node)
         return finding._replace(data=places) if places else finding
 
     def _undisputed(self, findings: list[Finding]) -> list[Finding]:
@@ -296,11 +295,6 @@ def _bounded(finding: Finding) -> Finding:
     return finding._replace(message=message, help=help)
 
 
-def _targets(rule: Rule, findings: list[Finding], subject: Subject) -> tuple[str, ...]:
-    """The targets that a rule's severities depend on; detected only where that matters."""
-    return subject.targets.names if findings and rule.by_target else ()
-
-
 def diagnose(
     rule: Rule, findings: Iterable[Finding], targets: tuple[str, ...] = ()
 ) -> list[Diagnostic]:
@@ -352,7 +346,4 @@ def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:
 
 
 def _path(finding: Finding) -> str:
-    at = finding.at
-    if isinstance(at, Location):
-        return ""
-    return (at if isinstance(at, (Element, Attribute)) else at.at).path
+    return finding.node.path if finding.node else ""

@@ -15,7 +15,7 @@ from urdfkit.ros.catalog import extensions, materials, plugins, sensors
 from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
 from urdfkit.workspace.folders import Folders
 
-#: Files and folders of one folder that are offered.
+#: Files and directories of one directory that are offered.
 MAX_FILES = 500
 
 _XACRO_TAGS = {
@@ -198,8 +198,8 @@ def _values(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
         for name in sorted(robot.resolver.packages.known(node.source.path)):
             yield CompletionItem(f"package://{name}/", "folder", "package", start)
         typed = node.source.data[start : here.offset].decode("utf-8", "replace")
-        folder = os.path.dirname(os.path.abspath(node.source.path))
-        yield from _files(folder, typed, start, _FILES[node.name])
+        directory = os.path.dirname(os.path.abspath(node.source.path))
+        yield from _files(directory, typed, start, _FILES[node.name])
 
 
 def _words(robot: OpenRobot, node: TagNode, attribute: str) -> Iterator[tuple[str, str]]:
@@ -233,11 +233,11 @@ def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterato
         yield from _of_macro(page, end, word)
         yield from (CompletionItem(name, "word", "built in", word) for name in _BUILT_IN)
     elif match := _IN_FOUND.search(before) or _IN_PACKAGE.search(before):
-        folder = packages.get(match[1].decode("utf-8", "replace"))
-        if folder:
+        directory = packages.get(match[1].decode("utf-8", "replace"))
+        if directory:
             suffixes = (*_MESHES, *_FILES["xacro:include"], *_FILES["texture"], ".yaml")
             typed = match[2].decode("utf-8", "replace")
-            yield from _files(folder, typed, start + match.start(2), suffixes)
+            yield from _files(directory, typed, start + match.start(2), suffixes)
     elif match := _IN_COMMAND.search(before):
         yield from _of_command(robot, match, packages, word)
     elif match := _PACKAGE_NAME.search(before):
@@ -299,23 +299,23 @@ def _contents(robot: OpenRobot, here: Cursor, before: bytes) -> Iterator[Complet
 
 
 def _files(
-    folder: str, typed: str, start: int, suffixes: tuple[str, ...]
+    directory: str, typed: str, start: int, suffixes: tuple[str, ...]
 ) -> Iterator[CompletionItem]:
-    """The files of a kind and the folders below a folder, one level at a time."""
+    """The files of a kind and the directories below a directory, one level at a time."""
     inner, _, _ = typed.rpartition("/")
     at = start + len(inner.encode()) + bool(inner)
     if os.path.isabs(inner) or ".." in inner.split("/"):
         return
     # Listed anew: a file may have been made since the robot was read.
-    entries = Folders().entries(os.path.join(folder, inner)) or {}
+    entries = Folders().entries(os.path.join(directory, inner)) or {}
     wanted = (
-        (name, is_folder)
-        for name, is_folder in sorted(entries.items())
-        if not name.startswith(".") and (is_folder or name.lower().endswith(suffixes))
+        (name, is_directory)
+        for name, is_directory in sorted(entries.items())
+        if not name.startswith(".") and (is_directory or name.lower().endswith(suffixes))
     )
-    for name, is_folder in islice(wanted, MAX_FILES):
+    for name, is_directory in islice(wanted, MAX_FILES):
         yield CompletionItem(
-            f"{name}/" if is_folder else name, "folder" if is_folder else "file", "", at
+            f"{name}/" if is_directory else name, "folder" if is_directory else "file", "", at
         )
 
 

@@ -99,8 +99,8 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> Iterator[str]:
                 yield f"**{name.kind}** `{_code(name.text)}` = `{_code(text)}`, {_place(one.span)}"
     elif name.kind == "package":
         known = robot.resolver.packages.known(page.source.path)
-        folder = known.get(name.text)
-        yield f"**package** `{name.text}`: {f'`{folder}`' if folder else 'not found'}"
+        directory = known.get(name.text)
+        yield f"**package** `{name.text}`: {f'`{directory}`' if directory else 'not found'}"
 
 
 def _of_model(robot: OpenRobot, name: NameUse) -> Iterator[str]:

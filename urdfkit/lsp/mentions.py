@@ -28,7 +28,7 @@ _PUBLISHER = "static_transform_publisher"
 
 _YAML, _ROBOTS = (".yaml", ".yml"), (".urdf", ".xacro")
 _LAUNCH, _PYTHON = (".launch", ".launch.xml"), ".launch.py"
-#: Files of a package that are looked at, and folders in one another.
+#: Files of a package that are looked at, and directories in one another.
 MAX_FILES, MAX_DEPTH = 300, 4
 
 
@@ -83,13 +83,13 @@ def mention_at(source: Source, offset: int) -> NameMention | None:
     return next(found, None)
 
 
-def _files(folder: str, resolver: Resolver) -> Iterator[str]:
+def _files(directory: str, resolver: Resolver) -> Iterator[str]:
     """The files of a package that may name something, up to a number."""
-    count, queue = 0, [(folder, 0)]
+    count, queue = 0, [(directory, 0)]
     for place, depth in queue:  # grows while it is walked
-        for name, is_folder in sorted((resolver.folders.entries(place) or {}).items()):
+        for name, is_directory in sorted((resolver.folders.entries(place) or {}).items()):
             path = os.path.join(place, name)
-            if is_folder and depth < MAX_DEPTH and not name.startswith("."):
+            if is_directory and depth < MAX_DEPTH and not name.startswith("."):
                 queue.append((path, depth + 1))
             elif name.endswith((*_YAML, *_LAUNCH, *_ROBOTS, _PYTHON)) and count < MAX_FILES:
                 count += 1
@@ -146,27 +146,21 @@ def _in_python(source: Source) -> Iterator[NameMention]:
     for node in ast.walk(tree):
         if isinstance(node, ast.Dict):
             for key, value in zip(node.keys, node.values, strict=True):
-                if kind := _kind(_text(key)):
+                if kind := _kind(python_source.string(key) or ""):
                     yield from _strings(source, kind, value)
         elif isinstance(node, ast.Call):
             given = {keyword.arg: keyword.value for keyword in node.keywords}
-            if _text(given.get("executable")) == _PUBLISHER:
+            if python_source.string(given.get("executable")) == _PUBLISHER:
                 yield from _strings(source, "link", given.get("arguments"))
 
 
 def _strings(source: Source, kind: str, value: ast.expr | None) -> Iterator[NameMention]:
     """A string, or those of a list."""
     for one in value.elts if isinstance(value, ast.List | ast.Tuple) else [value]:
-        if isinstance(one, ast.Constant) and _text(one) and one.end_lineno is not None:
+        if one is not None and python_source.string(one) and one.end_lineno is not None:
             start = source.offset(one.lineno, 1) + one.col_offset
             end = source.offset(one.end_lineno, 1) + (one.end_col_offset or 0)
             yield NameMention(kind, _bare(Span(source, start, end)))
-
-
-def _text(node: ast.expr | None) -> str:
-    if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        return node.value
-    return ""
 
 
 def _bare(span: Span) -> Span:

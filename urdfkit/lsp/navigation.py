@@ -30,8 +30,8 @@ def definitions(robot: OpenRobot, page: Page, offset: int) -> list[Span]:
     if name is None:
         return []
     if name.kind == "package":
-        folder = robot.resolver.packages.known(page.source.path).get(name.text)
-        manifest = os.path.join(folder or "", "package.xml")
+        directory = robot.resolver.packages.known(page.source.path).get(name.text)
+        manifest = os.path.join(directory or "", "package.xml")
         return [Span(robot.source(manifest), 0, 0)] if os.path.isfile(manifest) else []
     return [one.span for one in robot.names.same(name) if one.is_definition]
 

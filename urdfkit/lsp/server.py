@@ -61,7 +61,7 @@ class Server(LanguageServer):
         self.uris: dict[str, str] = {}
         self.places = PositionEncoding()
         self._waiting: dict[str, asyncio.Task[None]] = {}
-        self._told_trouble = ""
+        self._shown_trouble = ""
 
     async def ask(self, question: Callable[[], Answer], otherwise: Answer) -> Answer:
         """Let the worker answer; ``otherwise`` if it fails."""
@@ -133,8 +133,8 @@ class Server(LanguageServer):
         )
         if checked is None:
             return
-        if checked.trouble != self._told_trouble:
-            self._told_trouble = checked.trouble
+        if checked.trouble != self._shown_trouble:
+            self._shown_trouble = checked.trouble
             if checked.trouble:
                 params = lsp.ShowMessageParams(lsp.MessageType.Warning, checked.trouble)
                 self.window_show_message(params)

@@ -202,8 +202,8 @@ class Workspace:
 
     def config(self, path: str) -> tuple[Config, str]:
         """The configuration for a file, and what is wrong with it; never a trusting one."""
-        folder = os.path.dirname(path)
-        if folder not in self._configs:
+        directory = os.path.dirname(path)
+        if directory not in self._configs:
             trouble, found = "", Config()
             try:
                 file = nearest(path)
@@ -211,8 +211,8 @@ class Workspace:
                 trouble = "; ".join(found.warnings)
             except UrdfkitError as error:
                 trouble = str(error)
-            self._configs[folder] = found, trouble
-        return self._configs[folder]
+            self._configs[directory] = found, trouble
+        return self._configs[directory]
 
     def entries(self, path: str) -> tuple[EntryPoint, ...]:
         """The first robots that a file is part of; itself if there are none and it may be one."""
@@ -264,7 +264,7 @@ class Workspace:
         return self._robots[entry.file]
 
     def _resolver(self, config: Config) -> Resolver:
-        """Folders are listed once, until files on disk change: a workspace may have thousands."""
+        """Directories are listed once, until files on disk change: there may be thousands."""
         if config.path not in self._resolvers:
             self._resolvers[config.path] = Resolver(config.packages)
         return self._resolvers[config.path].with_texts(self.texts)

@@ -100,7 +100,7 @@ def _srdf(description: RosDescription, path: str) -> Srdf:
 def _states(srdf: Srdf) -> dict[str, dict[str, str]]:
     """The positions in every state, by ``group/state`` and by ``state`` for all groups alike.
 
-    Joints of more than one degree of freedom are left out, and what MoveIt would refuse.
+    Joints of more than one degree of freedom are left out, and what MoveIt would reject.
     """
     found: dict[str, dict[str, str]] = {}
     for state in srdf.states:

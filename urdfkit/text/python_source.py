@@ -22,3 +22,9 @@ def parse(text: bytes | str, path: str = "<unknown>") -> ast.Module:
             return ast.parse(text, path)
         except (ValueError, RecursionError, MemoryError) as error:
             raise SyntaxError(str(error) or type(error).__name__) from error
+
+
+def string(node: ast.expr | None) -> str | None:
+    """The text of a string that is written out; None for anything else."""
+    value = node.value if isinstance(node, ast.Constant) else None
+    return value if isinstance(value, str) else None

@@ -155,10 +155,9 @@ def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Prob
 def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]:
     """Code, message and help of an error."""
     cause = root_cause(error)
-    if isinstance(cause, UnsafeExpression):
-        return "XAC009", f"rejected: {cause}", ""
-    if isinstance(cause, EnvironmentRefused):
-        return "XAC009", str(cause), ""
+    if isinstance(cause, (UnsafeExpression, EnvironmentRefused)):
+        rejected = "rejected: " if isinstance(cause, UnsafeExpression) else ""
+        return "XAC009", f"{rejected}{cause}", ""
     if isinstance(cause, (TooLarge, DocumentTooLarge, YamlTooLarge)):
         return "XAC013", f"rejected: {cause}", ""
     if isinstance(cause, RecursionError):
@@ -173,11 +172,8 @@ def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]
         help = "move the file into a package, or add --trust if you trust the author of the model"
         return "XAC009", str(cause), help
     if isinstance(cause, MissingArgument):
-        return (
-            "XAC010",
-            f"argument '{cause}' has no value and no default",
-            _how_to_pass(defined, cause),
-        )
+        message = f"argument '{cause}' has no value and no default"
+        return "XAC010", message, _how_to_pass(defined, cause)
     return "XAC001", *explain(defined, error, cause)
 
 

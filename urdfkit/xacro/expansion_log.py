@@ -99,7 +99,7 @@ class ExpansionLog:
 
 def _identity(problem: Problem) -> object:
     """What two problems have in common that are one; not the objects of one attempt."""
-    if problem.code == "XAC010":  # an argument without a value, wherever it is used
+    if problem.argument:  # without a value, wherever it is used
         return problem.message
     way = problem.frame.steps() if problem.frame else ()
     places = tuple(_place(span) for span in (problem.span, *(step.span for step in way)))

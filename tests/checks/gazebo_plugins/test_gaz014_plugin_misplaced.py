@@ -84,6 +84,7 @@ def test_the_wrong_sensor(kind: str, file: str, wanted: str) -> None:
         ("wide_angle_camera", "libgazebo_ros_camera.so"),
         ("navsat", "libgazebo_ros_gps_sensor.so"),
         ("imu", "libvendor.so"),
+        ("thermal", "gz-sim-thermal-sensor-system"),
     ],
 )
 def test_the_right_sensor(kind: str, file: str) -> None:

@@ -231,3 +231,23 @@ def test_a_misspelt_parameter_is_fixed() -> None:
 )
 def test_numbers_and_parameters_of_others(name: str, value: str) -> None:
     assert messages("RCT017", with_parameter(name, value)) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "severity"),
+    [
+        ('<ros2_control name="c"', '<ros2_control rw_rate="-50" name="c"', "error"),
+        ('<ros2_control name="c"', '<ros2_control rw_rate="50" name="c"', ""),
+        ('<command_interface name="on"', '<command_interface size="-4" name="on"', "error"),
+        ('<command_interface name="on"', '<command_interface size="4" name="on"', ""),
+        (
+            '<state_interface name="position"',
+            '<state_interface size="0" name="position"',
+            "warning",
+        ),
+    ],
+)
+def test_attributes_that_are_numbers(old: str, new: str, severity: str) -> None:
+    assert old in GOOD
+    found = reported("RCT017", GOOD.replace(old, new, 1))
+    assert [one.severity.value for one in found] == [severity][: bool(severity)]

@@ -24,6 +24,7 @@ from tests.mesh.shapes_made import as_part
 from tests.mesh.writers.test_writers import GLASS, PARTS
 from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.parts import PARTS as REAL_PARTS
+from urdfkit.mesh.parts import RealPart
 from urdfkit.mesh.writers import encode, write
 
 
@@ -111,16 +112,7 @@ def test_textures_lie_beside_it_each_once(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("part", REAL_PARTS, ids=lambda part: part.key)
-def test_assimp_reads_the_parts_as_they_are(part: object, tmp_path: Path) -> None:
-    assimp = pytest.importorskip("assimp_py")
-    mesh = part.build()  # type: ignore[attr-defined]
-    write(mesh, tmp_path / "a.dae")
-    data = (tmp_path / "a.dae").read_bytes()
+def test_the_parts_are_valid(part: RealPart) -> None:
+    data = encode(part.build(), "a.dae")["a.dae"]
     assert_valid(data)
     assert collada.Collada(io.BytesIO(data)).errors == []
-    scene = assimp.import_file(str(tmp_path / "a.dae"), 0)
-    assert sum(one.num_faces for one in scene.meshes) == len(mesh.faces)
-    assert all(one.normals for one in scene.meshes)
-    points = np.concatenate([np.asarray(one.vertices).reshape(-1, 3) for one in scene.meshes])
-    assert points.min(axis=0) == pytest.approx(mesh.vertices.min(axis=0), abs=1e-6)
-    assert points.max(axis=0) == pytest.approx(mesh.vertices.max(axis=0), abs=1e-6)

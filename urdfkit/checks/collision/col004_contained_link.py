@@ -38,7 +38,6 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
-
 #: Links inside another one that a finding names.
 _NOTES = 5
 

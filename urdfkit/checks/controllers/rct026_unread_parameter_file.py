@@ -31,7 +31,6 @@ FILES = {
     "config/good.yaml": _YAML,
 }
 
-
 #: Directories of generated files.
 _GENERATED = ("generated", "temp", "tmp")
 

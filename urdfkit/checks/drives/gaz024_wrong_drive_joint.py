@@ -31,7 +31,6 @@ BAD = GOOD.replace("continuous", "revolute").replace(
     "</joint>", '  <limit lower="-3" upper="3" effort="10" velocity="10"/>\n</joint>'
 )
 
-
 #: Range in rad of a revolute joint that is limited for form's sake.
 ENDLESS = 1e4
 

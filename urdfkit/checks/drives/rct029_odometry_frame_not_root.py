@@ -38,8 +38,7 @@ BAD = robot_xml(
         )
     ),
 )
-GOOD = BAD.replace("Frame>base_link<", "Frame>base_footprint<")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("Frame>base_link<", "Frame>base_footprint<")
 
 #: Parameters of plugins: the frame of the robot, and that of the odometry.
 _FRAMES = ("robotBaseFrame", "robot_base_frame")

@@ -19,8 +19,7 @@ from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0.8</mu1>", reference="whel"))
-GOOD = BAD.replace("whel", "wheel")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("whel", "wheel")
 
 
 @rule(Severity.ERROR, help="name a link or a joint of this robot", reports_missing=True)

@@ -27,9 +27,7 @@ from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu>0.8</mu>", reference="wheel"))
-GOOD = BAD.replace("mu>", "mu1>")
-FIXED = GOOD
-
+FIXED = GOOD = BAD.replace("mu>", "mu1>")
 
 #: Elements that their parsers look for in ``<robot>`` alone.
 _OF_ROBOT = ("ros2_control", "transmission", "gazebo")

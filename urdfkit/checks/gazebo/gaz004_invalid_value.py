@@ -43,8 +43,7 @@ from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0,8</mu1>", reference="wheel"))
-GOOD = BAD.replace("0,8", "0.8")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("0,8", "0.8")
 
 _WORDS = ("true", "yes", "1", "false", "no", "0")
 #: Friction and stiffness.

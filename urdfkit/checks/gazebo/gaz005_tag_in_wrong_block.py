@@ -34,9 +34,7 @@ BAD = robot_xml(
     joint_xml("fixed", name="camera_joint", child="camera"),
     gazebo_xml("<preserveFixedJoint>true</preserveFixedJoint>", reference="camera"),
 )
-GOOD = BAD.replace('reference="camera"', 'reference="camera_joint"')
-FIXED = GOOD
-
+FIXED = GOOD = BAD.replace('reference="camera"', 'reference="camera_joint"')
 
 #: Tags of a block that a message names.
 _NAMED = 4

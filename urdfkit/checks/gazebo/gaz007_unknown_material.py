@@ -25,8 +25,7 @@ from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import replace_text
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<material>Orange</material>", reference="wheel"))
-GOOD = BAD.replace("Orange", "Gazebo/Orange")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("Orange", "Gazebo/Orange")
 
 
 @rule(

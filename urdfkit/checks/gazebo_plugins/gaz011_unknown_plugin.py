@@ -30,8 +30,7 @@ from urdfkit.text.editing.edits import fix_value
 BAD = robot_xml(
     solid_xml("base"), gazebo_xml('<plugin name="drive" filename="libgazebo_ros_planar_mvoe.so"/>')
 )
-GOOD = BAD.replace("mvoe", "move")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("mvoe", "move")
 
 
 @rule(

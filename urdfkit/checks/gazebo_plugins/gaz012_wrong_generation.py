@@ -32,8 +32,7 @@ BAD = robot_xml(
         '<plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system"/>'
     ),
 )
-GOOD = BAD.replace("gz::sim", "ignition::gazebo").replace("gz-sim", "ignition-gazebo")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("gz::sim", "ignition::gazebo").replace("gz-sim", "ignition-gazebo")
 
 _NONE = "no successor is known"
 

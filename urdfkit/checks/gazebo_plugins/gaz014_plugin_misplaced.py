@@ -46,6 +46,10 @@ _SAME = {
     "depth_camera": "depth",
     "navsat": "gps",
     "wideanglecamera": "wide_angle_camera",
+    "thermal": "thermal_camera",
+    "rgbd": "rgbd_camera",
+    "segmentation": "segmentation_camera",
+    "boundingbox": "boundingbox_camera",
 }
 _CAMERAS = ("depth", "wide_angle_camera")
 

@@ -33,8 +33,7 @@ _TAGS = "<robotBaseFrme>base</robotBaseFrme>", "<odometryFrame>odom</odometryFra
 BAD = robot_xml(
     solid_xml("base"), gazebo_xml(plugin_xml("drive", "libgazebo_ros_planar_move.so", *_TAGS))
 )
-GOOD = BAD.replace("Frme", "Frame")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("Frme", "Frame")
 
 #: Tags that a message names.
 _MAX_TAGS = 6

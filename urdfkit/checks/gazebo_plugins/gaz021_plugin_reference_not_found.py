@@ -34,8 +34,7 @@ from urdfkit.text.editing.edits import fix_value, from_macro, insert_before
 
 _JOINT = "<jointName>sholder</jointName>"
 BAD = ARM + gazebo_xml(plugin_xml("states", "libgazebo_ros_joint_state_publisher.so", _JOINT))
-GOOD = BAD.replace("sholder", "shoulder")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("sholder", "shoulder")
 
 #: Ignores a joint that is not there, and robot_state_publisher needs no state of a fixed one.
 _STATES = "gazebo_ros_joint_state_publisher@classic-ros2"

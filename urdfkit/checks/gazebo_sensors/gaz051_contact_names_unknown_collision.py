@@ -27,8 +27,7 @@ BAD = robot_xml(
         reference="base",
     ),
 )
-GOOD = BAD.replace("base_colision", "base_collision")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("base_colision", "base_collision")
 
 
 @rule(

@@ -38,7 +38,6 @@ _BOX, _ORIGIN = '<box size="0.2 0.3 0.1"/>', '<origin rpy="0 0 1.570796326794896
 BAD = link_xml("base", visual_xml(_BOX, _ORIGIN), collision_xml(_BOX))
 FIXED = GOOD = BAD.replace("<collision>", f"<collision>\n    {_ORIGIN}")
 
-
 #: Factors between units of length, and what they are made of.
 _UNITS = {
     1000.0: "millimetres taken for metres",

@@ -38,7 +38,6 @@ GOOD = BAD.replace("<collision>", f"{inertial_xml('0.5', '0.002 0.002 0.002')}<c
 #: Links below that a message names.
 _NAMED = 4
 
-
 #: Targets with an sdformat that drops tiny masses.
 _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
 

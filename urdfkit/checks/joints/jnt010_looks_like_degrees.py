@@ -48,10 +48,8 @@ _NAMED = frozenset((45, 90, 135, 180, 270, 360))
 #: Numbers that stand for "far enough".
 _ROUND = frozenset((50, 100, 200, 300))
 
-
 #: A turn in rad, with room for rounding.
 _TURN = 2 * pi + 1e-3
-
 
 #: In degrees per second; motors of legs reach 40 rad/s.
 _MIN_SPEED, _MAX_SPEED = 45, 1000

@@ -27,7 +27,6 @@ GOOD = BAD.replace("2.4", "0.24")
 _TIMES = 4.0
 _LEAST = 0.5
 
-
 #: What moves along, or freely, may be anywhere.
 _HELD = ("fixed", "revolute", "continuous")
 

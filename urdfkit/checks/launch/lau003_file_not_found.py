@@ -40,9 +40,10 @@ def check(subject: Subject) -> Findings:
 def _may_come_from_elsewhere(subject: Subject, path: str) -> bool:
     """True if a build or a user makes a file, or the computer of the robot has it.
 
-    Its name is not known either where an argument is empty unless given: ``$(arg model).yaml``.
+    Its name is not known either where an argument is empty unless given: ``$(arg model).yaml``, and
+    where arguments make an expression of their own: ``$(arg dollar)(find robot)``.
     """
-    if os.path.basename(path).startswith(".") or is_ignored(path):
+    if os.path.basename(path).startswith(".") or "$(" in path or is_ignored(path):
         return True
     packages = subject.resolver.packages
     home = packages.enclosing(path)

@@ -40,7 +40,7 @@ FILES = {
 #: Similarity from which a name is a typo: most end in ``_controller``.
 _TYPO = 0.9
 #: Files of a package that are read, and directories in which they are searched.
-_MAX_FILES, _MAX_FOLDERS = 200, 2000
+_MAX_FILES, _MAX_DIRECTORIES = 200, 2000
 
 
 @rule(
@@ -90,12 +90,12 @@ def _is_whole(subject: Subject) -> bool:
 def _package_files(subject: Subject) -> Iterator[str]:
     """The YAML files of the packages that the launch file is in and names."""
     home = subject.resolver.packages.enclosing(subject.source.path)
-    folders = {home[1]} if home else set()
+    directories = {home[1]} if home else set()
     for package in subject.launch.packages:
         if package.searched is None and not comes_with_ros(package.name):
-            folders.add(subject.resolver.package(package.name, subject.source.path))
-    for folder in sorted(folders):
-        files = subject.resolver.folders.files_below(folder, _MAX_FOLDERS)
+            directories.add(subject.resolver.package(package.name, subject.source.path))
+    for directory in sorted(directories):
+        files = subject.resolver.folders.files_below(directory, _MAX_DIRECTORIES)
         yield from islice((file for file in files if file.endswith((".yaml", ".yml"))), _MAX_FILES)
 
 

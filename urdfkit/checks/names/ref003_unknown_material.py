@@ -25,7 +25,6 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("gray", "grey")
 
-
 #: Visuals with the same material that are shown.
 SHOWN = 8
 

@@ -20,10 +20,10 @@ _NAMES = {
 _INDEX = "share/ament_index/resource_index/packages"
 
 
-def other_name(name: str, folder: str) -> Findings:
+def other_name(name: str, directory: str) -> Findings:
     """A build file whose project has another name than the package."""
     for file, pattern in _NAMES.items():
-        source = _read(folder, file)
+        source = _read(directory, file)
         if source is None:
             continue
         found = re.search(pattern, source.data)
@@ -38,16 +38,16 @@ def other_name(name: str, folder: str) -> Findings:
         return
 
 
-def not_registered(name: str, folder: str) -> Findings:
+def not_registered(name: str, directory: str) -> Findings:
     """A Python package of ROS 2 that ROS or colcon does not find."""
-    if disk.exists(os.path.join(folder, "CMakeLists.txt")):
+    if disk.exists(os.path.join(directory, "CMakeLists.txt")):
         return
-    manifest, setup = (_read(folder, file) for file in ("package.xml", "setup.py"))
+    manifest, setup = (_read(directory, file) for file in ("package.xml", "setup.py"))
     if manifest is None or setup is None:
         return
     named = re.search(rb"<build_type\b[^>]*>\s*(\w*)", manifest.data)
     if named and named.group(1) == b"ament_python":
-        yield from _unregistered(setup, folder, name)
+        yield from _unregistered(setup, directory, name)
     elif not named and _INDEX.encode() in setup.data:
         yield Finding(
             Location(Span(manifest, 0, 0)),
@@ -56,14 +56,14 @@ def not_registered(name: str, folder: str) -> Findings:
         )
 
 
-def _read(folder: str, file: str) -> Source | None:
+def _read(directory: str, file: str) -> Source | None:
     """A file of a package; None where there is none, or a pipe in its place."""
-    path = os.path.join(folder, file)
+    path = os.path.join(directory, file)
     data = read_head(path, _MAX_BYTES)
     return Source(path, data) if data else None
 
 
-def _unregistered(setup: Source, folder: str, name: str) -> Findings:
+def _unregistered(setup: Source, directory: str, name: str) -> Findings:
     if b"resource_index" not in setup.data:
         yield Finding(
             Location(Span(setup, 0, 0)),
@@ -72,6 +72,6 @@ def _unregistered(setup: Source, folder: str, name: str) -> Findings:
         )
         return
     marker = re.search(rb"[\"']resource/|[\"']resource[\"']\s*,", setup.data)
-    if marker and not disk.exists(os.path.join(folder, "resource", name)):
+    if marker and not disk.exists(os.path.join(directory, "resource", name)):
         message = f"file not found: resource/{name}, which setup.py installs"
         yield Finding(Location(Span(setup, *marker.span())), message, "create it; it may be empty")

@@ -41,33 +41,33 @@ def check(subject: Subject) -> Findings:
     home = subject.resolver.packages.enclosing(subject.source.path)
     if home is None:
         return
-    name, folder = home
-    rules = InstallRules(folder, name)
+    name, directory = home
+    rules = InstallRules(directory, name)
     uses = _launched if is_launch(subject.source.path) else _referenced
     reported: set[str] = set()
-    for relative, span in uses(subject, name, folder):
+    for relative, span in uses(subject, name, directory):
         top = relative.partition("/")[0]
-        is_there = disk.exists(os.path.join(folder, relative))
+        is_there = disk.exists(os.path.join(directory, relative))
         if top not in reported and is_there and not rules.installs(relative):
             reported.add(top)
             message = f"'{relative}' is not installed by {rules.file}"
             yield Finding(Location(span), message, rules.remedy(top))
 
 
-def _referenced(subject: Subject, name: str, folder: str) -> Iterator[tuple[str, Span]]:
+def _referenced(subject: Subject, name: str, directory: str) -> Iterator[tuple[str, Span]]:
     """The files of its own package that a description refers to, relative to the package."""
     for mention in of_package(subject.document.sources, subject.resolver.packages):
         if mention.package == name and mention.relative.partition("/")[0]:
             yield mention.relative, mention.span
 
 
-def _launched(subject: Subject, name: str, folder: str) -> Iterator[tuple[str, Span]]:
+def _launched(subject: Subject, name: str, directory: str) -> Iterator[tuple[str, Span]]:
     """A launch file, and the files of its own package that it names, relative to the package."""
     own = os.path.abspath(subject.source.path)
-    if not os.path.relpath(own, folder).startswith("launch"):
+    if not os.path.relpath(own, directory).startswith("launch"):
         return  # a test or an example, which stay in the source tree
     named = [(file.path, file.span) for file in subject.launch.files if file.exists]
     for path, span in [(own, Span(subject.source, 0, 0)), *named]:
-        relative = os.path.relpath(path, folder)
+        relative = os.path.relpath(path, directory)
         if os.sep in relative and not relative.startswith(os.pardir):
             yield relative, span

@@ -1,4 +1,4 @@
-"""Parameters of interfaces in ``<ros2_control>`` with invalid values."""
+"""Attributes and parameters in ``<ros2_control>`` with invalid values."""
 
 from __future__ import annotations
 
@@ -16,11 +16,31 @@ _TYPO = 0.85
 
 
 def invalid_values(component: Component) -> Findings:
-    """The parameters of interfaces."""
+    """The attributes of a block and of interfaces, and the parameters of these."""
+    rate = component.at.attributes.get("rw_rate")
+    if rate is not None and not _is_count(rate.value, least=0):
+        message = f"{component.called}: rw_rate is '{rate.value}', not a positive integer"
+        yield Finding(rate, message, "write the rate in Hz, or remove it")
     for part in component.parts:
         for interface in part.interfaces:
+            yield from _size(
+                part.kind, f"{part.kind} '{part.name}', {interface.name}", interface.at
+            )
             for element in interface.at.all("param"):
                 yield from _parameter(f"{part.kind} '{part.name}', {interface.name}", element)
+
+
+def _size(kind: str, who: str, interface: Element) -> Findings:
+    """Only the parser of a GPIO reads the size, and rejects the robot for it."""
+    size = interface.attributes.get("size")
+    if size is not None and not _is_count(size.value, least=1):
+        message = f"{who}: size is '{size.value}', not a positive integer"
+        severity = None if kind == "gpio" else Severity.WARNING
+        yield Finding(size, message, "write the number of values", severity=severity)
+
+
+def _is_count(text: str, least: int) -> bool:
+    return is_expression(text) or (text.isascii() and text.isdigit() and int(text) >= least)
 
 
 def _parameter(who: str, element: Element) -> Findings:

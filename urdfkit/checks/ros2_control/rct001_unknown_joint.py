@@ -37,8 +37,7 @@ BAD = robot_xml(
     SHOULDER,
     control_xml("mock_components/GenericSystem", driven_xml("sholder")),
 )
-GOOD = BAD.replace("sholder", "shoulder")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("sholder", "shoulder")
 
 
 @rule(Severity.ERROR, help="fix the name, or add the joint", reports_missing=True)

@@ -34,8 +34,7 @@ BAD = robot_xml(
     SHOULDER,
     control_xml("mock_component/GenericSystem", driven_xml("shoulder")),
 )
-GOOD = BAD.replace("mock_component/", "mock_components/")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("mock_component/", "mock_components/")
 
 #: A plugin, or all of the hardware, within a condition.
 _CONDITIONAL = re.compile(

@@ -4,6 +4,7 @@ The parser of ros2_control throws an exception and the controller manager does n
 
 - the block holds an unknown element: "invalid tag name";
 - a name is missing: "no attribute name in tag", or the `role` of a joint in a transmission;
+- `rw_rate` is not a positive integer, nor the `size` of an interface of a GPIO;
 - the type is missing or is not `system`, `actuator` or `sensor`; capital letters count. An
   `actuator` has one joint.
 
@@ -38,8 +39,7 @@ from urdfkit.text.grammar import is_expression
 
 _JOINT = driven_xml("shoulder").replace("joint", "joints")
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", _JOINT))
-GOOD = BAD.replace("joints", "joint")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("joints", "joint")
 
 #: Similarity from which an unknown tag is a typo.
 _TYPO = 0.8

@@ -50,8 +50,7 @@ BAD = robot_xml(
         ),
     ),
 )
-GOOD = BAD.replace("Reducton", "Reduction")
-FIXED = GOOD
+FIXED = GOOD = BAD.replace("Reducton", "Reduction")
 
 _CHILDREN = {
     "transmission": ("type", "joint", "actuator"),

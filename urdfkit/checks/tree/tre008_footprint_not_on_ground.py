@@ -63,6 +63,7 @@ def check(subject: Subject) -> Findings:
             height, link, is_known = lowest
             side = "below" if height < 0 else "above"
             lifted_wheels = _lifted_wheels(tree, name, robot, link, height)
+            rise = round(-height, 4)
             is_too_low = is_known and not lifted_wheels and tree.children[name] == joints[:1]
             yield Finding(
                 joints[0].at,
@@ -71,13 +72,10 @@ def check(subject: Subject) -> Findings:
                 f"raise '{link}', or make it smaller, until the wheels touch the ground"
                 if lifted_wheels
                 else "",
-                fix=_raised(joints[0].at, round(-height, 4)) if is_too_low else None,
+                fix=Fix.of(f"raise the robot by {rise:g} m", _higher(joints[0].at, rise))
+                if is_too_low
+                else None,
             )
-
-
-def _raised(joint: Element, height: float) -> Fix | None:
-    """The joint below the footprint, higher by that much in m."""
-    return Fix.of(f"raise the robot by {height:g} m", _higher(joint, height))
 
 
 def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:

@@ -20,7 +20,6 @@ from urdfkit.text.grammar import is_expression
 BAD = '<link name="${side}_arm"/>'
 GOOD = '<link name="left_arm"/>'
 
-
 #: The substitutions that xacro has.
 _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
 

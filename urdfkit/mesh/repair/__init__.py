@@ -36,6 +36,9 @@ _ASKED = ("dropped one side of sheets", "united bodies that overlap")
 _ROUNDS = 3
 
 
+_Action = Callable[[TriangleSoup], TriangleSoup]
+
+
 class RepairStep(Record):
     """One thing that was done.
 
@@ -150,7 +153,7 @@ def _without_vertex_attributes(mesh: Mesh) -> Mesh:
 def _round(soup: TriangleSoup, steps: list[RepairStep], *, holes: bool) -> TriangleSoup:
     """Everything once; what is done is added to the steps."""
     tolerance = WELD * soup.size
-    for name, act in (
+    actions: list[tuple[str, _Action]] = [
         ("dropped collapsed triangles", drop_collapsed),
         ("dropped repeated triangles", drop_repeated),
         ("welded open edges", lambda soup: drop_collapsed(weld_rims(soup, tolerance))),
@@ -159,9 +162,10 @@ def _round(soup: TriangleSoup, steps: list[RepairStep], *, holes: bool) -> Trian
         ("dropped walls inside", drop_walls),
         ("dropped loose scraps", drop_scraps),
         ("turned triangles to agree with their neighbours", agree),
-        ("closed holes", fill if holes else _nothing),
+        *([("closed holes", fill)] if holes else []),
         ("turned bodies outside out", face_outwards),
-    ):
+    ]
+    for name, act in actions:
         soup = _do(name, act, soup, steps)
     return soup
 
@@ -175,13 +179,8 @@ def _summed(steps: list[RepairStep]) -> list[RepairStep]:
     return [*sums.values()]
 
 
-def _nothing(soup: TriangleSoup) -> TriangleSoup:
-    return soup
-
-
-def _do(name: str, act: object, soup: TriangleSoup, steps: list[RepairStep]) -> TriangleSoup:
-    assert callable(act)
-    done: TriangleSoup = act(soup)
+def _do(name: str, act: _Action, soup: TriangleSoup, steps: list[RepairStep]) -> TriangleSoup:
+    done = act(soup)
     if done is soup:
         return soup
     change = len(done.faces) - len(soup.faces)

@@ -4,12 +4,14 @@ A format is a module with
 ``render(report: Report, *, color: bool = False, width: int = 80) -> str``; the text ends with a
 newline. ``color`` allows escape sequences, ``width`` is the number of columns of the reader's
 screen; a format for programs takes no notice of either. Modules with a leading underscore are
-parts that formats share.
+parts that formats share. A format that can do so has ``stream``, too, which gives the same text in
+parts: that of very many findings never is in memory as a whole.
 """
 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from importlib import import_module
 from typing import TYPE_CHECKING, Protocol
 
@@ -39,3 +41,17 @@ def get(name: str) -> Render:
         raise KeyError(name)
     render: Render = import_module(f"urdfkit.output.formats.{name}").render
     return render
+
+
+def stream(name: str, report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """A report in a format, in parts if the format has them.
+
+    Raises:
+        KeyError: there is none of that name.
+    """
+    render = get(name)
+    parts = getattr(import_module(render.__module__), "stream", None)
+    if parts is None:
+        yield render(report, color=color, width=width)
+    else:
+        yield from parts(report, color=color, width=width)

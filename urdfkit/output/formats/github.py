@@ -5,6 +5,8 @@ Source of the form: GitHub's documentation of workflow commands.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -14,11 +16,16 @@ _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """A line for every finding, and for every rule that crashed."""
-    lines = [_annotation(diagnostic) for diagnostic in report.diagnostics]
+    return "".join(stream(report))
+
+
+def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """The same line by line."""
+    for diagnostic in report.diagnostics:
+        yield f"{_annotation(diagnostic)}\n"
     for crash in report.crashed:
         text = _data(f"{posix(crash.path)}: {crash.error}")
-        lines.append(f"::error title=urdfkit {crash.code or 'check'}::{text}")
-    return "".join(f"{line}\n" for line in lines)
+        yield f"::error title=urdfkit {crash.code or 'check'}::{text}\n"
 
 
 def _annotation(diagnostic: Diagnostic) -> str:

@@ -7,6 +7,7 @@ character. The same report gives the same bytes.
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from typing import Any
 
 from urdfkit import __version__
@@ -22,10 +23,15 @@ VERSION = 2
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """The whole report."""
+    return "".join(stream(report))
+
+
+def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """The same in parts, a finding in each."""
     document = {
         "version": VERSION,
         "urdfkit": __version__,
-        "diagnostics": [_diagnostic(diagnostic) for diagnostic in report.diagnostics],
+        "diagnostics": [],
         "launched": [
             {"path": posix(one.path), "launch": posix(one.launch), "arguments": one.arguments}
             for one in report.launched
@@ -40,7 +46,17 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         ],
         "summary": _summary(report),
     }
-    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+    before, empty, after = _dumped(document).partition("[]")
+    yield before
+    between, end = "[\n    ", empty
+    for diagnostic in report.diagnostics:
+        yield between + _dumped(_diagnostic(diagnostic)).replace("\n", "\n    ")
+        between, end = ",\n    ", "\n  ]"
+    yield f"{end}{after}\n"
+
+
+def _dumped(content: dict[str, Any]) -> str:
+    return json.dumps(content, ensure_ascii=False, indent=2)
 
 
 def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Crashed, Report
@@ -33,9 +34,24 @@ _GUTTER = 8  # columns before a line of source
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """All findings, then the crashed rules, then where to read more, then the summary."""
+    return "".join(stream(report, color=color, width=width))
+
+
+def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """The same in parts."""
     page = _Page(color, width)
-    blocks = [page.diagnostic(diagnostic) for diagnostic in grouped(report.diagnostics)]
-    blocks += [page.crash(crash, codes) for crash, codes in _crashed(report)]
+    between = ""
+    for block in _blocks(report, page):
+        yield between + block
+        between = "\n"
+    yield summary(report, color=color, width=width)
+
+
+def _blocks(report: Report, page: _Page) -> Iterator[str]:
+    # What is shown as one is in one file, and the findings are in the order of files.
+    for _, of_file in groupby(report.diagnostics, key=lambda one: page.path(one.span.source.path)):
+        yield from map(page.diagnostic, grouped(tuple(of_file)))
+    yield from (page.crash(crash, codes) for crash, codes in _crashed(report))
     hints = [f"Explain a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
     hints += (page.wrap(hint, indent=2) for hint in _fixable(report))
     for name, suggested in report.unknown_arguments:
@@ -46,8 +62,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         targets = ", ".join("{} ({})".format(*why.split(": ", 1)) for why in evidence)
         hints.append(page.wrap(f"Targets: {targets}; override with --target", indent=2))
     if hints:
-        blocks.append("".join(f"{hint}\n" for hint in hints))
-    return "\n".join(blocks) + summary(report, color=color, width=width)
+        yield "".join(f"{hint}\n" for hint in hints)
 
 
 def _fixable(report: Report) -> Iterator[str]:

@@ -91,7 +91,7 @@ def describe(
     values = options.config.entry(source.path, options.arguments, options.variant).arguments
     subject = subject_of(source, resolver, values, trust=options.trust)
     report = check(subject.source, options=options.for_one(subject.arguments))
-    reported = ReportInput(_document(subject, report), subject, report.diagnostics)
+    reported = ReportInput(_document(subject, report), subject, tuple(report.diagnostics))
     return reported if quick else completed(reported, progress)
 
 

@@ -185,16 +185,11 @@ def _of_python(source: Source) -> Iterator[_Argument]:
             choices, default = argument(call, None, "choices"), argument(call, 1, "default_value")
             listed = choices.elts if isinstance(choices, (ast.List, ast.Tuple)) else ()
             yield _Argument(
-                _constant(argument(call, 0, "name")) or "",
-                tuple(_constant(choice) or "" for choice in listed),
-                _constant(default),
+                python_source.string(argument(call, 0, "name")) or "",
+                tuple(python_source.string(choice) or "" for choice in listed),
+                python_source.string(default),
                 default is None,
             )
-
-
-def _constant(node: ast.expr | None) -> str | None:
-    value = node.value if isinstance(node, ast.Constant) else None
-    return value if isinstance(value, str) else None
 
 
 def _of_xml(source: Source) -> Iterator[_Argument]:

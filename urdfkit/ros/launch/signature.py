@@ -113,14 +113,14 @@ def of_python(tree: ast.Module) -> Signature:
         includes = includes or name == "IncludeLaunchDescription"
         if not declares(node):
             continue
-        word = argument(node, 0, "name")
-        if not isinstance(word, ast.Constant) or not isinstance(word.value, str):
+        word = python_source.string(argument(node, 0, "name"))
+        if word is None:
             is_plain = False
             continue
         words = {keyword.arg for keyword in node.keywords}
         is_given = len(node.args) > 1 or not words.isdisjoint(("default_value", "condition", None))
         needs = name == "DeclareLaunchArgument" and not is_given
-        (required if needs else optional).add(word.value)
+        (required if needs else optional).add(word)
     return Signature(frozenset(required), frozenset(optional), imports_plainly, is_plain, includes)
 
 

@@ -1,0 +1,71 @@
+"""Findings on disk are those in memory, in the same order."""
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit.cli import main
+from urdfkit.lint import finding_store
+from urdfkit.lint.engine import check_with
+from urdfkit.lint.finding_store import StoredFindings
+from urdfkit.lint.options import Options
+from urdfkit.lint.report import Report
+from urdfkit.output import formats
+from urdfkit.text.diagnostic import Severity
+
+LOOP = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'
+
+
+@pytest.fixture
+def robots(tmp_path: Path) -> Path:
+    """Robots that include one file with a defect, and each have one of their own."""
+    (tmp_path / "shared.xacro").write_text(f'<robot name="r"><link name="a"/>{LOOP}</robot>')
+    for number in range(12):
+        (tmp_path / f"r{number}.urdf.xacro").write_text(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+            '<xacro:include filename="shared.xacro"/>\n'
+            f'<link name="b{number}"/><link name="b{number}"/></robot>'
+        )
+    return tmp_path
+
+
+def spilled(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Report:
+    monkeypatch.setattr(finding_store, "IN_MEMORY", 2)
+    return check_with(Options(), [str(folder)], spills=True)
+
+
+def test_they_are_the_same_in_the_same_order(robots: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    expected = check_with(Options(), [str(robots)])
+    report = spilled(robots, monkeypatch)
+    assert isinstance(report.diagnostics, StoredFindings)
+    places = [(str(one.span), one.code, one.message) for one in expected.diagnostics]
+    assert [(str(one.span), one.code, one.message) for one in report.diagnostics] == places
+    assert len(report.diagnostics) == len(places)
+    assert report.diagnostics[1].message == places[1][2]
+    assert [one.message for one in report.diagnostics[:2]] == [place[2] for place in places[:2]]
+    for severity in Severity:
+        assert report.count(severity) == expected.count(severity)
+    assert report.exit_code() == expected.exit_code()
+
+
+@pytest.mark.parametrize("name", formats.names())
+def test_every_format_writes_the_same(
+    name: str, robots: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expected = formats.get(name)(check_with(Options(), [str(robots)]))
+    report = spilled(robots, monkeypatch)
+    assert "".join(formats.stream(name, report)) == expected
+    assert formats.get(name)(report) == expected
+
+
+def test_the_command_writes_them(
+    robots: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["check", str(robots), "--no-cache", "--format", "github", "--jobs", "1"]
+    assert main(words) == 1
+    expected = capsys.readouterr().out
+    monkeypatch.setattr(finding_store, "IN_MEMORY", 2)
+    file = robots.parent / "out.txt"
+    assert main([*words, "--format", f"json:{file}"]) == 1
+    assert capsys.readouterr().out == expected
+    assert file.read_text().count('"code": "NAM001"') == 12

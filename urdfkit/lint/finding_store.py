@@ -1,0 +1,148 @@
+"""The findings of a check, each once, with the robots that it is found in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice
+from typing import IO, overload
+
+from urdfkit.core import disk
+from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.source import shown
+
+#: Files whose findings are kept in memory, where others may go to disk.
+IN_MEMORY = 500
+
+#: Findings of a file by what distinguishes them, each with the robots that it is found in: path
+#: and variant.
+_OfFile = dict[tuple[object, ...], tuple[Diagnostic, list[tuple[str, str]]]]
+
+
+class FindingStore:
+    """Findings by file, each once.
+
+    Two robots of one run may include the same file, each in its own words; its defect is reported
+    once.
+
+    Attributes:
+        counts: how many findings of each severity.
+
+    Args:
+        spills: write the findings of files that were not met for long to a temporary file.
+    """
+
+    def __init__(self, *, spills: bool) -> None:
+        self.counts = dict.fromkeys(Severity, 0)
+        self._spills = spills
+        self._memory: dict[str, _OfFile] = {}  # met last at the end
+        self._disk: dict[str, int] = {}  # where each begins
+        self._spilled: IO[bytes] | None = None
+        #: The files by the name that they are shown by, which may be several.
+        self._files: dict[str, dict[str, None]] = {}
+        self._variants: dict[str, set[str]] = {}
+
+    def __del__(self) -> None:
+        if self._spilled is not None:
+            self._spilled.close()
+
+    def add(self, path: str, variant: str, diagnostics: Iterable[Diagnostic]) -> None:
+        """The findings in one description."""
+        self._variants.setdefault(path, set()).add(variant)
+        for one in diagnostics:
+            self.add_finding(one, [(path, variant)])
+        while self._spills and len(self._memory) > IN_MEMORY:
+            self._spill(next(iter(self._memory)))
+
+    def add_finding(self, one: Diagnostic, found_in: list[tuple[str, str]]) -> None:
+        """A finding in some descriptions."""
+        path = one.span.source.path
+        file = disk.real(path)
+        of_file = self._memory[file] = self._of_file(file)
+        key = (one.code, *one.span[1:], one.message)
+        if key in of_file:
+            of_file[key][1].extend(found_in)
+            return
+        of_file[key] = (one, found_in)
+        self.counts[one.severity] += 1
+        self._files.setdefault(shown(path), {})[file] = None
+
+    def diagnostics(self) -> Sequence[Diagnostic]:
+        """All findings, by file, place, code and message; nothing is added afterwards."""
+        return StoredFindings(self) if self._disk else tuple(self.in_order())
+
+    def in_order(self) -> Iterator[Diagnostic]:
+        """As ``diagnostics``, one after another."""
+        for name, files in sorted(self._files.items()):
+            found = [pair for file in files for pair in self._peek(file).values()]
+            names = {one.span.source.path: "" for one, _ in found}
+            names = {path: shown(path) for path in names}
+            found = [pair for pair in found if names[pair[0].span.source.path] == name]
+            found.sort(key=lambda pair: (pair[0].span.start, pair[0].code, pair[0].message))
+            for one, found_in in found:
+                variants = _partial(found_in, self._variants)
+                yield one._replace(variants=variants) if variants else one
+
+    def _of_file(self, file: str) -> _OfFile:
+        """The findings of a file, which are then to be put at the end of those in memory."""
+        if file in self._disk:
+            of_file = self._peek(file)
+            del self._disk[file]
+            return of_file
+        return self._memory.pop(file, {})
+
+    def _peek(self, file: str) -> _OfFile:
+        if file not in self._disk:
+            return self._memory[file]
+        import pickle
+
+        assert self._spilled is not None
+        self._spilled.seek(self._disk[file])
+        of_file: _OfFile = pickle.load(self._spilled)
+        return of_file
+
+    def _spill(self, file: str) -> None:
+        import pickle
+        import tempfile
+
+        if self._spilled is None:
+            self._spilled = tempfile.TemporaryFile()  # noqa: SIM115 - as long as the findings
+        self._disk[file] = self._spilled.seek(0, 2)
+        pickle.dump(self._memory.pop(file), self._spilled)
+
+
+class StoredFindings(Sequence[Diagnostic]):
+    """The findings of very many robots, read from disk again each time they are gone through.
+
+    Attributes:
+        counts: how many findings of each severity.
+    """
+
+    def __init__(self, store: FindingStore) -> None:
+        self.counts = store.counts
+        self._store = store
+
+    def __len__(self) -> int:
+        return sum(self.counts.values())
+
+    def __iter__(self) -> Iterator[Diagnostic]:
+        return self._store.in_order()
+
+    @overload
+    def __getitem__(self, index: int) -> Diagnostic: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Diagnostic]: ...
+    def __getitem__(self, index: int | slice) -> Diagnostic | Sequence[Diagnostic]:
+        if isinstance(index, slice):
+            numbers = index.indices(len(self))
+            return tuple(islice(self, *numbers))
+        return next(islice(self, range(len(self))[index], None))
+
+
+def _partial(found_in: list[tuple[str, str]], variants: Mapping[str, set[str]]) -> tuple[str, ...]:
+    """The names of variants with a finding; none if it is in all those of some robot."""
+    names: dict[str, dict[str, None]] = {}
+    for path, name in found_in:
+        names.setdefault(path, {})[name] = None
+    if any("" in own or len(own) == len(variants[path] - {""}) for path, own in names.items()):
+        return ()
+    return tuple(dict.fromkeys(name for own in names.values() for name in own))
