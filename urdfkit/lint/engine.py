@@ -192,8 +192,11 @@ def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[lis
     if count > 1:
         yield from _in_processes(jobs, options, count)
         return
-    for job in jobs:
-        yield _check_one_of_many(job, options, resolver)
+    try:
+        for job in jobs:
+            yield _check_one_of_many(job, options, resolver)
+    finally:
+        gc.unfreeze()
 
 
 def processes(asked: int, robots: int) -> int:
@@ -313,6 +316,7 @@ def _check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[C
     checked = _check_job(job, options, resolver)
     if "numpy" in sys.modules:
         gc.collect()
+        gc.freeze()  # what is left stays: the next collection looks at what is new alone
     return checked
 
 
