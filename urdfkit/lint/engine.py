@@ -197,8 +197,11 @@ def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[lis
         known = (rule_index.foreign(), options, disk.log() is not None, admitted)
         yield from _in_processes(jobs, known, count)
         return
-    for job in jobs:
-        yield _check_one_of_many(job, options, resolver)
+    try:
+        for job in jobs:
+            yield _check_one_of_many(job, options, resolver)
+    finally:
+        gc.unfreeze()
 
 
 def processes(asked: int, robots: int) -> int:
@@ -321,6 +324,7 @@ def _check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[C
     checked = _check_job(job, options, resolver)
     if "numpy" in sys.modules:
         gc.collect()
+        gc.freeze()  # what is left stays: the next collection looks at what is new alone
     return checked
 
 
