@@ -25,12 +25,14 @@ from __future__ import annotations
 
 from urdfkit.checks.package.build_files import not_registered, other_name
 from urdfkit.checks.package.samples import robot_of_package
+from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
 from urdfkit.workspace.package_references import are_in
@@ -66,11 +68,12 @@ def check(subject: Subject) -> Findings:
         yield from other_name(*home)
         yield from not_registered(*home)
     file = nearest_manifest(path)
-    try:
-        source = resolver.read(file) if file else None
-    except UnreadableFile:
+    if file is None or disk.is_link(file):  # which may lead anywhere
         return
-    if source is None:
+    try:
+        data = resolver.text(file)
+        source = Source.read(file) if data is None else Source(file, data)
+    except UnreadableFile:
         return
     document, problems = read_xml(source)
     broken = [problem for problem in problems if problem.code in _BROKEN]
