@@ -93,6 +93,9 @@ def _missing(package: Element) -> Findings:
     for tag in REQUIRED:
         if tag not in tags:
             yield Finding(Location(package.span), f"the package has no <{tag}>", f"write a <{tag}>")
+    for tag in ("name", "version", "description", "export"):
+        for again in package.all(tag)[1:]:
+            yield Finding(Location(again.span), f"duplicate <{tag}>", "keep one")
 
 
 def _tags(package: Element) -> Findings:
@@ -115,6 +118,18 @@ def _values(package: Element) -> Findings:
     if version and not _is_version(version.text.strip()):
         message = f"version '{version.text.strip()}' does not have three numbers"
         yield Finding(Location(version.span), message, "write it as 1.0.0")
+    for maintainer in package.all("maintainer"):
+        if not maintainer.get("email"):
+            yield Finding(
+                Location(maintainer.span), "the maintainer has no email", 'write email="..."'
+            )
+    for child in package.all("license"):
+        if not child.text.strip():
+            yield Finding(Location(child.span), "the license is empty", "name the licence")
+    own = name.text.strip() if name else ""
+    for child in package.children:
+        if own and child.tag.endswith("depend") and child.text.strip() == own:
+            yield Finding(Location(child.span), "the package depends on itself", "remove it")
 
 
 def _is_name(text: str) -> bool:
