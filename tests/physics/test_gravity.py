@@ -12,8 +12,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.output.test_overview import of
+from urdfkit import Source, check
+from urdfkit.checks.dynamics import dyn003_gravity_exceeds_effort as dyn003
+from urdfkit.cli.statics import render
 from urdfkit.lint.context import Subject
 from urdfkit.physics import gravity
+from urdfkit.physics.dynamics.statics import statics
 from urdfkit.physics.gravity import gravity_loads
 from urdfkit.physics.gravity_model import GravityModel
 from urdfkit.robot.joint_loads import largest
@@ -124,3 +128,13 @@ def test_more_joints_than_are_searched_have_their_load_at_zero(
     monkeypatch.setattr(gravity, "MAX_SEARCHED", 2)
     loads = gravity_loads(model, joints, starts, pose={})
     assert [(load.worst, load.pose) for load in loads] == [(0, {})] * 3  # the chain is upright
+    found = statics(subject.dynamics)
+    assert not found.searched
+    assert "zero pose only" in next(render(found, subject.model))
+
+
+def test_the_rule_says_that_it_does_not_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gravity, "MAX_SEARCHED", 0)
+    text = f'<robot name="r">{dyn003.BAD}</robot>'
+    report = check(Source("r.urdf", text.encode()), select=["DYN003"])
+    assert [skip.code for skip in report.skipped] == ["DYN003"]

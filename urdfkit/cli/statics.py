@@ -127,7 +127,10 @@ def _statics(
 def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterator[str]:
     """A table of the joints, the weakest first, and what is to be said of it."""
     carried = "".join(f" with {mass:g} kg at {link}" for link, mass in found.payload.items())
-    yield f"gravity on {found.mass:.6g} kg{carried}, {found.poses} poses and a search for the worst"
+    poses = f"{found.poses} poses and a search for the worst"
+    if not found.searched:
+        poses = f"zero pose only: {len(found.loads)} joints are too many to search for the worst"
+    yield f"gravity on {found.mass:.6g} kg{carried}, {poses}"
     if not found.loads:
         yield "no actuated joint"
         return
@@ -190,6 +193,7 @@ def as_json(found: Statics, stands: Standing) -> dict[str, Any]:
         "mass": found.mass,
         "payload": found.payload,
         "poses": found.poses,
+        "searched": found.searched,
         "joints": [
             {**load._asdict(), "used": load.used, "exceeded": load.is_exceeded}
             for load in found.loads

@@ -28,7 +28,8 @@ def load(path: str, *, trusted: bool = True) -> Config:
     Args:
         path: of the file.
         trusted: False if it comes with a robot from anywhere. What would let it run code, the
-            setting ``trust`` and modules as ``rule-packages``, is then an error.
+            setting ``trust`` and modules as ``rule-packages``, is then an error, and so are
+            packages and robots outside of its workspace.
 
     Raises:
         ConfigError: there is none, or it cannot be understood.
@@ -36,7 +37,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
     table = _table(path)
     if table is None:
         raise ConfigError(f"{path}: no [tool.urdfkit] in this file")
-    return _read(_Reader(path, table, ""), trusted=trusted)
+    return _read(_Reader(path, table, "", trusted=trusted), trusted=trusted)
 
 
 def _table(path: str) -> dict[str, Any] | None:
@@ -107,6 +108,7 @@ def _file_ignore(reader: _Reader) -> FileIgnore:
 def _robots(reader: _Reader, folder: str) -> list[RobotEntry]:
     """The variants of one entry point; every one with the common arguments too."""
     file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
+    reader.require_inside("file", file)
     if not disk.is_file(file):
         raise reader.error(f"file not found: '{file}'")
     common = reader.arguments("arguments")
@@ -116,7 +118,8 @@ def _robots(reader: _Reader, folder: str) -> list[RobotEntry]:
         return [RobotEntry(file, "", common)]
     robots = []
     for name, arguments in variants.items():
-        inner = _Reader(reader.path, {"arguments": arguments}, f"{reader.where}.variants.{name}")
+        where = f"{reader.where}.variants.{name}"
+        inner = _Reader(reader.path, {"arguments": arguments}, where, trusted=True)
         robots.append(RobotEntry(file, name, {**common, **inner.arguments("arguments")}))
     return robots
 
@@ -134,8 +137,9 @@ _KINDS = {
 class _Reader:
     """Takes settings out of a table one by one; what is left at the end does not exist."""
 
-    def __init__(self, path: str, table: dict[str, Any], where: str) -> None:
+    def __init__(self, path: str, table: dict[str, Any], where: str, *, trusted: bool) -> None:
         self.path = path
+        self._trusted = trusted
         self.folder = os.path.dirname(os.path.abspath(path))
         self.where = where
         self.warnings: list[str] = []
@@ -215,7 +219,7 @@ class _Reader:
                 raise self.error(f"'rules': {error}") from error
             if not isinstance(values, dict):
                 raise self.error(f"'rules.{word}' must be a table of options, not {values!r}")
-            inner = _Reader(self.path, values, f"rules.{word}")
+            inner = _Reader(self.path, values, f"rules.{word}", trusted=True)
             found[rule.code] = {
                 name: inner.number(name, default) for name, default in rule.options.items()
             }
@@ -283,9 +287,26 @@ class _Reader:
         table = self.take("packages", dict, {})
         folders = {name: os.path.join(self.folder, str(value)) for name, value in table.items()}
         for name, folder in folders.items():
+            self.require_inside(f"packages.{name}", folder)
             if not disk.is_folder(folder):
                 raise self.error(f"'packages.{name}': no such directory '{folder}'")
         return {name: os.path.normpath(folder) for name, folder in folders.items()}
+
+    def require_inside(self, key: str, path: str) -> None:
+        """See that the configuration names a path of its own workspace, or is trusted."""
+        if self._trusted:
+            return
+        from urdfkit.workspace.package_folders import is_within
+        from urdfkit.workspace.resolve import Resolver
+
+        packages = Resolver().packages
+        roots = (packages.workspace(self.path), *packages.prefixes, *packages.ros1_paths)
+        if any(is_within(disk.real(path), disk.real(root)) for root in roots):
+            return
+        raise self.error(
+            f"'{key}': '{path}' is outside the workspace of this configuration: "
+            "pass --package NAME=DIR, --trust or --config FILE"
+        )
 
     def arguments(self, key: str) -> dict[str, str]:
         """Values as the command line would give them: ``true``, ``0.5``, ``left_``."""
@@ -302,7 +323,10 @@ class _Reader:
         values = self.take(key, object, [])
         if not (isinstance(values, list) and all(isinstance(value, dict) for value in values)):
             raise self.error(f"'{key}' must be tables, written [[{key}]]")
-        return [_Reader(self.path, value, f"{key}[{i}]") for i, value in enumerate(values, 1)]
+        return [
+            _Reader(self.path, value, f"{key}[{i}]", trusted=self._trusted)
+            for i, value in enumerate(values, 1)
+        ]
 
     def finish(self, what: str = "setting") -> None:
         for key in self._left:

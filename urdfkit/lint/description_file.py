@@ -68,6 +68,7 @@ class DescriptionFile:
         self.arguments = dict(arguments or {})
         self.trust = trust
         self.frame = frame
+        resolver.admit(source.path, trust=trust)
 
     @cached_property
     def reading(self) -> Reading:

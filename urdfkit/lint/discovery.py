@@ -102,13 +102,14 @@ def discover(folder: str, config: Config, resolver: Resolver) -> FolderContents:
 def _graph(folder: str, config: Config, resolver: Resolver) -> IncludeGraph:
     """The descriptions of a folder, and what looks like one whatever it is called."""
     folders = resolver.folders
-    files = [*descriptions(folder, config, folders), *_lookalikes(folder, config, folders)]
+    files = [*descriptions(folder, config, folders), *_lookalikes(folder, config, resolver)]
     return IncludeGraph(files, resolver, launch_files(folder, config, folders))
 
 
-def _lookalikes(folder: str, config: Config, folders: Folders) -> Iterator[str]:
+def _lookalikes(folder: str, config: Config, resolver: Resolver) -> Iterator[str]:
     """The files with the root ``<robot>`` whose suffix is not that of a description."""
-    for path in islice(filter(_may_be_lookalike, folders.walk(folder)), MAX_FILES):
+    found = filter(_may_be_lookalike, resolver.folders.walk(folder))
+    for path in filter(resolver.admits, islice(found, MAX_FILES)):
         head = without_comments(read_head(path, _HEAD)).removeprefix(_MARK)
         if _ROOT.match(head) and not matches(config.relative(path), config.exclude):
             yield path

@@ -29,6 +29,9 @@ if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor
     from typing import TypeAlias
 
+#: What a process must know: rules of other packages, options, whether it notes what it depends
+#: on, and what files the user named.
+Known: TypeAlias = "tuple[Mapping[str, str], Options, bool, tuple[str, ...]]"
 #: The results of some robots, and what they depend on if that is noted.
 Batch: TypeAlias = "tuple[list[list[Checked]], FileLog | None]"
 
@@ -190,7 +193,9 @@ def _checked(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[
 def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[list[Checked]]:
     count = processes(options.jobs, len(jobs))
     if count > 1:
-        yield from _in_processes(jobs, options, count)
+        admitted = tuple(resolver.admitted.values())
+        known = (rule_index.foreign(), options, disk.log() is not None, admitted)
+        yield from _in_processes(jobs, known, count)
         return
     for job in jobs:
         yield _check_one_of_many(job, options, resolver)
@@ -208,7 +213,7 @@ def processes(asked: int, robots: int) -> int:
     return min(os.cpu_count() or 1, robots // FEW)
 
 
-def _in_processes(jobs: list[Job], options: Options, count: int) -> Iterator[list[Checked]]:
+def _in_processes(jobs: list[Job], known: Known, count: int) -> Iterator[list[Checked]]:
     """The results of some jobs in their order, by several processes.
 
     A process that dies takes the others of its pool with it. What they had not done is checked
@@ -220,7 +225,7 @@ def _in_processes(jobs: list[Job], options: Options, count: int) -> Iterator[lis
     size = max(1, min(MOST_OF_A_BATCH, len(jobs) // (8 * count)))
     batches = deque(jobs[start : start + size] for start in range(0, len(jobs), size))
     waiting: deque[tuple[list[Job], Future[Batch]]] = deque()
-    with _pool(count, options) as pool:
+    with _pool(count, known) as pool:
         try:
             while batches or waiting:
                 while batches and len(waiting) < 4 * count:  # results must not pile up
@@ -232,18 +237,18 @@ def _in_processes(jobs: list[Job], options: Options, count: int) -> Iterator[lis
         except BrokenProcessPool:
             _wait_for_ctrl_c()
     if waiting:
-        yield from _one_by_one([job for batch, _ in waiting for job in batch], options)
+        yield from _one_by_one([job for batch, _ in waiting for job in batch], known)
     if batches:
-        yield from _in_processes([job for batch in batches for job in batch], options, count)
+        yield from _in_processes([job for batch in batches for job in batch], known, count)
 
 
-def _one_by_one(jobs: list[Job], options: Options) -> Iterator[list[Checked]]:
+def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
     """The results of some jobs, each of which may kill its process."""
     from concurrent.futures.process import BrokenProcessPool
 
     done = 0
     while done < len(jobs):
-        with _pool(1, options) as pool:
+        with _pool(1, known) as pool:
             try:
                 for job in jobs[done:]:
                     yield from _noted(pool.submit(_check_batch, [job]).result())
@@ -262,10 +267,9 @@ def _wait_for_ctrl_c() -> None:
     time.sleep(1)
 
 
-def _pool(count: int, options: Options) -> ProcessPoolExecutor:
+def _pool(count: int, known: Known) -> ProcessPoolExecutor:
     from concurrent.futures import ProcessPoolExecutor
 
-    known = (rule_index.foreign(), options, disk.log() is not None)
     return ProcessPoolExecutor(count, initializer=_begin, initargs=known)
 
 
@@ -273,7 +277,9 @@ def _pool(count: int, options: Options) -> ProcessPoolExecutor:
 _own: tuple[Options, Resolver]
 
 
-def _begin(foreign: Mapping[str, str], options: Options, is_noting: bool) -> None:
+def _begin(
+    foreign: Mapping[str, str], options: Options, is_noting: bool, admitted: tuple[str, ...]
+) -> None:
     """A process begins, which knows no rules of other packages and has noted nothing."""
     import signal
 
@@ -283,6 +289,8 @@ def _begin(foreign: Mapping[str, str], options: Options, is_noting: bool) -> Non
     disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one
     _own = (options, Resolver(options.packages, texts=options.texts))
+    for path in admitted:
+        _own[1].admit(path, trust=options.trust)
 
 
 def _check_batch(jobs: list[Job]) -> Batch:

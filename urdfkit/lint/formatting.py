@@ -16,7 +16,7 @@ from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.folders import Folders
-from urdfkit.workspace.ownership import READ_ONLY, Ownership
+from urdfkit.workspace.ownership import OUTSIDE, READ_ONLY, Ownership
 from urdfkit.workspace.resolve import Resolver
 
 
@@ -76,9 +76,14 @@ def format_files(
     failed: list[tuple[str, str]] = []
     config = config or Config()
     width = width or config.width or WIDTH
-    for path, is_named in _files(files, config):
+    for path, folder in _files(files, config):
+        owner = os.path.join(folder, "x") if folder else path
+        ownership, is_named = Ownership([owner], Resolver()), not folder
+        if folder and not ownership.owns(path):  # a link: it is not even read
+            skipped.append((path, OUTSIDE))
+            continue
         source = Source.read(path)
-        reason = "" if force else Ownership([path], Resolver()).refusal(source)
+        reason = "" if force else ownership.refusal(source)
         if reason and not (check and reason == READ_ONLY):
             skipped.append((path, reason))
             continue
@@ -94,8 +99,8 @@ def format_files(
     return Formatted(tuple(changed), tuple(unchanged), tuple(skipped), tuple(failed))
 
 
-def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterator[tuple[str, bool]]:
-    """The paths to lay out, each once, and whether they were named."""
+def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterator[tuple[str, str]]:
+    """The paths to lay out, each once, and the directory that they were found in, if any."""
     seen: set[str] = set()
     for given in files:
         file = os.fspath(given)
@@ -104,7 +109,7 @@ def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterato
             real = disk.real(path)
             if real not in seen:
                 seen.add(real)
-                yield path, not is_folder
+                yield path, file if is_folder else ""
 
 
 def _below(folder: str, config: Config) -> list[str]:

@@ -98,6 +98,8 @@ class Plan:
 
     def __init__(self, resolver: Resolver, options: Options) -> None:
         self.resolver = resolver
+        if options.trust:
+            resolver.admit(os.curdir, trust=True)
         self.config = options.config
         self.arguments = dict(options.arguments)
         self.variant = options.variant
@@ -112,11 +114,13 @@ class Plan:
     def add(self, file: str | os.PathLike[str] | Source) -> None:
         """A file, with its variants if the configuration has some, or a folder."""
         if isinstance(file, Source):
+            self.resolver.admit(file.path)
             self._add_source(file)
         elif disk.is_folder(os.fspath(file)):
             from urdfkit.lint.discovery import discover, launch_files
 
             folder, config = os.fspath(file), self.config
+            self.resolver.admit(os.path.join(folder, "x"))
             launches = list(launch_files(folder, config, self.resolver.folders))
             try:
                 self._add_found(discover(folder, config, self.resolver), folder)
@@ -128,15 +132,20 @@ class Plan:
             except Exception as error:  # a bug in urdfkit must not hide what else was named
                 self.crashed.append(crash("", folder, error))
             for path in launches:
-                self._add_launch(self.resolver.read(_spelt(path, folder)), found=True)
+                try:
+                    self._add_launch(self.resolver.read(_spelt(path, folder)), found=True)
+                except UnreadableFile:  # a link that leads outside
+                    self._add_closed(path)
         else:
-            self._add_source(self.resolver.read(os.fspath(file)))
+            self._add_source(self.resolver.given(os.fspath(file)))
 
     def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
         """The entry points that some changed files are part of."""
         from urdfkit.lint.discovery import affected
 
         paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
+        for path in paths:
+            self.resolver.admit(path)
         self._add_found(affected(paths, self.config, self.resolver), *paths[:1])
 
     def _add_found(self, found: FolderContents, given: str = "") -> None:
@@ -151,9 +160,13 @@ class Plan:
             self.skipped.append(Skipped("", library, reason))
         self.skipped += (Skipped("", path, reason) for path, reason in found.others.items())
         for path in found.closed:
-            help = "check the symbolic link and the file permissions"
-            self.unchecked.append((path, "robot not checked: the file cannot be opened", help))
-            self.skipped.append(Skipped("", path, f"cannot be opened; {help}"))
+            self._add_closed(path)
+
+    def _add_closed(self, path: str) -> None:
+        """A file of a directory that is called like a robot and cannot be opened."""
+        help = "check the symbolic link and the file permissions"
+        self.unchecked.append((path, "robot not checked: the file cannot be opened", help))
+        self.skipped.append(Skipped("", path, f"cannot be opened; {help}"))
 
     def note_without_robot(self, given: Iterable[str]) -> None:
         """Leave a note if directories hold no robot: a report on launch files is no verdict."""

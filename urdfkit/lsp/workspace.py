@@ -70,7 +70,7 @@ class OpenRobot:
         self.path = entry.file
         self.resolver = resolver
         arguments = {**config.arguments, **entry.arguments}
-        self.subject = Subject(resolver.read(entry.file), resolver, arguments, trust=config.trust)
+        self.subject = Subject(resolver.given(entry.file), resolver, arguments, trust=config.trust)
         if before is not None and before.document is None:
             before = before.before
         self.before: OpenRobot | None = before if self.document is None else None
@@ -239,7 +239,7 @@ class Workspace:
             return robot
         resolver = self._resolver(config)
         try:
-            subject = Subject(resolver.read(robot.file), resolver, config.arguments)
+            subject = Subject(resolver.given(robot.file), resolver, config.arguments)
         except UrdfkitError:
             return robot
         if names := subject.missing_arguments:

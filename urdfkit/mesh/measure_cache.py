@@ -92,10 +92,8 @@ def _digest(data: bytes, form: str, directory: str) -> str:
     digest = blake2b(f"{form} {len(data)}\n".encode(), digest_size=20)
     digest.update(data)
     for name in _names(data, form):
-        digest.update(
-            name.encode()
-            + (referenced_files.read(referenced_files.place(name, directory), MAX_BYTES) or b"")
-        )
+        path = referenced_files.place(name, directory)
+        digest.update(name.encode() + (referenced_files.read(path, MAX_BYTES, directory) or b""))
     return digest.hexdigest()
 
 

@@ -273,6 +273,11 @@ def worst(
     return GRAVITY * best.torque, best.rested()
 
 
+def is_searched(joints: int) -> bool:
+    """False for so many joints that their loads are those at zero."""
+    return joints <= MAX_SEARCHED
+
+
 def gravity_loads(
     model: GravityModel,
     joints: Mapping[str, Joint],
@@ -298,7 +303,7 @@ def gravity_loads(
         if progress:
             progress(len(found), len(names))
         largest, where = abs(torques[0][name]), dict[str, float]()
-        if len(names) <= MAX_SEARCHED:
+        if is_searched(len(names)):
             order = sorted(range(len(starts)), key=lambda n: -abs(torques[n][name]))
             largest, where = worst(model, name, [starts[n] for n in order[:CLIMBS]], budget)
         held = torques[0][name], at_pose[name]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.errors import PackageNotFound
+from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.text.source import Source
 from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.packages import Candidate, Packages, path_list
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 
 _DRIVE = r"/?[A-Za-z]:/"
 _BUILD_FILES = ("CMakeLists.txt", "setup.py")
+#: Why a file is not read, behind its path.
+OUTSIDE = "is outside the workspace and the packages of this model"
+
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
 
 
@@ -39,6 +42,7 @@ class ResolvedReference(Record):
         relative: the path below the package, or below the file that refers to it.
         path: the file, or None if there is none.
         tried: the paths that were tried, in order.
+        outside: a file that the reference leads to and that the model may not read.
         searched: where the package was searched, if it is not found.
     """
 
@@ -50,6 +54,7 @@ class ResolvedReference(Record):
     path: str | None = None
     tried: tuple[str, ...] = ()
     searched: tuple[str, ...] = ()
+    outside: str | None = None
 
     @property
     def attempts(self) -> str:
@@ -85,6 +90,9 @@ class Resolver:
         self._located: dict[tuple[str, str, str], ResolvedReference] = {}
         self._rules: dict[str, list[Installed]] = {}
         self._texts = _by_real_path(texts or {})
+        #: Files that the user named, one for each workspace.
+        self.admitted: dict[str, str] = {}
+        self._admits_everything = False
 
     def with_texts(self, texts: Mapping[str, bytes]) -> Resolver:
         """One for other texts, which knows what this one has found of packages and folders."""
@@ -97,12 +105,42 @@ class Resolver:
         """The bytes that stand for those of a file on disk; None if nothing does."""
         return self._texts.get(disk.real(path)) if self._texts else None
 
-    def read(self, path: str) -> Source:
-        """A text file, by the bytes that stand for it if some do.
+    def admit(self, path: str, *, trust: bool = False) -> None:
+        """The user names a file: models may read what lies in its workspace.
+
+        Args:
+            path: of the file; before one is admitted, the caller vouches for what it reads.
+            trust: they may read everything.
+        """
+        self.admitted.setdefault(self.packages.workspace(path), path)
+        self._admits_everything = self._admits_everything or trust
+
+    def admits(self, path: str) -> bool:
+        """True if a model may read a file, as far as the files are known that the user named."""
+        if self._admits_everything or not self.admitted:
+            return True
+        return any(self.allows(path, near) for near in self.admitted.values())
+
+    def given(self, path: str) -> Source:
+        """A text file that the user names, wherever it lies; models may read what is around it.
 
         Raises:
             UnreadableFile: it is missing, a folder, too large, or may not be opened.
         """
+        self.admit(path)
+        return self._read(path)
+
+    def read(self, path: str) -> Source:
+        """A text file that something else names, by the bytes that stand for it if some do.
+
+        Raises:
+            UnreadableFile: it is missing, a folder, too large, may not be opened, or lies outside.
+        """
+        if not self.admits(path):
+            raise UnreadableFile(f"{path}: {OUTSIDE}")
+        return self._read(path)
+
+    def _read(self, path: str) -> Source:
         data = self.text(path)
         return Source.read(path) if data is None else Source(path, data)
 
@@ -142,7 +180,10 @@ class Resolver:
         top = top or near
         key = (reference, self.packages.folder_of(near), self.packages.folder_of(top))
         if key not in self._located:
-            self._located[key] = self._locate(reference, near, top)
+            found = self._locate(reference, near, top)
+            if found.path is not None and not self.admits(found.path):
+                found = found._replace(path=None, outside=found.path)
+            self._located[key] = found
         return self._located[key]
 
     def installed(self, path: str) -> str | None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.text.source import MAX_BYTES, Source
+from urdfkit.workspace.resolve import OUTSIDE
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 from urdfkit.xacro.errors import EscapesRoots
 from urdfkit.xacro.sandbox import MAX_LENGTH, TooLarge
@@ -88,7 +89,7 @@ class Reader:
             return
         if disk.exists(path) and not disk.is_file(path) and not disk.is_folder(path):
             raise EscapesRoots(f"{path} is a device or a pipe, not a file")
-        raise EscapesRoots(f"{path} is outside the workspace and the packages of this model")
+        raise EscapesRoots(f"{path} {OUTSIDE}")
 
     def glob(self, pattern: str, budget: Budget) -> Iterator[str]:
         """The paths that ``glob.glob`` gives, searched for in admitted folders only.

@@ -19,8 +19,14 @@ from urdfkit.xacro.sandbox import UnsafeExpression
 if TYPE_CHECKING:
     from urdfkit.xacro.sandbox import Sandbox
 
-#: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``.
-ENVIRONMENT_PREFIXES = ("ROS_", "AMENT_", "GAZEBO_", "GZ_", "IGN_", "ROBOT_")
+#: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``: names and not prefixes,
+#: as a prefix lets a secret such as ROS_TOKEN through.
+ENVIRONMENT = frozenset(
+    "AMENT_PREFIX_PATH GAZEBO_MODEL_PATH GAZEBO_PLUGIN_PATH GAZEBO_RESOURCE_PATH GAZEBO_VERSION "
+    "GZ_SIM_RESOURCE_PATH GZ_VERSION IGN_GAZEBO_RESOURCE_PATH ROBOT_MODEL ROBOT_NAME "
+    "ROBOT_NAMESPACE ROBOT_SIMULATION ROBOT_TYPE ROS_DISTRO ROS_DOMAIN_ID ROS_NAMESPACE "
+    "ROS_PACKAGE_PATH ROS_PYTHON_VERSION ROS_VERSION".split()
+)
 
 COMMANDS = ("find", "env", "optenv", "dirname", "arg", "eval", "cwd")
 
@@ -93,7 +99,7 @@ def _only(command: str, arguments: list[str]) -> str:
 
 def may_read(name: str, context: Context) -> bool:
     """True if the model may see an environment variable."""
-    return context.sandbox is None or name.startswith(ENVIRONMENT_PREFIXES)
+    return context.sandbox is None or name in ENVIRONMENT
 
 
 def _variable(name: str, context: Context) -> str:

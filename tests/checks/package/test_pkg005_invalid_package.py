@@ -29,6 +29,8 @@ def reported(folder: Path, manifest: str, more: str = USES) -> list[Diagnostic]:
         ("<version>1.0.0</version>", "", "the package has no <version>", 2),
         (">1.0.0<", ">1.0<", "version '1.0' does not have three numbers", 4),
         (">1.0.0<", "><", "version '' does not have three numbers", 4),
+        (' email="arm@example.org"', "", "the maintainer has no email", 6),
+        (">Apache-2.0<", "><", "the license is empty", 7),
         ("</package>", "<run_depend>a</run_depend></package>", "<run_depend> is not a tag of ", 8),
         (
             "</package>",
@@ -36,8 +38,10 @@ def reported(folder: Path, manifest: str, more: str = USES) -> list[Diagnostic]:
             "<exec_dep> is not a tag of format 3",
             8,
         ),
+        ("</package>", "<depend>arm</depend></package>", "the package depends on itself", 8),
         ("</license>", "</licence>", "package.xml is not valid XML: ", 7),
         ("<license>", "<licence>", "package.xml is not valid XML: ", 7),
+        ("</package>", "<export/><export/></package>", "duplicate <export>", 8),
     ],
 )
 def test_an_invalid_manifest(tmp_path: Path, old: str, new: str, message: str, line: int) -> None:

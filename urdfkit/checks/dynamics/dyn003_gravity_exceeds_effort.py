@@ -16,6 +16,7 @@ from __future__ import annotations
 from math import isfinite
 from typing import TYPE_CHECKING
 
+from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.joint_loads import overloadable
 from urdfkit.robot.joints import effort_unit
@@ -51,14 +52,17 @@ def check(subject: Subject) -> Findings:
     overloaded = overloadable(subject.tree)
     if not overloaded or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return
-    from urdfkit.physics.gravity import gravity_loads
+    from urdfkit.physics.gravity import gravity_loads, is_searched
     from urdfkit.physics.gravity_model import GravityModel
 
     model = GravityModel(subject.tree, weightless=_weightless(subject))
     joints = {joint.name: joint for joint in overloaded}
-    for load in gravity_loads(model, joints, model.starts(_SAMPLES, seed=0), pose={}):
+    loads = gravity_loads(model, joints, model.starts(_SAMPLES, seed=0), pose={})
+    for load in loads:
         if load.is_exceeded and isfinite(load.worst):
             yield _finding(joints[load.joint], load)
+    if not is_searched(len(loads)):
+        raise Unavailable(f"the worst pose of {len(loads)} joints is not searched, only zero")
 
 
 def _weightless(subject: Subject) -> set[str]:

@@ -16,6 +16,7 @@ import os
 from urdfkit.core.suggest import nearest_file
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 from urdfkit.workspace.install_rules import InstallRules
+from urdfkit.workspace.resolve import OUTSIDE
 from urdfkit.workspace.revisions import is_ignored
 
 NAME = "robot.launch"
@@ -27,7 +28,10 @@ FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="create the file, or fix its name")
 def check(subject: Subject) -> Findings:
     for file in subject.launch.files:
-        if not file.exists and not _may_come_from_elsewhere(subject, file.path):
+        if file.is_outside:
+            message = f"{file.purpose} {file.path} {OUTSIDE}: not read"
+            yield Finding(Location(file.span), message, "move it into the package, or pass --trust")
+        elif not file.exists and not _may_come_from_elsewhere(subject, file.path):
             suggested = nearest_file(file.path)
             hint = f"did you mean '{suggested}'?" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)

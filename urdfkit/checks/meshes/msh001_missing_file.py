@@ -9,6 +9,8 @@ was never committed. A package that is not found is XAC011. Also reported:
   Macs, and missing on Linux.
 - Backslashes, which only Windows takes for the end of a directory's name. Write `/`.
 - A third slash, as in `package:///arm/arm.stl`: it names no package.
+- A file outside the workspace of the model and of the packages that are found: it is on this
+  computer only, and urdfkit does not read it (a warning).
 - An unknown scheme: only `package://`, `model://` and `file://` lead to files. Meshes on the web,
   which RViz alone fetches, are not reported.
 
@@ -31,7 +33,7 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.editing.edits import replace_value
-from urdfkit.workspace.resolve import ResolvedReference
+from urdfkit.workspace.resolve import OUTSIDE, ResolvedReference
 
 BAD = mesh_xml("visual", "package://arm_description/meshes/forarm.stl")
 FIXED = GOOD = BAD.replace("forarm", "forearm")
@@ -64,6 +66,13 @@ def check(subject: Subject) -> Findings:
             yield _unknown_scheme(mesh, scheme, rest)
         elif mesh.located.package == "":
             yield _without_package(subject, mesh, scheme, rest)
+        elif mesh.located.outside:
+            yield Finding(
+                mesh.at,
+                f"{mesh.who} {OUTSIDE}: not read",
+                "move it into the package, name its directory with --package, or pass --trust",
+                severity=Severity.WARNING,
+            )
         elif id(mesh) in missing:
             yield _missing(subject, mesh)
 

@@ -44,7 +44,7 @@ _WRITTEN_ABSOLUTE = r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.FILES), help="refer to it as package://PACKAGE/...")
 def check(subject: Subject) -> Findings:
     for mesh in subject.files.meshes:
-        path = mesh.located.path
+        path = mesh.located.path or mesh.located.outside
         if path is None:
             continue
         if _is_absolute(mesh):

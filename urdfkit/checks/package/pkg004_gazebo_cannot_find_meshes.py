@@ -15,6 +15,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
@@ -23,7 +24,7 @@ from urdfkit.ros.gazebo.paths import survey
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.ros.moveit.samples import named_xml
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Source, Span
+from urdfkit.text.source import Span
 
 NAME = "urdf/bot.urdf"
 _VISUAL = visual_xml('<mesh filename="package://bot_description/meshes/base.stl"/>')
@@ -58,7 +59,10 @@ def check(subject: Subject) -> Findings:
     seen = survey(packages.workspace(subject.source.path), subject.resolver.folders)
     if seen.is_reported or seen.starter is None:
         return
-    starter = Source.read(seen.starter)
+    try:
+        starter = subject.resolver.read(seen.starter)
+    except UnreadableFile:  # a link that leads outside
+        return
     variable = "GZ_SIM_RESOURCE_PATH" if subject.targets.any_of(_GZ) else "GAZEBO_MODEL_PATH"
     for package, meshes in found.items():
         more = f", nor {len(meshes) - 1} more of this package" if len(meshes) > 1 else ""

@@ -25,12 +25,14 @@ from __future__ import annotations
 
 from urdfkit.checks.package.build_files import not_registered, other_name
 from urdfkit.checks.package.samples import robot_of_package
+from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
 from urdfkit.workspace.package_references import are_in
@@ -66,11 +68,12 @@ def check(subject: Subject) -> Findings:
         yield from other_name(*home)
         yield from not_registered(*home)
     file = nearest_manifest(path)
-    try:
-        source = resolver.read(file) if file else None
-    except UnreadableFile:
+    if file is None or disk.is_link(file):  # which may lead anywhere
         return
-    if source is None:
+    try:
+        data = resolver.text(file)
+        source = Source.read(file) if data is None else Source(file, data)
+    except UnreadableFile:
         return
     document, problems = read_xml(source)
     broken = [problem for problem in problems if problem.code in _BROKEN]
@@ -90,6 +93,9 @@ def _missing(package: Element) -> Findings:
     for tag in REQUIRED:
         if tag not in tags:
             yield Finding(Location(package.span), f"the package has no <{tag}>", f"write a <{tag}>")
+    for tag in ("name", "version", "description", "export"):
+        for again in package.all(tag)[1:]:
+            yield Finding(Location(again.span), f"duplicate <{tag}>", "keep one")
 
 
 def _tags(package: Element) -> Findings:
@@ -112,6 +118,18 @@ def _values(package: Element) -> Findings:
     if version and not _is_version(version.text.strip()):
         message = f"version '{version.text.strip()}' does not have three numbers"
         yield Finding(Location(version.span), message, "write it as 1.0.0")
+    for maintainer in package.all("maintainer"):
+        if not maintainer.get("email"):
+            yield Finding(
+                Location(maintainer.span), "the maintainer has no email", 'write email="..."'
+            )
+    for child in package.all("license"):
+        if not child.text.strip():
+            yield Finding(Location(child.span), "the license is empty", "name the licence")
+    own = name.text.strip() if name else ""
+    for child in package.children:
+        if own and child.tag.endswith("depend") and child.text.strip() == own:
+            yield Finding(Location(child.span), "the package depends on itself", "remove it")
 
 
 def _is_name(text: str) -> bool:

@@ -11,13 +11,15 @@ The parser of ros2_control throws an exception and the controller manager does n
 Reported as a warning are unknown elements in a joint, sensor or GPIO, which are ignored; an
 interface whose name is nearly a standard one, or that the simulator does not offer; a misspelt
 `initial_value`; and values of `min`, `max` and `initial_value` that are not numbers.
-Interfaces with other names are legal, since hardware and controller agree on them. The
-`<hardwareInterface>` of a transmission of ROS 1 is checked in the same way.
+Interfaces with other names are legal, since hardware and controller agree on them. `<ec_module>` is
+read by the EtherCAT driver. The `<hardwareInterface>` of a transmission of ROS 1 is checked in the
+same way.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
     ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
     ros2_control, mock components: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/mock_components_userdoc.rst
+    ethercat_driver_ros2: https://github.com/ICube-Robotics/ethercat_driver_ros2
     gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
 """
 

@@ -5,11 +5,34 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject
 from urdfkit.ros.moveit.config import group_entries, joint_entries, names_without_settings
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.text.located_yaml import Value
+
+_SOLVERS = (
+    "bio_ik/BioIKKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedKDLKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedSrvKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedTRACKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedUR10KinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedUR3KinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedUR5KinematicsPlugin",
+    "kdl_kinematics_plugin/KDLKinematicsPlugin",
+    "lma_kinematics_plugin/LMAKinematicsPlugin",
+    "pick_ik/PickIkPlugin",
+    "prbt_manipulator/IKFastKinematicsPlugin",
+    "srv_kinematics_plugin/SrvKinematicsPlugin",
+    "trac_ik_kinematics_plugin/TRAC_IKKinematicsPlugin",
+    "ur_kinematics/UR10KinematicsPlugin",
+    "ur_kinematics/UR3KinematicsPlugin",
+    "ur_kinematics/UR5KinematicsPlugin",
+)
+#: The plugins of IKFast are named after the robot, and are similar.
+_OF_ROBOTS = "IKFast"
+_SOLVER_TYPO = 0.93
 
 #: Groups that a help names.
 _NAMED = 8
@@ -19,6 +42,7 @@ def unknown_names(subject: Subject, srdf: Srdf) -> Findings:
     """The unknown joints, groups, controllers and solvers in the configuration files."""
     yield from _joint_limits(subject)
     yield from _groups(subject, srdf)
+    yield from _solvers(subject, srdf)
     yield from _controllers(subject, srdf)
 
 
@@ -58,6 +82,20 @@ def _few(names: Iterable[str]) -> str:
     every = [f"'{name}'" for name in sorted(names)]
     more = [f"{len(every) - _NAMED} more"] if len(every) > _NAMED else []
     return ", ".join([*every[:_NAMED], *more])
+
+
+def _solvers(subject: Subject, srdf: Srdf) -> Findings:
+    """Solvers that urdfkit does not know are assumed to be in the workspace, but for typos."""
+    for entry in group_entries(srdf, subject.resolver):
+        solver = entry.values.get("kinematics_solver")
+        if entry.name not in srdf.known("group") or not isinstance(solver, Value):
+            continue
+        if solver.text in _SOLVERS or _OF_ROBOTS in solver.text:
+            continue
+        if suggested := nearest(solver.text, _SOLVERS, _SOLVER_TYPO):
+            hint = f"unknown solver '{solver.text}'; did you mean '{suggested}'?"
+            message = f"group '{entry.name}': {hint}"
+            yield Finding(Location(solver.span), message, f"write {suggested}")
 
 
 def _controllers(subject: Subject, srdf: Srdf) -> Findings:

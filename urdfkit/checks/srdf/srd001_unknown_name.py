@@ -10,6 +10,8 @@
   limits of the URDF and no bound on acceleration.
 - `kinematics.yaml` or `ompl_planning.yaml` for an unknown group (warning): MoveIt plans with the
   default planner, and without inverse kinematics.
+- `kinematics.yaml` with a misspelt solver: "The kinematics plugin (arm) failed to load", and the
+  group cannot be moved to a pose.
 - `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml` with an unknown
   joint, or with a controller that has no settings: "Unable to identify any set of controllers that
   can actuate the specified joints".

@@ -11,11 +11,17 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.robot.model import Link, RobotModel
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
+from urdfkit.text.editing.edits import from_macro, insert_before
 
 BAD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
-GOOD = robot_xml(link_xml("root"), joint_xml("fixed", parent="root", child="base"), BAD)
+FIXED = GOOD = robot_xml(
+    link_xml("base_root"),
+    joint_xml("fixed", name="base_root_joint", parent="base_root", child="base"),
+    BAD,
+)
 TARGETS = ("kdl",)
 
 
@@ -36,4 +42,28 @@ def check(subject: Subject) -> Findings:
             f"root link '{root.name}' has "
             + (f"{mass.value:g} kg" if mass else "an inertia")
             + ", which KDL ignores",
+            # For others than KDL, such as Gazebo, another root would change more than it fixes.
+            fix=_empty_root(root, subject.model) if "kdl" in subject.targets.names else None,
         )
+
+
+def _empty_root(root: Link, model: RobotModel) -> Fix | None:
+    """A massless link and a fixed joint above the root."""
+    name = f"{root.name}_root"
+    joint = f"{name}_joint"
+    literal = root.at.attributes["name"].literal
+    if (
+        not literal
+        or from_macro(root.at)
+        or name in model.links_by_name
+        or joint in model.joints_by_name
+    ):
+        return None
+    lines = (
+        f'<link name="{name}"/>',
+        f'<joint name="{joint}" type="fixed">',
+        f'  <parent link="{name}"/>',
+        f'  <child link="{root.name}"/>',
+        "</joint>",
+    )
+    return Fix(f"add an empty link '{name}' above '{root.name}'", insert_before(root.at, lines))

@@ -73,7 +73,7 @@ def _is_ament(subject: Subject) -> bool:
     if package is None:
         return False
     try:
-        manifest = Source.read(os.path.join(package[1], "package.xml"))
+        manifest = subject.resolver.read(os.path.join(package[1], "package.xml"))
     except UnreadableFile:  # a package of rosbuild has another file
         return False
     return b"<build_type>ament" in manifest.data

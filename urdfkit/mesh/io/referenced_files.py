@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.workspace.package_folders import is_within
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
@@ -21,10 +23,10 @@ def find_image(name: str, directory: str) -> str | None:
 
     plain = name.strip().removeprefix("file://").replace("\\", "/")
     for path in dict.fromkeys((plain, unquote(plain), os.path.basename(unquote(plain)))):
-        found = os.path.join(directory, path)
+        found = os.path.normpath(os.path.join(directory, path))
         try:
-            if disk.is_file(found):
-                return os.path.normpath(found)
+            if disk.is_file(found) and _may_be_read(found, directory):
+                return found
         except ValueError:  # a NUL in the name
             return None
     return None
@@ -60,7 +62,7 @@ class ReferencedFiles:
         """What another file holds; None if it is not there, or has more than some bytes."""
         path = place(name, self._directory)
         self._files.append(path)
-        data = read(path, most)
+        data = read(path, most, self._directory)
         if data is None:
             self._missing.append(name)
         return data
@@ -79,11 +81,35 @@ def place(name: str, directory: str) -> str:
     return os.path.normpath(os.path.join(directory, name.replace("\\", "/")))
 
 
-def read(path: str, most: int) -> bytes | None:
-    """What a file holds; None if it is not there, or has more than some bytes."""
+def read(path: str, most: int, directory: str) -> bytes | None:
+    """What a file holds that a mesh file in a directory names.
+
+    None if it is not there, lies outside the workspace or package of the mesh, or has more than
+    some bytes.
+    """
     try:
         if not disk.is_file(path) or disk.state(path).st_size > most:
+            return None
+        if not _may_be_read(path, directory):
             return None
         return disk.read(path, most)
     except (OSError, ValueError):
         return None
+
+
+def _may_be_read(path: str, directory: str) -> bool:
+    """True for a file in the directory of a mesh file, or else in its workspace."""
+    real = disk.real(path)
+    if is_within(real, disk.real(directory)):
+        return True
+    return any(is_within(real, root) for root in _roots(directory))
+
+
+@lru_cache(maxsize=256)
+def _roots(directory: str) -> tuple[str, ...]:
+    """The workspaces of a directory: of its path, and of where that leads."""
+    from urdfkit.workspace.resolve import Resolver  # few meshes name files of other directorys
+
+    packages = Resolver().packages
+    near = (os.path.join(at, "x") for at in (os.path.abspath(directory), disk.real(directory)))
+    return tuple(disk.real(packages.workspace(one)) for one in near)

@@ -12,6 +12,7 @@ from xml.etree.ElementTree import Element, SubElement
 from urdfkit.lint.report import Report
 from urdfkit.lint.rule_index import NOT_CHECKED
 from urdfkit.output.formats._paths import posix
+from urdfkit.output.formats._xml import xml_text
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 
@@ -30,7 +31,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 
 def _suite(root: Element, path: str, report: Report) -> None:
-    suite = SubElement(root, "testsuite", name=_xml_text(path))
+    suite = SubElement(root, "testsuite", name=xml_text(path))
     by_rule: dict[str, list[Diagnostic]] = {}
     for diagnostic in report.diagnostics:
         is_skipped = diagnostic.code == NOT_CHECKED  # it is in the list of these
@@ -46,11 +47,11 @@ def _suite(root: Element, path: str, report: Report) -> None:
     for skip in report.skipped:
         if posix(skip.path) == path:
             case = _new_case(suite, path, skip.code or "check")
-            SubElement(case, "skipped", message=_xml_text(reported.get(path, skip.reason)))
+            SubElement(case, "skipped", message=xml_text(reported.get(path, skip.reason)))
     for crash in report.crashed:
         if posix(crash.path) == path:
             case = _new_case(suite, path, crash.code or "check")
-            SubElement(case, "error", message=_xml_text(crash.error)).text = _xml_text(
+            SubElement(case, "error", message=xml_text(crash.error)).text = xml_text(
                 crash.traceback
             )
     if not len(suite):
@@ -58,27 +59,27 @@ def _suite(root: Element, path: str, report: Report) -> None:
 
 
 def _new_case(suite: Element, path: str, name: str) -> Element:
-    return SubElement(suite, "testcase", classname=_xml_text(path), name=_xml_text(name))
+    return SubElement(suite, "testcase", classname=xml_text(path), name=xml_text(name))
 
 
 def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -> None:
     case = _new_case(suite, path, name)
-    case.set("file", _xml_text(path))
+    case.set("file", xml_text(path))
     case.set("line", str(diagnostics[0].span.line))
     variants = dict.fromkeys(name for found in diagnostics for name in found.variants)
     if all(found.variants for found in diagnostics):
         properties = SubElement(case, "properties")
-        value = _xml_text(", ".join(variants))
+        value = xml_text(", ".join(variants))
         SubElement(properties, "property", name="variants", value=value)
     failures = [d for d in diagnostics if d.severity is not Severity.INFO]
     if failures:
         failure = SubElement(
-            case, "failure", type=failures[0].severity.value, message=_xml_text(failures[0].message)
+            case, "failure", type=failures[0].severity.value, message=xml_text(failures[0].message)
         )
-        failure.text = _xml_text("\n".join(map(_line, failures)))
+        failure.text = xml_text("\n".join(map(_line, failures)))
     infos = [d for d in diagnostics if d.severity is Severity.INFO]
     if infos:
-        SubElement(case, "system-out").text = _xml_text("\n".join(map(_line, infos)))
+        SubElement(case, "system-out").text = xml_text("\n".join(map(_line, infos)))
 
 
 def _line(diagnostic: Diagnostic) -> str:
@@ -93,12 +94,3 @@ def _count(root: Element) -> None:
         for kind, attribute in (("failure", "failures"), ("error", "errors")):
             element.set(attribute, str(sum(case.find(kind) is not None for case in cases)))
         element.set("skipped", str(sum(case.find("skipped") is not None for case in cases)))
-
-
-def _xml_text(text: str) -> str:
-    """A text without the characters that XML cannot hold."""
-    return "".join(
-        char if char in "\t\n" or (char >= " " and not "\ud800" <= char <= "\udfff") else "?"
-        for char in text
-        if char not in "\ufffe\uffff"
-    )

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.physics.gravity import Load, gravity_loads
+from urdfkit.physics.gravity import Load, gravity_loads, is_searched
 from urdfkit.physics.gravity_model import GravityModel
 
 if TYPE_CHECKING:
@@ -28,12 +28,14 @@ class Statics(Record):
         poses: how many were looked at before the climbs.
         mass: of the robot with its payload, in kg.
         payload: masses in kg by link.
+        searched: False for more than `MAX_SEARCHED` joints, whose worst loads are those at zero.
     """
 
     loads: tuple[Load, ...]
     poses: int
     mass: float
     payload: dict[str, float]
+    searched: bool
 
     @property
     def weakest(self) -> Load | None:
@@ -66,4 +68,5 @@ def statics(
     starts = model.starts(samples, seed)
     found = gravity_loads(model, wanted, starts, pose or {}, progress)
     mass = robot.mass_properties().mass
-    return Statics(tuple(found), len(starts), mass, dict(robot.payload))
+    searched = is_searched(len(found))
+    return Statics(tuple(found), len(starts), mass, dict(robot.payload), searched)

@@ -143,6 +143,7 @@ class MeshFiles:
             mesh
             for mesh in self.meshes
             if mesh.located.path is None
+            and mesh.located.outside is None
             and (mesh.located.package is None or mesh.located.folder is not None)
             and mesh.located.scheme in ("package", "model", "absolute", "relative")
         )

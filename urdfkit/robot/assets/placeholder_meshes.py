@@ -195,6 +195,8 @@ def unusable(robot: Robot) -> Iterator[tuple[str, tuple[MeshReference, ...], str
 def _place(mesh: MeshReference) -> tuple[str, str]:
     """Where the file of a reference belongs, and what is wrong with it; empty if nothing is."""
     located = mesh.located
+    if located.outside is not None:
+        return located.outside, ""
     if located.path is None:
         return (located.tried[0] if located.tried else located.reference), "does not exist"
     return located.path, mesh.facts.defect.reason if mesh.facts and mesh.facts.defect else ""

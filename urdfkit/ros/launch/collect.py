@@ -73,11 +73,13 @@ class Collector:
         return directory
 
     def file(self, path: str, span: Span, purpose: str) -> bool:
-        """Record that a file is needed; True if it exists."""
+        """Record that a file is needed; True if it exists and may be read."""
         if path.startswith(f"{UNKNOWN}/"):
             return False  # its package is reported already
-        exists = disk.exists(path) or self.resolver.installed(path) is not None
-        self.files.append(FileUse(span.text, path, exists, span, purpose))
+        there = path if disk.exists(path) else self.resolver.installed(path)
+        is_outside = there is not None and not self.resolver.admits(there)
+        exists = there is not None and not is_outside
+        self.files.append(FileUse(span.text, path, exists, span, purpose, is_outside))
         return exists
 
     def command(self, text: str, span: Span, frame: CallFrame) -> None:

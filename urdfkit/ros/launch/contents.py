@@ -38,9 +38,10 @@ class FileUse(Record):
     Attributes:
         text: as written.
         path: with its expressions resolved; absolute.
-        exists: False if nothing is there.
+        exists: False if nothing is there, or nothing that may be read.
         span: where it is named.
         purpose: such as ``RViz configuration``.
+        is_outside: True if it is there and may not be read.
     """
 
     text: str
@@ -48,6 +49,7 @@ class FileUse(Record):
     exists: bool
     span: Span
     purpose: str
+    is_outside: bool = False
 
 
 class PackageUse(Record):
