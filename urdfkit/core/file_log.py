@@ -1,8 +1,8 @@
 """What a run has asked of the file system and of the environment, and whether it still holds.
 
-An answer is a text. That of a file or a folder begins with its time of change, size and inode: as
-long as these are the same and older than the answer, the content is, too. Else the content itself
-is compared, by its hash.
+An answer is a text. That of a folder, or of a file that was read, begins with its time of change,
+size and inode: as long as these are the same and older than the answer, the content is, too. Else
+the content itself is compared, by its hash.
 """
 
 from __future__ import annotations
@@ -31,8 +31,9 @@ class FileLog:
 
     Attributes:
         answers: by kind and path. ``r`` is a file that was read, with the number of bytes if not
-            the whole; ``s`` the type and size of a file, ``k`` its type alone, ``l`` whether it is
-            a link, ``d`` the names in a folder, ``p`` where a path leads, ``v`` a variable.
+            the whole; ``t`` its time of change, ``s`` the type and size of a file, ``k`` its type
+            alone, ``l`` whether it is a link, ``d`` the names in a folder, ``p`` where a path
+            leads, ``v`` a variable.
         is_complete: False if the result depends on something else as well, or a file changed.
     """
 
@@ -51,6 +52,10 @@ class FileLog:
         known = self.answers.get((kind, path), NOTHING)
         if not known.startswith(f"{_time(state)} "):  # else it was hashed already
             self._note(kind, path, f"{_time(state)} {_digest(data)}")
+
+    def time(self, path: str) -> None:
+        """A file is one that another time of change makes another file."""
+        self._note("t", path, _time(_state(path)))
 
     def state(self, path: str, state: os.stat_result | None) -> None:
         """The type and the size of a file were looked at."""
@@ -114,6 +119,8 @@ def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
         now = os.path.realpath(path)
     elif kind == "l":
         now = _link(_state(path, follow=False))
+    elif kind == "t":
+        now = _time(_state(path))
     else:
         now = (_size if kind == "s" else _type)(_state(path))
     return answer if now == answer else None
@@ -121,7 +128,7 @@ def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
 
 def _content_again(kind: str, path: str, answer: str, since: int) -> str | None:
     state = _state(path)
-    time = NOTHING if state is None else _time(state)
+    time = _time(state)
     if state is not None and answer.startswith(f"{time} ") and state.st_mtime_ns + _RACE_NS < since:
         return answer
     try:
@@ -142,8 +149,8 @@ def _state(path: str, *, follow: bool = True) -> os.stat_result | None:
         return None
 
 
-def _time(state: os.stat_result) -> str:
-    return f"{state.st_mtime_ns} {state.st_size} {state.st_ino}"
+def _time(state: os.stat_result | None) -> str:
+    return NOTHING if state is None else f"{state.st_mtime_ns} {state.st_size} {state.st_ino}"
 
 
 def _type(state: os.stat_result | None) -> str:

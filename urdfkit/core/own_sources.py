@@ -20,5 +20,5 @@ def note_sources() -> None:
         folders[:] = [name for name in folders if name != "__pycache__"]
         files.update(os.path.join(parent, name) for name in names if name.endswith(".json"))
     for file in files:
-        if file.startswith(_PACKAGE) and ("r", file) not in log.answers:
-            disk.read(file)
+        if file.startswith(_PACKAGE):
+            log.time(file)  # to hash them all would be a tenth of a check
