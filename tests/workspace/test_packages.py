@@ -357,3 +357,18 @@ def test_the_package_around_a_clone_is_not_its_own(tmp_path: Path) -> None:
     assert packages.enclosing(near) is None
     assert packages.workspace(near) == str(outer / "third_party" / "arm")
     assert next(packages.candidates("outer", near), None) is None
+
+
+def test_a_robot_without_a_package_belongs_to_the_folder_of_its_meshes(tmp_path: Path) -> None:
+    near = add_file(tmp_path / "arm" / "urdf" / "arm.urdf")
+    assert root(near) == (str(near.parent), "")
+    add_file(tmp_path / "arm" / "meshes" / "link.stl")
+    assert root(near) == (str(tmp_path / "arm"), "")
+    add_package(near.parent, "arm")
+    assert root(near) == (str(near.parent), "")
+
+
+def test_meshes_far_above_a_robot_are_not_its_own(tmp_path: Path) -> None:
+    add_file(tmp_path / "arm" / "meshes" / "link.stl")
+    near = add_file(tmp_path / "arm" / "a" / "b" / "c" / "arm.urdf")
+    assert root(near) == (str(near.parent), "")

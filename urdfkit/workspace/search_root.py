@@ -9,8 +9,10 @@ nothing. Going up from the package of a file, the root is
    on to the repository that has it;
 3. else, as in an archive that was unpacked, the outermost folder, not itself a package, with a
    file that belongs to the top of a repository: ``LICENSE``, ``.gitignore``, ``urdfkit.toml``...;
-4. else nothing is known, and it is the package (or the file's own folder). The packages next to it
-   count if their folder holds packages only, and no repository.
+4. else the package; its neighbours count if their folder holds packages only, and no repository;
+5. for a file in no package the folder that has its ``meshes``, as ``arm`` of ``arm/urdf/arm.urdf``
+   and ``arm/meshes``;
+6. else the file's own folder.
 
 Home and the folders that hold the things of many (``/tmp``, ``/opt``) are never in it.
 """
@@ -30,6 +32,8 @@ DEPTH_OF_REPOSITORIES = 2
 
 _CATKIN = (".catkin_workspace", ".catkin_tools")
 _COLCON = ("install", "build", "log")
+#: Folders next to that of a description; a robot's are in one of so many folders from its own up.
+_NEXT_TO_URDF, _LEVELS_TO_MESHES = ("meshes", "mesh"), 3
 #: What lies at the top of a repository, also where an archive left out ``.git``.
 _AT_THE_TOP = (
     r"(?i)(?:licen[sc]e|copying)(?:[.-].*)?|\.git(?:hub|ignore|attributes|modules|lab-ci\.yml)"
@@ -125,7 +129,8 @@ class SearchRoots:
                 root, is_closed = Root(folder, mark), False
             elif not is_closed and ".git" in self._folders.names_in(folder):
                 root, is_closed = Root(folder, ".git"), self._folders.is_repository(folder)
-        return root or self._unpacked(above) or Root(above[0] if above else start, "")
+        root = root or self._unpacked(above)
+        return root or Root(self._with_meshes(start, above) or (above or [start])[0], "")
 
     def _unpacked(self, above: list[str]) -> Root | None:
         """The root of a repository without its ``.git``, as in an archive."""
@@ -134,6 +139,16 @@ class SearchRoots:
             mark = next((n for n in sorted(names) if re.fullmatch(_AT_THE_TOP, n)), "")
             if mark:
                 return Root(folder, mark)
+        return None
+
+    def _with_meshes(self, start: str, above: list[str]) -> str | None:
+        """The folder of a robot that was copied without its ``package.xml``."""
+        if self.enclosing(start):
+            return None
+        for folder in above[:_LEVELS_TO_MESHES]:
+            names = self._folders.names_in(folder)
+            if any(names.get(name) for name in _NEXT_TO_URDF):
+                return folder
         return None
 
     def _mark_of_workspace(self, folder: str, above: list[str]) -> str:
