@@ -49,6 +49,16 @@ def test_each_way_for_itself() -> None:
     assert from_to(both, box) == pytest.approx(0.5)
 
 
+def test_points_within_faces_alone_may_count() -> None:
+    corners = np.array([(1.0, 1, 0), (1, -1, 0), (-1, -1, 0), (-1, 1, 0)])
+    faces = np.array([(0, 1, 2), (0, 2, 3)])
+
+    def are_inner(points: np.ndarray) -> np.ndarray:
+        return np.abs(points).max(axis=1) < 0.9
+
+    assert one_way(corners, faces, np.add(corners, (0, 0, 3)), faces, are_inner) == pytest.approx(3)
+
+
 def test_points_far_and_near_against_trimesh() -> None:
     pytest.importorskip("rtree")
     random = np.random.default_rng(3)

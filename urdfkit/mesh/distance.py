@@ -60,8 +60,8 @@ def one_way(
             return 0.0
     triangles = other_vertices[other_faces]
     # trimesh knows what is small by its number, so the surfaces are made about 1 large.
-    low = np.minimum(many.min(axis=0), triangles.min(axis=(0, 1)))
-    high = np.maximum(many.max(axis=0), triangles.max(axis=(0, 1)))
+    every = np.concatenate([many, spread, triangles.reshape(-1, 3)])
+    low, high = every.min(axis=0), every.max(axis=0)
     size = float((high - low).max()) or 1.0
     many, spread, triangles = ((points - low) / size for points in (many, spread, triangles))
     other = _Surface(triangles)

@@ -110,8 +110,8 @@ def fix_value(at: Element | Attribute, text: str | None) -> Fix | None:
     """The fix that writes another value; None without one, or where it cannot be written."""
     if not text:
         return None
-    title = f'write {at.name}="{text}"' if isinstance(at, Attribute) else f"write {text}"
-    return Fix.of(title, rewrite(at, text))
+    written = f'{at.name}="{text}"' if isinstance(at, Attribute) else f"<{at.tag}>{text}</{at.tag}>"
+    return Fix.of(f"write {written}", rewrite(at, text))
 
 
 def fix_tag(element: Element, tag: str | None) -> Fix | None:
