@@ -68,3 +68,15 @@ def test_no_overlap_is_over_100_percent() -> None:
     assert messages("COL001", "".join(parts)) == [
         "link 'rod' overlaps adjacent link 'plate' by 260 mm, all of its thickness"
     ]
+
+
+@pytest.mark.parametrize(("size", "count"), [("0", 0), ("0.001", 1)])
+def test_a_shape_without_a_size_is_none(size: str, count: int) -> None:
+    """Reachy's antennas have a cylinder of no length and no radius in the head."""
+    antenna = collision(f'<cylinder radius="{size}" length="{size}"/>')
+    parts = (
+        f'<link name="head">{visual(PALM)}{collision(box(0.1, 0.1, 0.1))}</link>',
+        f'<link name="antenna">{antenna}</link>',
+        joint("head", "antenna", "continuous"),
+    )
+    assert len(messages("COL004", "".join(parts))) == count

@@ -124,6 +124,8 @@ def _needs(name: str, near: str, resolver: Resolver) -> frozenset[str]:
     manifest = manifest_of(resolver, os.path.join(folder, "package.xml"))
     if manifest is None or not resolver.packages.searches(folder, near):
         return frozenset()
+    if manifest.package != name and comes_with_ros(name):
+        return frozenset()  # a folder such as xacro/ or urdf/ of another package
     files = resolver.folders.files_below(folder, MAX_FOLDERS)
     texts = [
         Source(path, read_head(path, MAX_BYTES))

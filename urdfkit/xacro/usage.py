@@ -13,6 +13,7 @@ _EXPRESSION = rb"\$\{([^}]*)\}"
 _COMMAND = rb"\$\(([^)]*)\)"
 _WORD = rb"[A-Za-z_]\w*"
 _NAME_BEFORE = rb"(\w+)\s*:?=\s*\Z"
+_ARGUMENT = rb"""\barg(?:\s+|\(\s*["'])([^\s"')]+)"""
 _INSERTED = rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)"""
 _TAG = rb"<xacro:([\w.]+)"
 
@@ -28,11 +29,13 @@ class Usage(Record):
         names: every word in an expression, forwarded parameters and inserted blocks.
         calls: the last parts of all ``<xacro:...>`` tags; ``call`` for a dynamic call.
         includes: places of the include tags, as (path, offset).
+        arguments: names in ``$(arg name)`` and ``xacro.arg('name')``.
     """
 
     names: frozenset[str]
     calls: frozenset[str]
     includes: frozenset[tuple[str, int]]
+    arguments: frozenset[str]
 
 
 def usage(sources: Iterable[Source]) -> Usage:
@@ -40,12 +43,14 @@ def usage(sources: Iterable[Source]) -> Usage:
     names: set[bytes] = set()
     calls: set[bytes] = set()
     includes: set[tuple[str, int]] = set()
+    arguments: set[bytes] = set()
     for source in sources:
         data = blank_comments(source.data)
         # Not behind the last bracket: there every opening one is searched for to the end.
         expressions = re.findall(_EXPRESSION, data[: data.rfind(b"}") + 1])
         expressions += re.findall(_COMMAND, data[: data.rfind(b")") + 1])
         names.update(re.findall(_WORD, b" ".join(expressions)))
+        arguments.update(re.findall(_ARGUMENT, b" ".join(expressions)))
         names.update(_forwarded(data))
         names.update(re.findall(_INSERTED, data))
         for tag in re.finditer(_TAG, data):
@@ -56,6 +61,7 @@ def usage(sources: Iterable[Source]) -> Usage:
         frozenset(name.decode() for name in names),
         frozenset(call.decode() for call in calls),
         frozenset(includes),
+        frozenset(name.decode(errors="replace") for name in arguments),
     )
 
 

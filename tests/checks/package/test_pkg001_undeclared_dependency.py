@@ -98,6 +98,20 @@ def test_two_packages_that_use_one_another_get_no_fix(tmp_path: Path) -> None:
     assert found.fix is None
 
 
+def test_a_folder_of_a_package_is_none_of_that_name(tmp_path: Path) -> None:
+    """unitree_ros: the robot lies in xacro/, and the package that it uses depends on `xacro`."""
+    arm = tmp_path / "arm" / "xacro" / "arm.xacro"
+    reported(tmp_path, HAND)
+    arm.parent.mkdir()
+    (tmp_path / "arm" / "arm.xacro").rename(arm)
+    (tmp_path / "hand" / "package.xml").write_text(
+        "<package><name>hand</name><depend>xacro</depend></package>"
+    )
+    (found,) = check(arm, select=["PKG001"]).diagnostics
+    assert found.help == "add <run_depend>hand</run_depend> to package.xml"
+    assert found.fix is not None
+
+
 NODE = '<node name="n" pkg="{}" type="t"/>'
 
 

@@ -6,7 +6,7 @@ in every step. Make the outer geometry smaller, or move the inner one to where t
 that contains several others is reported once. Not reported is a link with links fixed to it that
 extend outside, such as the rotor of a motor; nor what is inside an envelope: a link without visual,
 or with a transparent one, fixed to one that has it, such as the capsules for self-collision of
-Franka's arms and safety boxes around tools.
+Franka's arms and safety boxes around tools; nor a shape without any size, which stands for none.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -52,6 +52,8 @@ def check(subject: Subject) -> Findings:
     for pair in subject.collisions.contacts.pairs:
         if not pair.is_rigid and pair.is_out_of_reach and pair.is_permanent:
             assert pair.contact is not None
+            if _is_point(subject.model, pair.contact.small):
+                continue  # it stands for no shape: GEO001
             contained.setdefault(pair.contact.large.link, []).append(pair.contact)
     for name, contacts in contained.items():
         if _is_envelope(subject, name):
@@ -75,6 +77,11 @@ def _is_envelope(subject: Subject, name: str) -> bool:
         and any(link.visuals for link in links if link.name != name)
         for links in bodies
     )
+
+
+def _is_point(model: RobotModel, body: CollisionBody) -> bool:
+    shape = model.links_by_name[body.link].collisions[body.number].shape
+    return shape is not None and shape.half_extents is not None and not any(shape.half_extents)
 
 
 def _is_transparent(material: Material | None) -> bool:

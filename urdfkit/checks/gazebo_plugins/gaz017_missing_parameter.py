@@ -1,7 +1,8 @@
 """A required parameter of a plugin is missing.
 
 Some tags have no default, or one that names a joint which this robot does not have: the plugin
-writes an error and stays idle, and some end the whole simulator.
+writes an error and stays idle, and some end the whole simulator. A tag with an argument of the
+xacro that is empty unless it is passed is not reported.
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -16,6 +17,7 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Parameter, Plugin
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
+from urdfkit.text.document import Attribute, Element
 
 BAD = robot_xml(
     solid_xml("arm"),
@@ -33,7 +35,7 @@ def check(subject: Subject) -> Findings:
 
 
 def _missing(use: PluginUse, plugin: Plugin, subject: Subject) -> Findings:
-    given = {item.path for item in use.items if item.text}
+    given = {item.path for item in use.items if item.text or _is_of_argument(item.at)}
     blocks = {item.path for item in use.items}
     for parameter in plugin.parameters.values():
         block = parameter.name.rpartition("/")[0]
@@ -48,6 +50,14 @@ def _missing(use: PluginUse, plugin: Plugin, subject: Subject) -> Findings:
     if plugin.any_of and given.isdisjoint(plugin.any_of):
         wanted = " or ".join(f"<{name}>" for name in plugin.any_of)
         yield Finding(use.at, f"{use.title}: {wanted} is required", f"add {wanted}")
+
+
+def _is_of_argument(at: Element | Attribute) -> bool:
+    """True if its value is that of an argument of the xacro, which is empty unless it is passed."""
+    if isinstance(at, Attribute):
+        return False
+    tag = at.tag_at
+    return tag.source.data[tag.inner_start : tag.close].strip().startswith(b"$(arg ")
 
 
 def _is_of_another(use: PluginUse) -> bool:

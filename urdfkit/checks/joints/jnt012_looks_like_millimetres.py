@@ -9,7 +9,8 @@ Lengths are metres in URDF.
   the longest part of the robot. A gripper that opens by 30 m instead of 30 mm flies apart in the
   simulator.
 - A shape is reported if it is 5 m or more, fifty times as long as the rest of the robot, and
-  thicker than all of that: in RViz it is a wall, with which everything collides.
+  thicker than all of that: in RViz it is a wall, with which everything collides. If most links are
+  so large, they are the walls of a scene and are not reported.
 
 Divide by 1000.
 
@@ -129,6 +130,7 @@ def _shapes(model: RobotModel) -> Findings:
                 sizes.setdefault(link.name, []).append((2 * max(half), 2 * min(half), body))
     rest = [size for found in sizes.values() for size, _, _ in found if size < _MIN_SIZE]
     longest = max(rest, default=0.0)
+    suspects: list[tuple[str, list[tuple[float, Body]]]] = []
     for name, bodies in sizes.items() if rest else ():
         # A rail may be long; what is in millimetres is thick as well.
         found = [
@@ -136,9 +138,14 @@ def _shapes(model: RobotModel) -> Findings:
             for size, thickness, body in bodies
             if size >= max(_MIN_SIZE, _TIMES_THE_REST * longest) and thickness > longest
         ]
-        if not found or any(word in name.lower() for word in _GROUNDS):
-            continue
-        (size, body), *others = found
+        if found and not any(word in name.lower() for word in _GROUNDS):
+            suspects.append((name, found))
+    usual = [
+        name for name, bodies in sizes.items() if min(size for size, _, _ in bodies) < _MIN_SIZE
+    ]
+    if len(suspects) > len(usual):
+        return  # the walls of a scene
+    for name, ((size, body), *others) in suspects:
         yield Finding(
             body.shape.at if body.shape else body.at,
             f"link '{name}': the {body.at.tag} is {size:g} m long, the rest of the robot at most "

@@ -48,7 +48,8 @@ def check(subject: Subject) -> Findings:
         xacro = subject.other_robot(description.path, description.arguments).reading.xacro
         if xacro is None or xacro.document is None:
             continue  # LAU004
-        known = {argument.name for argument in xacro.arguments}
+        # One that the xacro uses and does not declare must be passed.
+        known = {argument.name for argument in xacro.arguments} | xacro.usage.arguments
         call = description.frame.call.span
         # A launch file for any robot passes what some of them have.
         is_for_any = os.path.basename(description.path).encode() not in call.source.data

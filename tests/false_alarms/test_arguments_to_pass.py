@@ -1,0 +1,42 @@
+"""Arguments of a xacro that have no value unless they are passed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.gazebos import BASE, plugin
+from tests.launched import reported
+from tests.workspaces import add_file
+from urdfkit import check
+
+XACRO = '<robot name="$(arg model)" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}</robot>\n'
+DESCRIPTION = '<param name="robot_description" command="xacro $(dirname)/../r.xacro {}:=true"/>'
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        '<xacro:if value="$(arg DEBUG)"><link name="world"/></xacro:if>',
+        "<link name=\"${xacro.arg('DEBUG')}\"/>",
+    ],
+)
+def test_an_argument_that_is_used_and_not_declared(tmp_path: Path, use: str) -> None:
+    """Unitree's `DEBUG`, which every launch file passes; AR4's `name="$(arg ar_model)"`."""
+    robot = XACRO.replace("$(arg model)", "r").format(use)
+    for argument, count in (("DEBUG", 0), ("DEBUGS", 1)):
+        text = DESCRIPTION.format(f"DEBUG:=true {argument}")
+        found = reported(tmp_path / argument, "LAU005", "a.launch", text, {"r.xacro": robot})
+        assert [one.help for one in found] == ["pass one of: DEBUG"] * count
+
+
+@pytest.mark.parametrize(("value", "count"), [("$(arg file)", 0), ("${file}", 1), (" ", 1)])
+def test_a_parameter_that_the_launch_file_passes(tmp_path: Path, value: str, count: int) -> None:
+    """AR4 and Universal Robots: `simulation_controllers`, empty by default."""
+    given = '<xacro:arg name="file" default=""/><xacro:property name="file" value=""/>'
+    tags = plugin("gz_ros2_control-system", f"<parameters>{value}</parameters>")
+    robot = XACRO.replace("$(arg model)", "r").format(given + BASE + tags)
+    add_file(tmp_path / "r.urdf.xacro", robot.encode())
+    report = check(tmp_path / "r.urdf.xacro", select=["GAZ017"], targets=["gz-harmonic"])
+    assert len(report.diagnostics) == count
