@@ -44,7 +44,7 @@ class _Scan(click.Command):
     epilog=examples(
         "urdfkit scan partnet-mobility/ -o results",
         "urdfkit scan 'zoo/**/*.urdf' more.zip list.txt -o results --jobs 8",
-        "urdfkit scan /data/models -o /data/results --engine dask --address tcp://host:8786",
+        "urdfkit scan models/ -o results --engine dask --address tcp://host:8786",
         "urdfkit scan summary results",
     ),
 )

@@ -182,7 +182,8 @@ def test_a_fixed_wheel_is_not_reported() -> None:
 
 
 def test_the_depth_of_surfaces_is_not_trusted(tmp_path: Path) -> None:
+    here = str(tmp_path / "robot.urdf")
     solid = mesh(cube(tmp_path / "solid.stl", 0.02))
-    assert len(messages("COL001", wheel(0.035, solid).replace("-0.05", "-0.04"))) == 1
+    assert len(messages("COL001", wheel(0.035, solid).replace("-0.05", "-0.04"), here)) == 1
     hollow = mesh(cube(tmp_path / "hollow.stl", 0.02, 5))
-    assert messages("COL001", wheel(0.035, hollow).replace("-0.05", "-0.04")) == []
+    assert messages("COL001", wheel(0.035, hollow).replace("-0.05", "-0.04"), here) == []

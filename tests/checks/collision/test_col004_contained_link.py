@@ -40,12 +40,13 @@ def test_a_rotor_in_its_motor_turns_what_is_fixed_to_it(away: str, reported: int
 
 
 def test_meshes(tmp_path: Path) -> None:
+    here = str(tmp_path / "robot.urdf")
     small = mesh(cube(tmp_path / "small.stl", 0.05))
-    assert len(messages("COL004", wheel(small, "0 0 0"))) == 1
-    assert messages("COL004", wheel(small, "0 0 0.13")) == []
+    assert len(messages("COL004", wheel(small, "0 0 0"), here)) == 1
+    assert messages("COL004", wheel(small, "0 0 0.13"), here) == []
     hollow = link("chassis", mesh(cube(tmp_path / "hollow.stl", 0.3, 5)))
     joints = joint("chassis", "wheel", "continuous")
-    assert messages("COL004", hollow + link("wheel", small) + joints) == []
+    assert messages("COL004", hollow + link("wheel", small) + joints, here) == []
 
 
 def test_links_that_are_no_neighbours_count_too() -> None:

@@ -54,7 +54,9 @@ def robot(*parts: str, folder: Path | None = None) -> Subject:
     """The robot of some links and joints."""
     path = str(folder / "r.urdf") if folder else "r.urdf"
     text = f'<robot name="r">{"".join(parts)}</robot>'
-    return Subject(Source(path, text.encode()), Resolver(environment={}))
+    resolver = Resolver(environment={})
+    resolver.admit(path, trust=True)  # meshes of a test lie in its own directory
+    return Subject(Source(path, text.encode()), resolver)
 
 
 def stl(path: Path, triangles: list[list[list[float]]]) -> Path:

@@ -12,6 +12,8 @@ Sources:
 
 from __future__ import annotations
 
+from itertools import zip_longest
+
 from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
@@ -46,11 +48,21 @@ def check(subject: Subject) -> Findings:
 
 
 def _fix(element: Element, first: Element) -> Fix | None:
-    """Remove a copy of the first."""
-    texts = [one.tag_at.whole_span.text.split() for one in (element, first)]
-    if texts[0] != texts[1] or element.frame is not first.frame:
+    """Remove an exact copy of the first."""
+    if not _is_same(element, first):
         return None
     return Fix("remove the copy", remove_element(element), safe=True)
+
+
+def _is_same(one: Element, other: Element) -> bool:
+    """True if two elements hold the same, element by element."""
+    pairs = zip_longest(one.walk(), other.walk())
+    return all(a and b and _content(a) == _content(b) for a, b in pairs)
+
+
+def _content(element: Element) -> tuple[object, ...]:
+    values = {name: attribute.value.split() for name, attribute in element.attributes.items()}
+    return (element.tag, values, element.text.strip(), len(element.children))
 
 
 def _first(element: Element, parent: Element) -> Element:
