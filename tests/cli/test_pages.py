@@ -98,13 +98,15 @@ def shown(language: str) -> list[tuple[str, str]]:
 def without_output() -> list[tuple[str, str]]:
     """Commands that pages only show, each on one line.
 
-    Not those that wait for a browser, draw a hundred pictures or check a collection, which have tests of their own.
+    Not those that wait for a browser, draw a hundred pictures or check a collection: these have
+    tests of their own.
     """
     return [
         (page, line)
         for page, block in shown("sh")
         for line in block.replace("\\\n", "").splitlines()
-        if line.startswith("urdfkit ") and not re.search("urdfkit (view|scan)|--turntable|--sweep", line)
+        if line.startswith("urdfkit ")
+        and not re.search("urdfkit (view|scan)|--turntable|--sweep", line)
     ]
 
 

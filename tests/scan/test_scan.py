@@ -12,6 +12,7 @@ import pytest
 
 from urdfkit.cli import main
 from urdfkit.errors import UnwritableFile, UrdfkitError
+from urdfkit.lint import rule_index
 from urdfkit.lint.options import Options
 from urdfkit.scan import journal
 from urdfkit.scan.engines import BATCH
@@ -93,7 +94,12 @@ def test_the_hash_is_of_the_content(tmp_path: Path) -> None:
     assert digests["meshed"] == digests["copy"] != digests["other"]
 
 
-def test_what_a_model_does_to_its_process_costs_that_model_alone(tmp_path: Path) -> None:
+def test_what_a_model_does_to_its_process_costs_that_model_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Rules that are known once stay so, also for the tests that follow.
+    monkeypatch.setattr(rule_index, "_modules", rule_index._known().copy())
+    monkeypatch.setattr(rule_index, "_foreign", set())
     rules = tmp_path / "harmful_rules"
     rules.mkdir()
     (rules / "__init__.py").write_text('"""Rules."""\n')
@@ -103,11 +109,8 @@ def test_what_a_model_does_to_its_process_costs_that_model_alone(tmp_path: Path)
         (zoo / f"{name}.urdf").write_text(ROBOT.format(1).replace("r1", name))
     (zoo / "broken.urdf").write_text("<robot")
     settings = Settings(Options(rules=("harmful_rules",)), seconds=5, memory=2 * 2**30)
-    sys.path.insert(0, str(tmp_path))
-    try:
-        scan([str(zoo)], str(tmp_path / "out"), settings, jobs=2)
-    finally:
-        sys.path.remove(str(tmp_path))
+    monkeypatch.syspath_prepend(tmp_path)
+    scan([str(zoo)], str(tmp_path / "out"), settings, jobs=2)
     found = {Path(name).stem: row for name, row in rows(tmp_path / "out").items()}
     assert {name: row["status"] for name, row in found.items()} == {
         "0001": "ok",
@@ -240,3 +243,15 @@ def test_dask_gives_the_same_rows_though_a_worker_is_killed(tmp_path: Path) -> N
         )
     assert killed
     assert found == ran(zoo, tmp_path / "local")
+
+
+def test_a_scheduler_that_does_not_answer(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("distributed")
+    dask = pytest.importorskip("dask")
+    zoo, out = str(write(tmp_path / "zoo", 1)), str(tmp_path / "out")
+    words = ["scan", zoo, "-o", out, "--engine", "dask", "--address", "tcp://127.0.0.1:9"]
+    with dask.config.set({"distributed.comm.timeouts.connect": "1s"}):
+        assert main(words) == 2
+    assert "error: no Dask scheduler at 'tcp://127.0.0.1:9'" in capsys.readouterr().err

@@ -8,7 +8,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from itertools import islice
 from queue import SimpleQueue
 
-from urdfkit.errors import MissingLibrary
+from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.scan.isolated import Isolated, Settings
 from urdfkit.scan.models import Model
 from urdfkit.scan.rows import ModelRow
@@ -77,7 +77,8 @@ def dask(
 
     Raises:
         MissingLibrary: Dask is not installed.
-        UrdfkitError: a process cannot start, or does not understand the options.
+        UrdfkitError: no scheduler answers; a process cannot start, or does not understand the
+            options.
     """
     try:
         from distributed import Client, as_completed
@@ -85,10 +86,14 @@ def dask(
     except ImportError as error:
         raise MissingLibrary("--engine dask needs Dask: pip install 'urdfkit[scan]'") from error
     here = {"n_workers": jobs, "threads_per_worker": 1, "dashboard_address": None}
-    with Client(address) if address else Client(**here) as client:
+    try:
+        client = Client(address) if address else Client(**here)
+    except (OSError, ValueError) as error:
+        raise UrdfkitError(f"no Dask scheduler at '{address}': {error}") from error
+    with client:
         source = iter(models)
         batches = iter(lambda: list(islice(source, BATCH)), [])
-        given: dict[str, list[Model]] = {}
+        given: dict[object, list[Model]] = {}
 
         def submit(count: int) -> Iterator[object]:
             for batch in islice(batches, count):

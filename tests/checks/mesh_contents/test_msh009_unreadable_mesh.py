@@ -61,7 +61,6 @@ def test_defects(tmp_path: Path, name: str, data: bytes, reason: str, help_: str
             made.ascii_stl().replace(b"vertex 0 1 0", b"vertex 0 inf 0", 1),
             "the vertex in line 5 is (0, inf, 0)",
         ),
-        ("a.ply", made.ascii_ply("nan 0 0"), "a vertex is (nan, 0, 0)"),
     ],
 )
 def test_vertices_that_are_not_finite(tmp_path: Path, name: str, data: bytes, where: str) -> None:
@@ -70,6 +69,11 @@ def test_vertices_that_are_not_finite(tmp_path: Path, name: str, data: bytes, wh
     assert found.message.endswith(f"has a vertex that is not finite: {where}")
     assert found.help == REMOVE
     assert all(one.severity is Severity.WARNING for one in others)
+
+
+def test_triangles_of_a_ply_file_that_are_not_finite(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, CODE, link(mesh("a.ply")), {"a.ply": made.ascii_ply("nan 0 0")})
+    assert "1 triangle with a coordinate that is no finite number" in found.message
 
 
 @pytest.mark.parametrize(("form", "suffix"), made.SOUND)
