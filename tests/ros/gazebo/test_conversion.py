@@ -12,7 +12,7 @@ import pytest
 
 from tests.conftest import MODELS, manifest
 from urdfkit.lint.context import Subject
-from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion
+from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, Converter
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -270,3 +270,19 @@ def test_a_loop_of_fixed_joints_ends():
     text += "".join(joint.format(*pair) for pair in ("ab", "bc", "cb"))
     (link,) = Conversion(_subject(f'<robot name="r">{text}</robot>').tree).links
     assert [element.get("name") for _, element in link.collisions] == ["of a", "of b", "of c"]
+
+
+@pytest.mark.parametrize("converter", [NEW, OLD])
+def test_fixed_joints_in_a_circle_come_to_an_end(converter: Converter) -> None:
+    """HEBI's rosie: `omni_base` is fixed to `base_link`, and `base_link` to `omni_base`."""
+    text = b"""<robot name="rosie">
+<link name="base_footprint"/><link name="base_link"/>
+<link name="omni_base"><inertial><mass value="1"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><link name="wheel"/>
+<joint name="a" type="fixed"><parent link="omni_base"/><child link="base_link"/></joint>
+<joint name="b" type="fixed"><parent link="base_link"/><child link="omni_base"/></joint>
+<joint name="c" type="fixed"><parent link="base_footprint"/><child link="base_link"/></joint>
+<joint name="w" type="continuous"><parent link="omni_base"/><child link="wheel"/></joint>
+</robot>"""
+    subject = Subject(Source("rosie.urdf", text), Resolver())
+    assert set(Conversion(subject.tree, converter).dropped) == {"wheel"}

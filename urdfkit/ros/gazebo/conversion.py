@@ -214,7 +214,9 @@ class Conversion:
     def _merged_above(self, name: str) -> Iterator[Link]:
         """The link and those between it and the one that it is merged into."""
         body = next(b for b in self._bodies if any(link.name == name for link, _ in b.links))
-        while name != body.top.name:
+        seen: set[str] = set()  # links may stand in a circle: TRE003
+        while name != body.top.name and name not in seen:
+            seen.add(name)
             yield self.model.links_by_name[name]
             joint = self.tree.parents[name][0]
             assert joint.parent is not None
@@ -229,7 +231,8 @@ class Conversion:
             for joint in self.tree.children[name]:
                 if joint.kind == "fixed" and joint.name not in self.preserved:
                     assert joint.child is not None
-                    queue.append(joint.child.value)
+                    if joint.child.value not in queue:  # links may stand in a circle: TRE003
+                        queue.append(joint.child.value)
         return total
 
     def _joints(self, survivors: list[RigidBody]) -> Iterator[SimulatedJoint]:
