@@ -35,7 +35,8 @@ def test_what_gazebo_calls_it_is_told(name):
         "its name in Gazebo is 'base_fixed_joint_lump__end_collision_1'"
     )
     assert finding.fix
-    assert finding.fix.title == "write base_fixed_joint_lump__end_collision_1"
+    name = "base_fixed_joint_lump__end_collision_1"
+    assert finding.fix.title == f"write <collision>{name}</collision>"
 
 
 @pytest.mark.parametrize("inner", ["", "<contact/>"])

@@ -148,13 +148,20 @@ def test_the_search_for_names_is_bounded(package: Path, monkeypatch: pytest.Monk
 
 def test_without_a_package_its_own_folder_is_searched(tmp_path: Path) -> None:
     folder = tmp_path / "a" / "b" / "c" / "d"
-    path = str(add_file(folder / "meshes" / "forearm.stl"))
+    path = str(add_file(folder / "shapes" / "forearm.stl"))
     assert nearest(folder, "forearm.stl") == [None]  # above the folder of the robot
     inside = str(add_file(folder / "urdf" / "parts" / "forearm.stl"))
     assert nearest(folder, "forearm.stl") == [Suggestion("parts/forearm.stl", inside, sure=True)]
     add_file(folder / ".git" / "HEAD")
     os.remove(inside)
-    assert nearest(folder, "forearm.stl") == [Suggestion("../meshes/forearm.stl", path, sure=True)]
+    assert nearest(folder, "forearm.stl") == [Suggestion("../shapes/forearm.stl", path, sure=True)]
+
+
+def test_without_a_package_the_meshes_next_to_its_own_folder_are_searched(tmp_path: Path) -> None:
+    folder = tmp_path / "arm"
+    path = str(add_file(folder / "meshes" / "visual" / "forearm.stl"))
+    reference = "../meshes/visual/forearm.stl"
+    assert nearest(folder, "forearm.stl") == [Suggestion(reference, path, sure=True)]
 
 
 @pytest.mark.parametrize(
