@@ -27,6 +27,14 @@ def test_a_directory_stands_for_its_descriptions(zoo: Path) -> None:
     assert names(zoo, below=zoo) == ["a/y.URDF", "a/z.urdf.xacro", "b/x.urdf"]
 
 
+def test_a_xacro_file_of_a_directory_is_a_robot_if_it_has_a_name(zoo: Path) -> None:
+    space = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    (zoo / "robot.xacro").write_text(f'<?xml version="1.0"?>\n<robot {space}\n  name="r"/>')
+    (zoo / "macros.xacro").write_text(f'<robot {space}><link name="a"/></robot>')
+    found = sorted(names(zoo, below=zoo))
+    assert found == ["a/y.URDF", "a/z.urdf.xacro", "b/x.urdf", "robot.xacro"]
+
+
 def test_a_file_counts_whatever_it_is_called(zoo: Path) -> None:
     assert names(zoo / "a" / "mesh.stl", below=zoo) == ["a/mesh.stl"]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import glob
 import os
+import re
 import shutil
 import tarfile
 import tempfile
@@ -13,10 +14,13 @@ from collections.abc import Iterable, Iterator
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.text.source import why_unreadable
+from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.folders import walk
 
 #: What a directory or an archive stands for: every file with one of these suffixes.
 SUFFIXES = (".urdf", ".urdf.xacro")
+#: Other xacro files of a directory are robots if the root has a name, which no library needs.
+_NAMED_ROOT, _HEAD = re.compile(rb"<robot\b[^>]*\bname\s*="), 8192
 _LISTS = (".txt", ".lst")
 _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
@@ -51,7 +55,7 @@ def models(sources: Iterable[str]) -> Iterator[Model]:
     for source in sources:
         name = source.lower()
         if os.path.isdir(source):
-            yield from (Model(path, path) for path in walk(source) if _is_model(path))
+            yield from (Model(path, path) for path in walk(source) if _is_robot(path))
         elif os.path.isfile(source) and name.endswith(_ARCHIVES):
             members = (member for member in _members(source) if _is_model(member))
             yield from (Model(f"{source}/{member}", "", source) for member in members)
@@ -100,6 +104,13 @@ class Extraction:
 
 def _is_model(path: str) -> bool:
     return path.lower().endswith(SUFFIXES)  # SolidWorks writes .URDF
+
+
+def _is_robot(path: str) -> bool:
+    if _is_model(path):
+        return True
+    is_xacro = path.lower().endswith(".xacro")
+    return is_xacro and _NAMED_ROOT.search(read_head(path, _HEAD)) is not None
 
 
 def _listed(path: str) -> Iterator[str]:

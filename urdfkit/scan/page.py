@@ -58,7 +58,7 @@ def _counts(summary: Summary) -> Iterator[str]:
     yield f"{summary.models} models: {statuses}"
     yield (
         f"{summary.with_errors} with errors, {summary.with_warnings} with warnings only, "
-        f"{summary.clean} without either; {summary.redundant} copies of others; "
+        f"{summary.clean} without errors and warnings; {summary.redundant} copies of others; "
         f"{summary.cpu_seconds:.1f} s of processor time"
     )
 
@@ -70,7 +70,7 @@ def _tables(summary: Summary) -> Iterator[_Table]:
         [
             (
                 rate.models,
-                f"{100 * rate.models / summary.models:.1f} %",
+                f"{rate.models / summary.models:.1%}",
                 rate.findings,
                 rate.code,
                 rate.severity,
