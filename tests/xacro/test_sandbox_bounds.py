@@ -8,9 +8,11 @@ from typing import Any
 import pytest
 import xacro
 
+from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro import sandbox as module
 from urdfkit.xacro.budget import Budget, deadline
+from urdfkit.xacro.dom_builder import parse
 from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression, _within_bounds, extent
 
 
@@ -170,7 +172,7 @@ def test_steps_and_elements_count_for_many_characters() -> None:
     budget = Charged()
     assert Sandbox(budget).call(abs, -1) == 1
     assert list(Sandbox(budget).steps([1, 2])) == [1, 2]
-    build(Source("r.xacro", b"<a/>"), None, budget)
+    parse(Source("r.xacro", b"<a/>"), None, budget)
     assert budget.units == [10, 10, 10, 100]
 
 
