@@ -173,7 +173,7 @@ def test_steps_and_elements_count_for_many_characters() -> None:
     assert Sandbox(budget).call(abs, -1) == 1
     assert list(Sandbox(budget).steps([1, 2])) == [1, 2]
     parse(Source("r.xacro", b"<a/>"), None, budget)
-    assert budget.units == [10, 10, 10, 100]
+    assert budget.units == [10, 10, 10, len("<a/>"), 100]
 
 
 @pytest.mark.parametrize(

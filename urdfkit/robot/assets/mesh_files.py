@@ -14,10 +14,10 @@ from urdfkit.robot.model import Body, Link, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
 from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
-#: Folders of a package that are searched for a file of the wanted name.
+#: Directories of a package that are searched for a file of the wanted name.
 MAX_DIRECTORIES = 2000
 #: Directories of a missing file that lead to one of several files of its name for sure.
-MIN_COMMON_FOLDERS = 2
+MIN_COMMON_DIRECTORIES = 2
 
 
 class MeshReference(Record):
@@ -142,7 +142,7 @@ class MeshFiles:
             for mesh in self.meshes
             if mesh.located.path is None
             and mesh.located.outside is None
-            and (mesh.located.package is None or mesh.located.folder is not None)
+            and (mesh.located.package is None or mesh.located.directory is not None)
             and mesh.located.scheme in ("package", "model", "absolute", "relative")
         )
 
@@ -177,14 +177,14 @@ class MeshFiles:
         """The references whose package is not found, by its name."""
         found: dict[str, list[MeshReference]] = {}
         for mesh in self.meshes:
-            if mesh.located.package is not None and mesh.located.folder is None:
+            if mesh.located.package is not None and mesh.located.directory is None:
                 found.setdefault(mesh.located.package, []).append(mesh)
         return found
 
     def spelling_on_disk(self, mesh: MeshReference) -> Suggestion | None:
         """For a missing file, the reference with upper and lower case as on disk."""
         base, relative = self._expected(mesh.located)
-        spelling = self.resolver.folders.find_ignoring_case(base, relative)
+        spelling = self.resolver.directories.find_ignoring_case(base, relative)
         if spelling is None:
             return None
         path = os.path.normpath(os.path.join(base, spelling))
@@ -211,8 +211,8 @@ class MeshFiles:
 
     def reference_to(self, path: str, like: ResolvedReference) -> str:
         """A reference to a file, of the same sort as another one if it can be."""
-        if like.folder:
-            return f"{like.scheme}://{like.package}/{_relative(path, like.folder)}"
+        if like.directory:
+            return f"{like.scheme}://{like.package}/{_relative(path, like.directory)}"
         package = self.resolver.packages.enclosing(path)
         if like.scheme != "relative" and package:
             return f"package://{package[0]}/{_relative(path, package[1])}"
@@ -233,8 +233,8 @@ class MeshFiles:
 
     def _expected(self, located: ResolvedReference) -> tuple[str, str]:
         """The directory below which a missing file should be, and its path there."""
-        if located.folder:
-            return located.folder, located.relative
+        if located.directory:
+            return located.directory, located.relative
         if located.scheme == "relative":
             return self._directory, located.relative
         return os.path.split(located.tried[0])
@@ -246,12 +246,12 @@ class MeshFiles:
 
         Of several the one in the most directories of the wanted names; none if that is not one.
         """
-        base = located.folder
+        base = located.directory
         if base is None:
             package = self.resolver.packages.enclosing(self.top)
             base = package[1] if package else self.resolver.packages.workspace(self.top)
         if base not in self._below:
-            self._below[base] = self.resolver.folders.files_below(base, MAX_DIRECTORIES)
+            self._below[base] = self.resolver.directories.files_below(base, MAX_DIRECTORIES)
         directory, wanted = os.path.split(located.relative)
         found: dict[int, list[str]] = {}
         for path in self._below[base]:
@@ -267,14 +267,14 @@ class MeshFiles:
         best = max(found, default=0)
         if len(found.get(best, ())) != 1:
             return None, False
-        is_only = len(found) == 1 or best >= MIN_COMMON_FOLDERS
+        is_only = len(found) == 1 or best >= MIN_COMMON_DIRECTORIES
         return found[best][0], is_only and not any_format
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
         """A mesh file of a similar name in the same directory, and whether that is a typo."""
         base, relative = self._expected(located)
         directory, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
-        entries = self.resolver.folders.entries(directory) or {}
+        entries = self.resolver.directories.entries(directory) or {}
         numbers = numbers_in(wanted)
         meshes = [
             name

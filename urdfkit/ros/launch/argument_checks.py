@@ -146,7 +146,7 @@ def is_included(path: str, resolver: Resolver) -> bool:
     home = resolver.packages.enclosing(path)
     directory = home[1] if home else os.path.dirname(os.path.abspath(path))
     name = os.path.basename(path)
-    siblings = filter(is_launch, resolver.folders.files_below(directory, MAX_DIRECTORIES))
+    siblings = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
     others = [file for file in siblings if os.path.basename(file) != name]
     return len(others) > MAX_FILES or any(_names(name.encode(), one, resolver) for one in others)
 
