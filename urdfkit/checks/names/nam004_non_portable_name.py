@@ -37,8 +37,9 @@ GOOD = '<link name="base_link"/>'
 
 @rule(Severity.WARNING, help="use letters, digits and _")
 def check(subject: Subject) -> Findings:
-    for part in (*subject.model.links, *subject.model.joints):
-        name = part.at.attributes.get("name")
+    model = subject.model
+    for element in (*(link.at for link in model.links), *(joint.at for joint in model.joints)):
+        name = element.attributes.get("name")
         if name and name.value and not is_expression(name.value):
             yield from _characters(name)
             yield from _first_character(subject, name)
