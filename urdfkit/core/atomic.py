@@ -6,6 +6,7 @@ import os
 import stat
 from collections.abc import Iterable
 
+from urdfkit.core import limits
 from urdfkit.errors import UnwritableFile
 
 
@@ -25,6 +26,8 @@ def write(
     Raises:
         UnwritableFile: the directory is missing, or permission or space.
     """
+    if durable:
+        limits.end_time()
     try:
         parts = (data,) if isinstance(data, bytes) else data
         _write(os.path.realpath(path), parts, durable=durable)
