@@ -12,7 +12,8 @@ from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.io import sniff
 from urdfkit.mesh.io.facts import MeshFacts
 from urdfkit.robot.assets import mesh_files as module
-from urdfkit.robot.assets.mesh_files import MeshFiles, Suggestion, is_typo
+from urdfkit.robot.assets.file_names import is_mistyped
+from urdfkit.robot.assets.mesh_files import MeshFiles, Suggestion
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -186,4 +187,4 @@ def test_without_a_package_the_meshes_next_to_its_own_directory_are_searched(
     ],
 )
 def test_typos(wrong: str, right: str, mistake: bool) -> None:
-    assert is_typo(wrong, right) is mistake
+    assert is_mistyped(wrong, right) is mistake

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import re
 from functools import cached_property
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import SIMILAR_FILE, TYPO, nearest
+from urdfkit.core.suggest import SIMILAR_FILE, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
+from urdfkit.robot.assets.file_names import is_mistyped, numbers_in, stem, suffix
 from urdfkit.robot.model import Body, Link, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
 from urdfkit.workspace.resolve import ResolvedReference, Resolver
@@ -18,8 +18,6 @@ from urdfkit.workspace.resolve import ResolvedReference, Resolver
 MAX_DIRECTORIES = 2000
 #: Directories of a missing file that lead to one of several files of its name for sure.
 MIN_COMMON_DIRECTORIES = 2
-
-_SEPARATORS = str.maketrans("_-.", "   ")
 
 
 class MeshReference(Record):
@@ -202,7 +200,7 @@ class MeshFiles:
         located = mesh.located
         similar = self._similar_name(located)
         found = [self._same_name_elsewhere(located), similar]
-        if similar[0] is not None and _stem(similar[0]) == _stem(located.relative):
+        if similar[0] is not None and stem(similar[0]) == stem(located.relative):
             found.reverse()
         found.append(self._same_name_elsewhere(located, any_format=True))
         path, sure = next((one for one in found if one[0] is not None), (None, False))
@@ -259,12 +257,12 @@ class MeshFiles:
         for path in self._below[base]:
             name = os.path.basename(path)
             if name.casefold() != wanted.casefold() and not (
-                any_format and _suffix(name) in BY_SUFFIX and _stem(name) == _stem(wanted)
+                any_format and suffix(name) in BY_SUFFIX and stem(name) == stem(wanted)
             ):
                 continue
             common, ours, theirs = _without_common_end(directory, _relative(path, base))
             # Not the same part of another model of the series.
-            if not (numbers := _numbers(ours)) or _numbers(theirs) in ([], numbers):
+            if not (own := numbers_in(ours)) or numbers_in(theirs) in ([], own):
                 found.setdefault(common, []).append(path)
         best = max(found, default=0)
         if len(found.get(best, ())) != 1:
@@ -277,18 +275,18 @@ class MeshFiles:
         base, relative = self._expected(located)
         directory, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
         entries = self.resolver.directories.entries(directory) or {}
-        numbers = _numbers(wanted)
+        numbers = numbers_in(wanted)
         meshes = [
             name
             for name, is_directory in entries.items()
-            if not is_directory and _suffix(name) in BY_SUFFIX and _numbers(name) == numbers
+            if not is_directory and suffix(name) in BY_SUFFIX and numbers_in(name) == numbers
         ]
         # Without the endings, which are alike anyway.
         stems = {os.path.splitext(name)[0]: name for name in meshes}
-        stem = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
-        if stem is None:
+        close = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
+        if close is None:
             return None, False
-        return os.path.join(directory, stems[stem]), is_typo(wanted, stems[stem])
+        return os.path.join(directory, stems[close]), is_mistyped(wanted, stems[close])
 
 
 def _without_common_end(directory: str, path: str) -> tuple[int, str, str]:
@@ -308,39 +306,6 @@ def _content(mesh: MeshReference) -> bytes:
         return disk.read(path)
     except OSError:
         return path.encode("utf-8", "surrogateescape")
-
-
-def is_typo(wrong: str, right: str) -> bool:
-    """True if the name of a file or a package is a typo of another one.
-
-    ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
-    alike for itself, and all numbers equal.
-    """
-    if _suffix(wrong) != _suffix(right) or _numbers(wrong) != _numbers(right):
-        return False
-    words, others = _words(wrong), _words(right)
-    if "".join(words) == "".join(others):
-        return True
-    return len(words) == len(others) and all(
-        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], TYPO))
-        for word, other in zip(words, others, strict=True)
-    )
-
-
-def _numbers(name: str) -> list[str]:
-    return re.findall(r"\d+", name)
-
-
-def _words(name: str) -> list[str]:
-    return os.path.splitext(name)[0].casefold().translate(_SEPARATORS).split()
-
-
-def _stem(name: str) -> str:
-    return os.path.splitext(os.path.basename(name))[0].casefold()
-
-
-def _suffix(name: str) -> str:
-    return os.path.splitext(name)[1].lower()
 
 
 def _relative(path: str, directory: str) -> str:
