@@ -73,4 +73,5 @@ def _reach(camera: Camera, radius: float, depth: Floats) -> Floats:
     reach = np.full(len(depth), radius * camera.scale, dtype=np.float32)
     if not camera.is_orthographic:
         reach /= depth
-    return np.minimum(reach, np.float32(MAX_RADIUS * camera.size[1]))
+    np.minimum(reach, np.float32(MAX_RADIUS * camera.size[1]), out=reach)
+    return reach
