@@ -19,7 +19,7 @@ from PIL import Image
 from tests.conftest import MODELS
 from urdfkit.lint.loading import read
 from urdfkit.physics.poses import pose
-from urdfkit.render import build, explained, picture
+from urdfkit.render import build, explained, render_image
 
 DIRECTORY = Path(__file__).parent / "golden"
 SIZE = (320, 200)
@@ -40,7 +40,7 @@ def drawn(name: str) -> Image.Image:
     robot = read(file)
     positions = pose(robot, joints)
     scene = explained(build(robot, positions, roles), robot, layers, positions)
-    return picture(scene, views, size=SIZE).convert("RGB")
+    return render_image(scene, views, size=SIZE).convert("RGB")
 
 
 def apart(one: Image.Image, other: Image.Image) -> tuple[float, float]:

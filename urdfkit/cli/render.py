@@ -121,7 +121,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
     with progress.shown() as bar:
-        image = render.picture(
+        image = render.render_image(
             scene,
             VIEWS if named == ["all"] else named,
             size=_size(values["size"] or SIZE),

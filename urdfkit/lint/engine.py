@@ -344,7 +344,7 @@ def _failed(job: Job, error: Exception) -> FileResult:
 def _result(job: Job, subject: Subject, options: Options) -> FileResult:
     chosen = [code for code in options.select if not job.codes or code in job.codes]
     # That a robot of a directory cannot be expanded by itself is no defect of it.
-    lacking = subject.without_arguments if job.found else ()
+    lacking = subject.reading.missing_argument_codes if job.found else ()
     codes = [code for code in chosen if code not in lacking]
     result = _skipped_as_one(run_rules(subject, codes, options), subject)
     return result._replace(unknown_arguments=unknown_arguments(subject, options.arguments))
@@ -357,7 +357,7 @@ def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
         for d in result.diagnostics
         if d.severity is Severity.ERROR or d.code in rule_index.NOT_EXPANDED
     }
-    if subject.is_readable or subject.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
+    if subject.is_readable or subject.reading.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
         return result
     from urdfkit.lint.unchecked import why_unchecked
 

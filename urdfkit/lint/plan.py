@@ -247,7 +247,7 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         read: makes the description of a job.
     """
     subject = read(job)
-    if is_launch(job.path) or not (names := subject.missing_arguments):
+    if not (names := subject.reading.missing_arguments):
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
@@ -258,7 +258,7 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         arguments = {**one.arguments, **job.arguments}
         now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
         pair = (now, read(now))
-        if pair[1].missing_arguments:
+        if pair[1].reading.missing_arguments:
             failed[tuple(one.arguments[name] for name in names)] = pair[1]
         else:
             found.append(pair)
@@ -289,7 +289,7 @@ def _as_found(
             found.append(pair)
         else:
             failed[tuple(given.values())] = pair[1]
-        more += pair[1].missing_arguments
+        more += pair[1].reading.missing_arguments
     if found:
         _note_unchecked(found, offered, failed)
     if found or set(more) <= set(names):
@@ -343,7 +343,7 @@ def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:
     xacro takes any, so that a typo has no effect and is not reported. A launch file may pass them
     on, and of what cannot be read not all is known: neither has any.
     """
-    names = () if is_launch(subject.source.path) else tuple(given)
+    names = tuple(given)
     if not names or subject.reading.document is None:
         return {}
     xacro = subject.reading.xacro
