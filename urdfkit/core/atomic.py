@@ -6,6 +6,7 @@ import os
 import stat
 from collections.abc import Iterable
 
+from urdfkit.core import limits
 from urdfkit.errors import UnwritableFile
 
 
@@ -14,7 +15,7 @@ def write(
 ) -> None:
     """Write a file whole or not at all; one that exists keeps its permissions.
 
-    The bytes go to a new file in the same folder, which then takes the name. A link stays a link.
+    The bytes go to a new file in the same directory, which then takes the name. A link stays one.
     What is no regular file, such as ``/dev/stderr``, is written to directly.
 
     Args:
@@ -23,8 +24,10 @@ def write(
         durable: wait until the disk has it; a cache does without.
 
     Raises:
-        UnwritableFile: the folder is missing, or permission or space.
+        UnwritableFile: the directory is missing, or permission or space.
     """
+    if durable:
+        limits.end_time()
     try:
         parts = (data,) if isinstance(data, bytes) else data
         _write(os.path.realpath(path), parts, durable=durable)
@@ -34,8 +37,8 @@ def write(
         raise UnwritableFile(f"{os.fspath(path)!r}: {error}") from error
 
 
-def make_folder(path: str | os.PathLike[str]) -> None:
-    """Make a folder and those above it, where they are missing.
+def make_directory(path: str | os.PathLike[str]) -> None:
+    """Make a directory and those above it, where they are missing.
 
     Raises:
         UnwritableFile: a file is in the way, or permission is missing.
@@ -76,9 +79,9 @@ def _write(path: str, parts: Iterable[bytes], *, durable: bool) -> None:
 
 def _why_unwritable(path: str | os.PathLike[str], error: OSError) -> str:
     """The reason, and how to fix it."""
-    folder = os.path.dirname(path) or "."
+    directory = os.path.dirname(path) or "."
     if os.path.isdir(path):
         return "is a directory; pass a file in it"
-    if not os.path.isdir(folder):
-        return f"no such directory '{folder}'; create it first"
+    if not os.path.isdir(directory):
+        return f"no such directory '{directory}'; create it first"
     return f"cannot be written: {error.strerror or error}"
