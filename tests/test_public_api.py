@@ -17,14 +17,13 @@ from tests.conftest import MODELS, ROOT
 NAMES = """
 Call Comparison Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Options Related Report
 RobotModel
-Rule Severity Source Span Subject Tolerances UnreadableRobot UrdfkitError Xacro all_rules bundle check
-collisions compare expand find_rule fix format_files frames load mass_properties pose read report
-stand statics summarise to_yourdfpy transform
+Rule Severity Source Span Subject Tolerances UnreadableRobot UrdfkitError Xacro all_rules bundle
+check collisions compare expand find_rule fix format_files frames load mass_properties pose
+read report stand statics summarise to_yourdfpy transform
 """.split()
 
 SIGNATURES = {
     "all_rules": [],
-    "bundle": "robot out consumer force".split(),
     "check": "files arguments packages select ignore targets trust config options".split(),
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],

@@ -13,7 +13,7 @@ from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MeshFacts, has_other_unit
 from urdfkit.output.bundle.consumers import Consumer
-from urdfkit.workspace.package_folders import is_within
+from urdfkit.workspace.package_directories import is_within
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
