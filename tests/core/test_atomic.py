@@ -44,7 +44,7 @@ def test_permissions(tmp_path: Path) -> None:
 
 @UNIX
 def test_a_link_stays_a_link(tmp_path: Path) -> None:
-    target = tmp_path / "folder" / "target"
+    target = tmp_path / "directory" / "target"
     target.parent.mkdir()
     target.write_bytes(b"old")
     (tmp_path / "link").symlink_to(target)

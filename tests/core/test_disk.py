@@ -90,7 +90,11 @@ def test_what_is_asked_for_is_noted(
     with pytest.raises(FileNotFoundError):
         disk.read("b.stl")
     assert disk.state("to").st_size == 5
-    assert (disk.exists("a.stl"), disk.is_file("b.stl"), disk.is_folder(".")) == (True, False, True)
+    assert (disk.exists("a.stl"), disk.is_file("b.stl"), disk.is_directory(".")) == (
+        True,
+        False,
+        True,
+    )
     assert (disk.is_link("to"), disk.has_name("b.stl")) == (True, False)
     assert sorted(disk.names(".")) == ["a.stl", "to"]
     assert [sorted(inside) for _, _, inside in disk.walk(".")] == [["a.stl", "to"]]

@@ -20,8 +20,8 @@ HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 LOOP = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'
 
 
-def write(folder: Path, name: str, body: str) -> Path:
-    path = folder / name
+def write(directory: Path, name: str, body: str) -> Path:
+    path = directory / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"{HEAD}\n{body}\n</robot>\n")
     return path
@@ -63,7 +63,7 @@ def test_a_shared_file_is_known_by_whatever_name(robots: Path) -> None:
     assert found(report) == [("shared.xacro", "TRE003", 2)]
 
 
-def test_a_folder_is_its_entry_points(robots: Path) -> None:
+def test_a_directory_is_its_entry_points(robots: Path) -> None:
     report = check(robots, select=SELECT)
     assert [os.path.basename(file) for file in report.files] == ["one.xacro", "two.xacro"]
     assert len(report.diagnostics) == 3
@@ -183,7 +183,7 @@ def test_targets_go_before_those_of_the_configuration(tmp_path: Path) -> None:
         assert report.targets == ((str(file), Targets((expected,))),)
 
 
-def test_changed_files_of_several_folders(robots: Path, tmp_path_factory) -> None:
+def test_changed_files_of_several_directories(robots: Path, tmp_path_factory) -> None:
     other = tmp_path_factory.mktemp("other")
     write(other, "four.xacro", '<link name="a"/>')
     changed = [robots / "shared.xacro", robots / "one.xacro", other / "four.xacro"]

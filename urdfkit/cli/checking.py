@@ -239,11 +239,11 @@ def _with_baseline(
         return report
     from urdfkit.lint import baseline
 
-    folder = os.path.dirname(os.path.abspath(file))
+    directory = os.path.dirname(os.path.abspath(file))
     if known is None:
-        atomic.write(file, output.encode(baseline.dump(report, folder)))
+        atomic.write(file, output.encode(baseline.dump(report, directory)))
         known = baseline.load(file)
-    return baseline.sift(report, known, folder)
+    return baseline.sift(report, known, directory)
 
 
 def _progress(files: Sequence[str]) -> Progress | None:

@@ -120,7 +120,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
     with progress.shown() as bar:
-        image = render.picture(
+        image = render.render_image(
             scene,
             VIEWS if named == ["all"] else named,
             size=_size(values["size"] or SIZE),
@@ -156,11 +156,11 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
+    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
         scenes = []
         chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
-            where = os.path.join(os.path.realpath(folder), name)
+            where = os.path.join(os.path.realpath(directory), name)
             robot = RobotState(file, where, chosen).subject
             scenes.append(_scene(robot, positions(robot, asked), values))
         before, after = scenes

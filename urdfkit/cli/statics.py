@@ -18,8 +18,9 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.robot.joints import effort_unit
-from urdfkit.robot.model import RobotModel, number
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.stability import VERDICTS, Stability, Standing, standing
+from urdfkit.robot.values import number
 from urdfkit.text.terminal import wrap
 
 if TYPE_CHECKING:

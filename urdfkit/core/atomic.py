@@ -30,7 +30,7 @@ def write(
 ) -> None:
     """Write a file whole or not at all; one that exists keeps its permissions.
 
-    The bytes go to a new file in the same folder, which then takes the name. A link stays a link.
+    The bytes go to a new file in the same directory, which then takes the name. A link stays one.
     What is no regular file, such as ``/dev/stderr``, is written to directly.
 
     Args:
@@ -40,7 +40,7 @@ def write(
         durable: wait until the disk has it; a cache does without.
 
     Raises:
-        UnwritableFile: the folder is missing, or permission or space; or it holds something else.
+        UnwritableFile: the directory is missing, or permission or space; or it holds something else.
     """
     try:
         parts = (data,) if isinstance(data, bytes) else data
@@ -51,8 +51,8 @@ def write(
         raise UnwritableFile(f"{os.fspath(path)!r}: {error}") from error
 
 
-def make_folder(path: str | os.PathLike[str]) -> None:
-    """Make a folder and those above it, where they are missing.
+def make_directory(path: str | os.PathLike[str]) -> None:
+    """Make a directory and those above it, where they are missing.
 
     Raises:
         UnwritableFile: a file is in the way, or permission is missing.
@@ -100,9 +100,9 @@ def _temporary(path: str) -> str:
 
     Its name is short, whatever that of the file is, and nobody else has one like it.
     """
-    folder, name = os.path.split(path)
+    directory, name = os.path.split(path)
     process = f"-{os.getpid()}" if sys.platform == "win32" else ""
-    return os.path.join(folder, f".urdfkit-{zlib.crc32(os.fsencode(name)):08x}{process}.tmp")
+    return os.path.join(directory, f".urdfkit-{zlib.crc32(os.fsencode(name)):08x}{process}.tmp")
 
 
 def _claimed(temporary: str) -> BinaryIO:
@@ -153,11 +153,11 @@ def _write_to_device(path: str, parts: Iterable[bytes]) -> None:
 
 def _why_unwritable(path: str | os.PathLike[str], error: OSError) -> str:
     """The reason, and how to fix it."""
-    folder = os.path.dirname(path) or "."
+    directory = os.path.dirname(path) or "."
     if os.path.isdir(path):
         return "is a directory; pass a file in it"
-    if not os.path.isdir(folder):
-        return f"no such directory '{folder}'; create it first"
+    if not os.path.isdir(directory):
+        return f"no such directory '{directory}'; create it first"
     if error.errno == ENXIO:
         return "cannot be written: it is a pipe or socket that nobody reads"
     if error.errno == EWOULDBLOCK:

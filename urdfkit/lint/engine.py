@@ -65,7 +65,7 @@ def check(
     Args:
         files: URDF, xacro or launch files, Sources, or directories, whose entry points are checked.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         select: codes, beginnings of codes or names; only these rules run. All if empty.
         ignore: codes, beginnings of codes or names of rules that do not run.
         targets: names of the programs to check for; inferred from each model if empty.
@@ -104,7 +104,7 @@ def check_with(
     Args:
         options: how.
         files: as of ``check``.
-        resolver: what an earlier check with these packages has found of packages and folders;
+        resolver: what an earlier check with these packages has found of packages and directories;
             for many checks in a row, while nothing changes on disk.
         spills: keep the findings of very many robots on disk, for a report that is only printed.
 
@@ -273,7 +273,7 @@ def _pool(count: int, known: Known) -> ProcessPoolExecutor:
     return ProcessPoolExecutor(count, initializer=_begin, initargs=known)
 
 
-#: Of a process of a pool: the options, and what it has found of packages and folders.
+#: Of a process of a pool: the options, and what it has found of packages and directories.
 _own: tuple[Options, Resolver]
 
 
@@ -343,8 +343,8 @@ def _failed(job: Job, error: Exception) -> FileResult:
 
 def _result(job: Job, subject: Subject, options: Options) -> FileResult:
     chosen = [code for code in options.select if not job.codes or code in job.codes]
-    # That a robot of a folder cannot be expanded by itself is no defect of it.
-    lacking = subject.without_arguments if job.found else ()
+    # That a robot of a directory cannot be expanded by itself is no defect of it.
+    lacking = subject.reading.missing_argument_codes if job.found else ()
     codes = [code for code in chosen if code not in lacking]
     result = _skipped_as_one(run_rules(subject, codes, options), subject)
     return result._replace(unknown_arguments=unknown_arguments(subject, options.arguments))
@@ -357,7 +357,7 @@ def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
         for d in result.diagnostics
         if d.severity is Severity.ERROR or d.code in rule_index.NOT_EXPANDED
     }
-    if subject.is_readable or subject.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
+    if subject.is_readable or subject.reading.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
         return result
     from urdfkit.lint.unchecked import why_unchecked
 

@@ -122,14 +122,14 @@ def fix(
     as it was, is dropped.
 
     Args:
-        files: URDF, xacro or launch files, or folders, as of ``check``.
+        files: URDF, xacro or launch files, or directories, as of ``check``.
         unsafe: apply the fixes that may change what the robot does, too.
         force: edit files as well that are generated, read-only or ignored by git, or that lie
             outside the workspace of ``files``.
         generate_meshes: make a mesh for every file of one that is missing, empty or broken. What
             the rules say of the robot with these meshes, a second run reports and fixes.
         arguments: xacro arguments by name.
-        packages: folders of ROS packages by name.
+        packages: directories of ROS packages by name.
         select: rules whose findings are fixed; all if empty.
         ignore: rules whose findings are not.
         targets: names of the programs to check for.

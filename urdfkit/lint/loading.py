@@ -37,7 +37,7 @@ def read(
     Args:
         file: URDF or xacro; which of the two is decided by content.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
         cache: keep what is measured of mesh files for the next run.
         progress: called with the number of mesh files read and of all, when they are asked for.
@@ -105,7 +105,7 @@ def load(
     Args:
         file: URDF or xacro; which of the two is decided by content.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:
@@ -133,7 +133,7 @@ def expand(
     Args:
         file: the xacro file.
         arguments: as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:

@@ -1,4 +1,4 @@
-"""Which descriptions a check is about: those that files and folders stand for."""
+"""Which descriptions a check is about: those that files and directories stand for."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.lint.context import Subject
-    from urdfkit.lint.discovery import FolderContents
+    from urdfkit.lint.discovery import DirectoryContents
     from urdfkit.lint.options import Options
     from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
     from urdfkit.text.document import CallFrame
 
 
-#: Sets of arguments of the launch files of a folder with which one robot is checked.
+#: Sets of arguments of the launch files of a directory with which one robot is checked.
 MAX_LAUNCHED = 4
 #: Sets of values with which a robot is checked that lacks arguments; the UR arms have nine.
 MAX_GIVEN = 16
@@ -41,13 +41,13 @@ class Job(Record):
         path: of the file.
         name: of the variant; empty if there is one only.
         arguments: for xacro.
-        found: True if it was found in a folder, not named.
+        found: True if it was found in a directory, not named.
         frame: the launch file that loads it, if one does.
         parameters: the files of parameters that this launch file loads.
         launched: the arguments that it lacks by itself, and where their values are from.
         codes: of the rules that are asked; all if empty.
-        source: the text, if it was read already. That of a robot in a folder is read when its turn
-            comes: there may be thousands.
+        source: the text, if it was read already. That of a robot in a directory is read when its
+            turn comes: there may be thousands.
     """
 
     path: str
@@ -75,7 +75,7 @@ def planned(
     """The descriptions to check for what a user names.
 
     Args:
-        files: URDF, xacro or launch files, Sources, or folders.
+        files: URDF, xacro or launch files, Sources, or directories.
         resolver: finds files, and reads them.
         options: of the check.
 
@@ -106,34 +106,34 @@ class Plan:
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
-        #: Why nothing of a file, or of a folder with it, is checked, and what to do about it.
+        #: Why nothing of a file, or of a directory with it, is checked, and what to do about it.
         self.unchecked: list[tuple[str, str, str]] = []
-        #: The arguments with which the robots of a folder are checked, by path.
+        #: The arguments with which the robots of a directory are checked, by path.
         self._launched: dict[str, list[dict[str, str]]] = {}
 
     def add(self, file: str | os.PathLike[str] | Source) -> None:
-        """A file, with its variants if the configuration has some, or a folder."""
+        """A file, with its variants if the configuration has some, or a directory."""
         if isinstance(file, Source):
             self.resolver.admit(file.path)
             self._add_source(file)
-        elif disk.is_folder(os.fspath(file)):
+        elif disk.is_directory(os.fspath(file)):
             from urdfkit.lint.discovery import discover, launch_files
 
-            folder, config = os.fspath(file), self.config
-            self.resolver.admit(os.path.join(folder, "x"))
-            launches = list(launch_files(folder, config, self.resolver.folders))
+            directory, config = os.fspath(file), self.config
+            self.resolver.admit(os.path.join(directory, "x"))
+            launches = list(launch_files(directory, config, self.resolver.directories))
             try:
-                self._add_found(discover(folder, config, self.resolver), folder)
+                self._add_found(discover(directory, config, self.resolver), directory)
             except UnreadableFile:
                 if not launches:  # of robots that lie elsewhere
                     raise
             except UrdfkitError:
                 raise
             except Exception as error:  # a bug in urdfkit must not hide what else was named
-                self.crashed.append(crash("", folder, error))
+                self.crashed.append(crash("", directory, error))
             for path in launches:
                 try:
-                    self._add_launch(self.resolver.read(_spelt(path, folder)), found=True)
+                    self._add_launch(self.resolver.read(_spelt(path, directory)), found=True)
                 except UnreadableFile:  # a link that leads outside
                     self._add_closed(path)
         else:
@@ -148,8 +148,8 @@ class Plan:
             self.resolver.admit(path)
         self._add_found(affected(paths, self.config, self.resolver), *paths[:1])
 
-    def _add_found(self, found: FolderContents, given: str = "") -> None:
-        """The entry points of a folder, or of what was given otherwise."""
+    def _add_found(self, found: DirectoryContents, given: str = "") -> None:
+        """The entry points of a directory, or of what was given otherwise."""
         robots = [robot for robot in found.robots if self.variant in ("", robot.name)]
         if found.robots and not robots:
             raise ConfigError(f"no robot has a variant '{self.variant}'")
@@ -170,9 +170,9 @@ class Plan:
 
     def note_without_robot(self, given: Iterable[str]) -> None:
         """Leave a note if directories hold no robot: a report on launch files is no verdict."""
-        folders = list(filter(disk.is_folder, given))
+        directories = list(filter(disk.is_directory, given))
         launches = [job.path for job in self.jobs if is_launch(job.path)]
-        if not folders or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
+        if not directories or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
             return
         if launches:
             what = f"only {len(launches)} launch file{'s'[len(launches) == 1 :]}"
@@ -180,8 +180,8 @@ class Plan:
         else:
             what = "only macros and parts of robots"
             help = "check a robot that uses them; urdfkit check --show-files lists the files"
-        named = ", ".join(f"'{shown(folder)}'" for folder in folders)
-        first = [*launches, *(skip.path for skip in self.skipped), *folders][0]
+        named = ", ".join(f"'{shown(directory)}'" for directory in directories)
+        first = [*launches, *(skip.path for skip in self.skipped), *directories][0]
         self.unchecked.append((first, f"no robot checked in {named}: {what}", help))
 
     def _add_source(self, source: Source) -> None:
@@ -196,7 +196,7 @@ class Plan:
 
         Args:
             source: of the launch file.
-            found: it was found in a folder, whose robots are checked anyway. What is left is a
+            found: it was found in a directory, whose robots are checked anyway. What is left is a
                 robot with the arguments that the launch file gives it, and its controllers.
         """
         from urdfkit.lint import rule_index
@@ -247,7 +247,7 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         read: makes the description of a job.
     """
     subject = read(job)
-    if is_launch(job.path) or not (names := subject.missing_arguments):
+    if not (names := subject.reading.missing_arguments):
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
@@ -258,7 +258,7 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         arguments = {**one.arguments, **job.arguments}
         now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
         pair = (now, read(now))
-        if pair[1].missing_arguments:
+        if pair[1].reading.missing_arguments:
             failed[tuple(one.arguments[name] for name in names)] = pair[1]
         else:
             found.append(pair)
@@ -289,7 +289,7 @@ def _as_found(
             found.append(pair)
         else:
             failed[tuple(given.values())] = pair[1]
-        more += pair[1].missing_arguments
+        more += pair[1].reading.missing_arguments
     if found:
         _note_unchecked(found, offered, failed)
     if found or set(more) <= set(names):
@@ -343,7 +343,7 @@ def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:
     xacro takes any, so that a typo has no effect and is not reported. A launch file may pass them
     on, and of what cannot be read not all is known: neither has any.
     """
-    names = () if is_launch(subject.source.path) else tuple(given)
+    names = tuple(given)
     if not names or subject.reading.document is None:
         return {}
     xacro = subject.reading.xacro

@@ -26,7 +26,7 @@ class Launched(Record):
 
     Attributes:
         path: of the robot.
-        launch: of the launch file that gives them, or of the xacro file or folder they are from.
+        launch: of the launch file that gives them, or of the xacro file or directory they are from.
         arguments: those that the robot lacks by itself.
     """
 

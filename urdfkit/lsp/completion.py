@@ -13,7 +13,7 @@ from urdfkit.lsp.names import NAMING, USERS, parameters, path_in
 from urdfkit.lsp.workspace import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
 from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
-from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.directories import Directories
 
 #: Files and directories of one directory that are offered.
 MAX_FILES = 500
@@ -51,7 +51,7 @@ class CompletionItem(Record):
 
     Attributes:
         text: to insert, and the label.
-        kind: ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``folder`` or ``end``.
+        kind: ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``directory`` or ``end``.
         detail: a few words about it.
         start: offset of the word that it takes the place of; it ends at the cursor.
         needed: True for what must be there, which is offered first.
@@ -196,7 +196,7 @@ def _values(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
         yield CompletionItem(text, "name", detail, start)
     if written.name == "filename" and node.name in _FILES:
         for name in sorted(robot.resolver.packages.known(node.source.path)):
-            yield CompletionItem(f"package://{name}/", "folder", "package", start)
+            yield CompletionItem(f"package://{name}/", "directory", "package", start)
         typed = node.source.data[start : here.offset].decode("utf-8", "replace")
         directory = os.path.dirname(os.path.abspath(node.source.path))
         yield from _files(directory, typed, start, _FILES[node.name])
@@ -242,7 +242,9 @@ def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterato
         yield from _of_command(robot, match, packages, word)
     elif match := _PACKAGE_NAME.search(before):
         for name in sorted(packages):
-            yield CompletionItem(f"package://{name}/", "folder", "package", start + match.start())
+            yield CompletionItem(
+                f"package://{name}/", "directory", "package", start + match.start()
+            )
 
 
 def _of_command(
@@ -307,7 +309,7 @@ def _files(
     if os.path.isabs(inner) or ".." in inner.split("/"):
         return
     # Listed anew: a file may have been made since the robot was read.
-    entries = Folders().entries(os.path.join(directory, inner)) or {}
+    entries = Directories().entries(os.path.join(directory, inner)) or {}
     wanted = (
         (name, is_directory)
         for name, is_directory in sorted(entries.items())
@@ -315,7 +317,7 @@ def _files(
     )
     for name, is_directory in islice(wanted, MAX_FILES):
         yield CompletionItem(
-            f"{name}/" if is_directory else name, "folder" if is_directory else "file", "", at
+            f"{name}/" if is_directory else name, "directory" if is_directory else "file", "", at
         )
 
 

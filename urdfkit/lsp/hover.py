@@ -172,7 +172,7 @@ def _mesh(robot: OpenRobot, here: Cursor) -> Iterator[str]:
 def _file(robot: OpenRobot, node: TagNode, reference: str) -> Iterator[str]:
     located = robot.resolver.locate(reference, node.source.path, robot.path)
     if located.path is None:
-        missing = "no such file" if located.folder or not located.package else "no such package"
+        missing = "no such file" if located.directory or not located.package else "no such package"
         yield f"**{node.name}** `{_code(reference)}`: {missing}"
         for tried in (located.tried or located.searched)[:MAX_SHOWN]:
             yield f"- tried `{_code(tried)}`"

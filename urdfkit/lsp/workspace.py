@@ -79,7 +79,7 @@ class OpenRobot:
     @cached_property
     def document(self) -> Document | None:
         """Expanded; None while it cannot be read."""
-        return None if is_launch(self.path) else self.subject.reading.document
+        return self.subject.reading.document
 
     @property
     def model(self) -> RobotModel | None:
@@ -91,7 +91,7 @@ class OpenRobot:
     @cached_property
     def sources(self) -> dict[str, Source]:
         """Its texts by real path."""
-        xacro = None if is_launch(self.path) else self.subject.reading.xacro
+        xacro = self.subject.reading.xacro
         sources = xacro.sources if xacro else (self.subject.source,)
         return {os.path.realpath(source.path): source for source in sources}
 
@@ -242,7 +242,7 @@ class Workspace:
             subject = Subject(resolver.given(robot.file), resolver, config.arguments)
         except UrdfkitError:
             return robot
-        if names := subject.missing_arguments:
+        if names := subject.reading.missing_arguments:
             for one in given(robot.file, names, resolver)[:1]:
                 self._launched[robot.file] = one.arguments
                 return robot._replace(arguments=one.arguments)

@@ -21,7 +21,7 @@ from urdfkit.scan.models import Model
 from urdfkit.scan.rows import ModelRow, check_model
 from urdfkit.workspace.resolve import Resolver
 
-#: The folders of modules are handed over, so that nothing is imported from where we stand.
+#: The directories of modules are handed over, so that nothing is imported from where we stand.
 _BOOT = "import sys; sys.path[:] = sys.argv[1:]; from urdfkit.scan.isolated import main; main()"
 #: Models after which a new process begins, so that nothing that it keeps adds up.
 _MODELS = 2000

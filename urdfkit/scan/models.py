@@ -15,8 +15,8 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.text.source import why_unreadable
+from urdfkit.workspace.directories import walk
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.folders import walk
 
 #: What a directory or an archive stands for: every file with one of these suffixes.
 SUFFIXES = (".urdf", ".urdf.xacro")
@@ -36,13 +36,13 @@ class Model(Record):
             an archive, the path of the archive and that in it.
         path: where it is on disk.
         archive: that it comes from; empty if from none.
-        folder: that the archive was extracted to.
+        directory: that the archive was extracted to.
     """
 
     name: str
     path: str
     archive: str = ""
-    folder: str = ""
+    directory: str = ""
 
 
 def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Iterator[Model]:
@@ -81,14 +81,14 @@ class Extraction:
     """
 
     def __init__(self) -> None:
-        self._folders: dict[str, str] = {}
+        self._directories: dict[str, str] = {}
 
     def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
         return self
 
     def __exit__(self, *error: object) -> None:
-        for folder in self._folders.values():
-            shutil.rmtree(folder, ignore_errors=True)
+        for directory in self._directories.values():
+            shutil.rmtree(directory, ignore_errors=True)
 
     def on_disk(self, model: Model) -> Model:
         """A model with the path where it is.
@@ -98,12 +98,12 @@ class Extraction:
         """
         if not model.archive:
             return model
-        if model.archive not in self._folders:
-            self._folders[model.archive] = folder = tempfile.mkdtemp(prefix="urdfkit-scan-")
-            _extract(model.archive, folder)
-        folder = self._folders[model.archive]
-        path = os.path.join(folder, model.name[len(model.archive) + 1 :])
-        return model._replace(path=path, folder=folder)
+        if model.archive not in self._directories:
+            self._directories[model.archive] = directory = tempfile.mkdtemp(prefix="urdfkit-scan-")
+            _extract(model.archive, directory)
+        directory = self._directories[model.archive]
+        path = os.path.join(directory, model.name[len(model.archive) + 1 :])
+        return model._replace(path=path, directory=directory)
 
 
 def _require_readable(path: str) -> None:
@@ -126,7 +126,7 @@ def _is_robot(path: str) -> bool:
 
 def _listed(path: str) -> Iterator[str]:
     """The lines of a list; relative paths start at the directory of the list."""
-    folder = os.path.dirname(path)
+    directory = os.path.dirname(path)
     try:
         with disk.opened(path) as file:
             while data := file.readline(_LONGEST_LINE):
@@ -134,7 +134,7 @@ def _listed(path: str) -> Iterator[str]:
                 if "\0" in line:
                     raise ValueError("it holds a NUL")
                 if line and not line.startswith("#"):
-                    yield os.path.join(folder, line)
+                    yield os.path.join(directory, line)
     except (OSError, ValueError) as error:
         raise UnreadableFile(f"{path}: not a list of files ({error})") from error
 
@@ -157,18 +157,18 @@ def _members(archive: str) -> Iterator[str]:
     )
 
 
-def _extract(archive: str, folder: str) -> None:
+def _extract(archive: str, directory: str) -> None:
     """Extract an archive; neither library writes outside of the directory."""
-    free = shutil.disk_usage(folder).free
+    free = shutil.disk_usage(directory).free
     try:
         if archive.lower().endswith(_TARS):
             with tarfile.open(archive) as tar:
                 _check_room(archive, sum(member.size for member in tar), free)
-                tar.extractall(folder, filter="data")
+                tar.extractall(directory, filter="data")
         else:
             with zipfile.ZipFile(archive) as packed:
                 _check_room(archive, sum(one.file_size for one in packed.infolist()), free)
-                packed.extractall(folder)
+                packed.extractall(directory)
     except (OSError, EOFError, RuntimeError, tarfile.TarError, zipfile.BadZipFile) as error:
         raise UnreadableFile(f"{archive}: cannot be extracted ({error})") from error
 

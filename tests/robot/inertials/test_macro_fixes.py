@@ -33,8 +33,8 @@ def link(name: str, mass: float, geometry: str, origin: str = "") -> str:
     )
 
 
-def fixed(folder: Path, body: str, name: str = "r.xacro") -> tuple[Fixes, Path]:
-    file = folder / name
+def fixed(directory: Path, body: str, name: str = "r.xacro") -> tuple[Fixes, Path]:
+    file = directory / name
     file.write_text(f"{HEAD}\n{body}</robot>\n")
     fixes = fix(file, unsafe=True, select=["XAC014"])
     fixes.write()

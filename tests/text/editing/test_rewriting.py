@@ -70,12 +70,12 @@ def test_a_diff_is_the_smallest_and_patch_takes_it(old: list[str], new: list[str
     lines = diff("x", before.encode(), after.encode()).splitlines()
     changed = [line for line in lines[2:] if line[0] in "-+"]
     assert len(changed) == len(old) + len(new) - 2 * _longest(old, new)
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder, "x")
+    with tempfile.TemporaryDirectory() as directory:
+        file = Path(directory, "x")
         file.write_text(before)
         patch = ["patch", "-s", "-p0"]
         text = diff("x", before.encode(), after.encode())
-        subprocess.run(patch, input=text, text=True, cwd=folder, check=True)
+        subprocess.run(patch, input=text, text=True, cwd=directory, check=True)
         assert (file.read_text() if file.exists() else "") == after
 
 
