@@ -40,7 +40,7 @@ def write(
         durable: wait until the disk has it; a cache does without.
 
     Raises:
-        UnwritableFile: the directory is missing, or permission or space; or it holds something else.
+        UnwritableFile: a missing directory, permission or space; or it holds something else.
     """
     try:
         parts = (data,) if isinstance(data, bytes) else data
