@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 from stat import S_IFMT, S_ISLNK
 
-from urdfkit.core.disk import opened
+from urdfkit.core.regular_file import opened
 
 TYPE_CHECKING = False
 

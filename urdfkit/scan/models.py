@@ -11,8 +11,8 @@ import tempfile
 import zipfile
 from collections.abc import Iterable, Iterator
 
-from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.regular_file import opened
 from urdfkit.errors import UnreadableFile
 from urdfkit.text.source import why_unreadable
 from urdfkit.workspace.directories import walk
@@ -108,7 +108,7 @@ class Extraction:
 
 def _require_readable(path: str) -> None:
     try:
-        disk.opened(path).close()
+        opened(path).close()
     except OSError as error:
         raise UnreadableFile(f"{path}: {why_unreadable(path, error)}") from error
 
@@ -128,7 +128,7 @@ def _listed(path: str) -> Iterator[str]:
     """The lines of a list; relative paths start at the directory of the list."""
     directory = os.path.dirname(path)
     try:
-        with disk.opened(path) as file:
+        with opened(path) as file:
             while data := file.readline(_LONGEST_LINE):
                 line = data.decode("utf-8").strip()
                 if "\0" in line:
