@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from errno import EEXIST, ENXIO, EWOULDBLOCK
 from typing import BinaryIO
 
-from urdfkit.core import disk
+from urdfkit.core import disk, limits
 from urdfkit.errors import UnwritableFile
 
 if sys.platform != "win32":
@@ -42,6 +42,8 @@ def write(
     Raises:
         UnwritableFile: a missing directory, permission or space; or it holds something else.
     """
+    if durable:
+        limits.end_time()
     try:
         parts = (data,) if isinstance(data, bytes) else data
         _write(os.path.realpath(path), parts, before, durable=durable)
