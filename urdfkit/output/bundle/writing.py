@@ -94,7 +94,7 @@ def _staged(files: Iterable[BundledFile], out: str, *, force: bool) -> Iterator[
     """
     _require_free(out, force=force)
     home, name = os.path.split(out)
-    atomic.make_folder(home)
+    atomic.make_directory(home)
     with _as_unwritable(out):
         temporary = mkdtemp(prefix=f".{name}.", dir=home)
     try:
