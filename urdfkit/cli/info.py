@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
@@ -37,6 +37,7 @@ _LABEL = 12
 @one_robot
 @posed
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@limited
 def command(asked: dict[str, Any], form: str) -> int:
     """Show a summary of a robot on one page.
 
