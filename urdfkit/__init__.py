@@ -66,7 +66,8 @@ if TYPE_CHECKING:
     from urdfkit.errors import UnreadableRobot, UrdfkitError
     from urdfkit.lint.context import Subject
     from urdfkit.lint.engine import check
-    from urdfkit.lint.fix import Fixes, fix
+    from urdfkit.lint.fix import fix
+    from urdfkit.lint.fix_session import Fixes
     from urdfkit.lint.formatting import Formatted, format_files
     from urdfkit.lint.loading import expand, load, read
     from urdfkit.lint.options import Options
@@ -103,7 +104,8 @@ _HOMES = {
     "errors": "UnreadableRobot UrdfkitError",
     "output.exchange": "to_yourdfpy",
     "xacro": "Xacro",
-    "lint.fix": "Fixes fix",
+    "lint.fix": "fix",
+    "lint.fix_session": "Fixes",
     "lint.formatting": "Formatted format_files",
     "lint.loading": "expand load read",
     "output.mass_table": "mass_properties",
