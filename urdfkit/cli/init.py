@@ -14,7 +14,8 @@ from urdfkit.errors import UnwritableFile
 from urdfkit.lint.argument_values import found_values
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
-from urdfkit.lint.discovery import DirectoryContents, discover
+from urdfkit.lint.discovery import discover
+from urdfkit.lint.entry_points import DirectoryContents
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.source import Source
 from urdfkit.workspace.config_file import nearest

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.lint.include_graph import INCLUDE
 from urdfkit.ros.launch.robot_arguments import declared, given
 from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Problem
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
 #: Values of one argument that a message names.
 _FEW = 10
 
-_INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"'<>]+)["']""")
 _DECLARATION = re.compile(rb"<xacro:arg\b[^<>]*>")
 _ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
 #: A path in which a whole directory is the value of an argument, or of a parameter called like it.
@@ -110,7 +110,7 @@ def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
     """The default in an included file to which the expansion does not come."""
     read = {disk.real(source.path) for source in xacro.sources}
     for source in xacro.sources:
-        for file in _INCLUDE.findall(without_comments(source.data)):
+        for file in INCLUDE.findall(without_comments(source.data)):
             path = _plain_path(file.decode("utf-8", "replace"), source, resolver)
             if not path or disk.real(path) in read or not resolver.allows(path, source.path):
                 continue

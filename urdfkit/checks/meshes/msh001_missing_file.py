@@ -33,7 +33,8 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.editing.edits import replace_value
-from urdfkit.workspace.resolve import OUTSIDE, ResolvedReference
+from urdfkit.workspace.references import ResolvedReference
+from urdfkit.workspace.resolve import OUTSIDE
 
 BAD = mesh_xml("visual", "package://arm_description/meshes/forarm.stl")
 FIXED = GOOD = BAD.replace("forarm", "forearm")

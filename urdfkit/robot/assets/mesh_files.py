@@ -12,7 +12,8 @@ from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_
 from urdfkit.robot.assets.file_names import is_mistyped, numbers_in, stem, suffix
 from urdfkit.robot.model import Body, Link, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
-from urdfkit.workspace.resolve import ResolvedReference, Resolver
+from urdfkit.workspace.references import ResolvedReference
+from urdfkit.workspace.resolve import Resolver
 
 #: Directories of a package that are searched for a file of the wanted name.
 MAX_DIRECTORIES = 2000
