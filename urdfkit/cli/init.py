@@ -55,7 +55,7 @@ def command(directory: str, only_print: bool) -> int:
 def render(found: DirectoryContents, directory: str) -> str:
     """The text of a configuration."""
     resolver = Resolver()
-    robots = [_Robot(robot.file, directory, resolver) for robot in found.robots]
+    robots = [_ConfiguredRobot(robot.file, directory, resolver) for robot in found.robots]
     lines = [
         "# Settings of urdfkit. Lines starting with '#' are comments.",
         "",
@@ -74,7 +74,7 @@ def render(found: DirectoryContents, directory: str) -> str:
     return "\n".join(lines).rstrip() + "\n"
 
 
-class _Robot:
+class _ConfiguredRobot:
     """A description, and what a configuration has to say about it."""
 
     def __init__(self, file: str, directory: str, resolver: Resolver) -> None:

@@ -189,7 +189,7 @@ def _add_fixes(server: Server) -> None:
         return await server.ask(answer, [])
 
 
-def _symbol(places: PositionEncoding, entry: outline.Entry) -> lsp.DocumentSymbol:
+def _symbol(places: PositionEncoding, entry: outline.OutlineEntry) -> lsp.DocumentSymbol:
     range_ = places.range(entry.span)
     return lsp.DocumentSymbol(
         entry.name,
@@ -229,7 +229,7 @@ def _ends_a_name(source: Source, offset: int) -> bool:
     return re.match(rb"[\w:-]|\s*=", source.data[offset : offset + 20]) is None
 
 
-def _action(server: Server, action: actions.Action) -> lsp.CodeAction:
+def _action(server: Server, action: actions.QuickFix) -> lsp.CodeAction:
     return lsp.CodeAction(
         action.title,
         lsp.CodeActionKind.QuickFix,

@@ -44,5 +44,5 @@ def check(subject: Subject) -> Findings:
             use.at,
             f"{use.who} has its colours in '{use.measures.no_materials[0]}', which does not exist",
             "add the file next to the mesh, or give the visual a <material>",
-            alike="materials",
+            group_key="materials",
         )

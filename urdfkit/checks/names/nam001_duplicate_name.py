@@ -42,11 +42,11 @@ def check(subject: Subject) -> Findings:
     yield from _duplicates((link.at for link in model.links), help.format("link"))
     yield from _duplicates((joint.at for joint in model.joints), help.format("joint"))
     materials = (material.at for material in model.materials)
-    yield from _duplicates(materials, "keep one of them", alike="material")
+    yield from _duplicates(materials, "keep one of them", group_key="material")
     yield from _redefined(model)
 
 
-def _duplicates(elements: Iterable[Element], help: str, alike: str = "") -> Findings:
+def _duplicates(elements: Iterable[Element], help: str, group_key: str = "") -> Findings:
     first: dict[str, Element] = {}
     for element in elements:
         name = element.attributes.get("name")
@@ -58,7 +58,7 @@ def _duplicates(elements: Iterable[Element], help: str, alike: str = "") -> Find
                 f"duplicate {element.tag} '{name.value}'",
                 help,
                 related=(Related(first[name.value].span, "first defined here"),),
-                alike=alike,
+                group_key=group_key,
             )
         first.setdefault(name.value, element)
 
@@ -82,7 +82,7 @@ def _redefined(model: RobotModel) -> Findings:
                 "parsers keep the first",
                 "give each colour its own name",
                 related=(Related(known.at.span, "the first"),),
-                alike=name,
+                group_key=name,
                 severity=Severity.WARNING,
             )
 

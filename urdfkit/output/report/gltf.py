@@ -31,7 +31,7 @@ _SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 MAX_TEXTURE = 4 * 1024 * 1024
 
 
-class Writer:
+class GltfWriter:
     """Collects surfaces; `data` is the file."""
 
     def __init__(self) -> None:
@@ -175,7 +175,7 @@ class Writer:
 
 def write(items: Iterable[SceneItem]) -> tuple[bytes, int]:
     """A file of surfaces, and how many triangles it holds."""
-    writer = Writer()
+    writer = GltfWriter()
     for item in items:
         writer.add(item)
     return writer.data, writer.triangles

@@ -168,9 +168,9 @@ class MeshFiles:
         """The references to files that git leaves out of the repository that they lie in."""
         if not self.each_file:
             return []
-        from urdfkit.workspace.gitignore import Ignored
+        from urdfkit.workspace.gitignore import GitIgnored
 
-        ignored = Ignored()
+        ignored = GitIgnored()
         return [mesh for mesh in self.each_file if mesh.located.path in ignored]
 
     @cached_property
