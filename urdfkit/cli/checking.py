@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from urdfkit.cli.progress import Progress
     from urdfkit.lint.baseline import Fingerprint
-    from urdfkit.lint.fix import Fixes
+    from urdfkit.lint.fix_session import Fixes
 
 
 def run_check(values: Mapping[str, Any]) -> int:

@@ -80,7 +80,7 @@ class _Robot:
         self.file = os.path.relpath(file, directory).replace(os.sep, "/")
         subject = Subject(Source.read(file), resolver)
         self._xacro = subject.reading.xacro
-        self._needed = subject.missing_arguments
+        self._needed = subject.reading.missing_arguments
         self._resolver = resolver
         is_readable = subject.reading.document is not None
         self.targets = subject.targets.names if is_readable else ()

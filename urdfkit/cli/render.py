@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
@@ -62,6 +62,7 @@ _NAMED = 5
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
 @click.option("--no-ground", is_flag=True, help="Do not draw the ground shadow.")
 @click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
+@limited
 def command(asked: dict[str, Any], **values: Any) -> int:
     """Render images and animations of a robot.
 

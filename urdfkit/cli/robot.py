@@ -24,12 +24,12 @@ from urdfkit.cli.decorators import (
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
+from urdfkit.lint.argument_sets import unknown_arguments
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
-from urdfkit.lint.plan import unknown_arguments
 from urdfkit.mesh.io.facts import counted
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown

@@ -135,3 +135,19 @@ class Report(Record):
         if self.crashed:
             return 3
         return int(any(self.count(one) for one in Severity if one.rank <= fail_on.rank))
+
+
+class UncheckedValues(Record):
+    """Values of an argument with which a robot is not checked, though files give them.
+
+    Attributes:
+        name: of the argument.
+        values: of it.
+        total: how many values it has.
+        why: they are left out.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    total: int
+    why: str

@@ -14,6 +14,7 @@ import sys
 import time
 from typing import IO, Any
 
+from urdfkit.core.limits import limit_memory
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.options import Options
@@ -131,7 +132,7 @@ def main() -> None:
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # libraries may print
     settings: Settings = pickle.load(sys.stdin.buffer)
-    _limit(settings.memory)
+    limit_memory(settings.memory)
     try:
         options = settings.options.resolved()
     except UrdfkitError as error:
@@ -149,15 +150,6 @@ def main() -> None:
         row = check_model(model, options, resolver)
         faulthandler.cancel_dump_traceback_later()
         _send(answers, row)
-
-
-def _limit(memory: int) -> None:
-    try:
-        import resource
-    except ImportError:  # Windows
-        return
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
 
 
 def _send(pipe: IO[bytes], value: object) -> None:
