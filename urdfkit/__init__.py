@@ -39,6 +39,7 @@ __all__ = [
     "UrdfkitError",
     "Xacro",
     "all_rules",
+    "bundle",
     "check",
     "collisions",
     "compare",
@@ -73,6 +74,7 @@ if TYPE_CHECKING:
     from urdfkit.lint.report import Report
     from urdfkit.lint.rule_index import all_rules, find_rule
     from urdfkit.lint.rules import Rule
+    from urdfkit.output.bundle.writing import bundle
     from urdfkit.output.comparison import Comparison, compare
     from urdfkit.output.comparison.differences import Tolerances
     from urdfkit.output.exchange import to_yourdfpy
@@ -92,6 +94,7 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "physics.collision.sampling": "collisions",
+    "output.bundle.writing": "bundle",
     "output.comparison": "Comparison compare",
     "text.diagnostic": "Call Confidence Diagnostic Edit Fix Related Severity",
     "output.comparison.differences": "Tolerances",

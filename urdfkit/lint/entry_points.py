@@ -168,8 +168,8 @@ class EntryPoints:
 
     def _is_library(self, path: str) -> bool:
         """True if a file only defines things: outside of macros it makes no link and calls none."""
-        if not ROBOT.search(self.graph.text(disk.real(path))):
+        data = self.graph.text(disk.real(path))
+        if not ROBOT.search(data):
             return False
-        data = without_comments(self.graph.text(disk.real(path)))
-        outside = _MACRO.sub(b"", data)
+        outside = _MACRO.sub(b"", without_comments(data))
         return not _CONTENT.search(outside) and not INCLUDE.search(outside)

@@ -35,8 +35,9 @@ class IncludeGraph:
 
     def __init__(self, files: Iterable[str], resolver: Resolver) -> None:
         self.resolver = resolver
-        #: Of thousands of plain URDFs none is kept: hardly a question is about them.
-        self._xacros: dict[str, bytes] = {}
+        #: Those with an include. Of thousands of others none is kept: the few questions about one
+        #: read it again.
+        self._including: dict[str, bytes] = {}
         self.names: dict[str, str] = {}
         self.closed: list[str] = []
         for path in files:
@@ -49,27 +50,23 @@ class IncludeGraph:
             if ROBOT.search(source.data) or path.lower().endswith(".urdf"):
                 real = disk.real(path)
                 self.names[real] = path
-                if b"xacro" in source.data:
-                    self._xacros[real] = source.data
-        self.includes = {path: self._includes(path) for path in self._xacros}
+                if b"xacro:include" in source.data:
+                    self._including[real] = source.data
+        self.includes = {path: self._includes(path) for path in self._including}
 
     def text(self, path: str) -> bytes:
         """The text of a description, by its real path."""
-        return self._xacros.get(path) or self.resolver.read(self.names[path]).data
+        return self._including.get(path) or self.resolver.read(self.names[path]).data
 
     def _includes(self, path: str) -> frozenset[str]:
-        data = self._xacros[path]
-        if b"xacro:include" not in data:
-            return frozenset()
-        return self.targets(INCLUDE.findall(without_comments(data)), path)
+        return self.targets(INCLUDE.findall(without_comments(self._including[path])), path)
 
     def disabled(self) -> set[str]:
         """The files that only an include in a comment names."""
         found: set[str] = set()
-        for path, data in self._xacros.items():
-            if b"<!--" in data and b"xacro:include" in data:
-                text = b"".join(comment[1] for comment in comments(data))
-                found |= self.targets(_DISABLED.findall(text), path)
+        for path, data in self._including.items():
+            text = b"".join(comment[1] for comment in comments(data))
+            found |= self.targets(_DISABLED.findall(text), path)
         return found
 
     def targets(self, names: Iterable[bytes], path: str) -> frozenset[str]:
