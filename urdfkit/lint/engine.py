@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from urdfkit.core import disk
+from urdfkit.core import disk, limits
 from urdfkit.core.file_log import FileLog
 from urdfkit.core.own_sources import note_sources
 from urdfkit.errors import UrdfkitError
@@ -289,6 +289,7 @@ def _begin(
     disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one
     _own = (options, Resolver(options.packages, texts=options.texts))
+    limits.allow(options.config.limits)
     for path in admitted:
         _own[1].admit(path, trust=options.trust)
 

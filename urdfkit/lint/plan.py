@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from urdfkit.core import disk
+from urdfkit.core import disk, limits
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile, UrdfkitError
@@ -98,6 +98,7 @@ class Plan:
 
     def __init__(self, resolver: Resolver, options: Options) -> None:
         self.resolver = resolver
+        limits.allow(options.config.limits)
         if options.trust:
             resolver.admit(os.curdir, trust=True)
         self.config = options.config
