@@ -12,7 +12,7 @@ import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from urdfkit.core import disk, limits
+from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.output import formats
@@ -159,7 +159,7 @@ def jobs(values: Mapping[str, Any]) -> int:
 
 
 def config(values: Mapping[str, Any], near: str) -> Config | None:
-    """The configuration that holds for a file; for standard input that of the current folder.
+    """The configuration that holds for a file; for standard input that of the current directory.
 
     One that was found may come with a robot from anywhere, and is no more trusted than it. Its
     limits of an expansion hold from now on, and those that are given.
@@ -172,7 +172,7 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
         found = found or Config()
         found = found._replace(limits=found.limits._replace(**given))
     if found is not None:
-        limits.allow(found.limits)
+        expansion_limits.allow(found.limits)
     return found
 
 
@@ -208,7 +208,7 @@ def add_rules(values: Mapping[str, Any]) -> list[str]:
     if names:
         from urdfkit.lint.rule_packages import add
 
-        add(names, modules=True, folder=os.curdir)
+        add(names, modules=True, directory=os.curdir)
     return names
 
 
@@ -225,15 +225,15 @@ def arguments(values: Mapping[str, Any]) -> dict[str, str]:
 
 
 def packages(values: Mapping[str, Any]) -> dict[str, str]:
-    """The folders of packages."""
+    """The directories of packages."""
     found = {}
     for word in values["package"]:
-        name, equals, folder = word.partition("=")
+        name, equals, directory = word.partition("=")
         if not (name and equals):
             raise UsageError(f"--package {word}: expected NAME=DIR: the package and its directory")
-        if not disk.is_folder(folder):
-            raise UsageError(f"--package {word}: no such directory '{folder}'")
-        found[name] = folder
+        if not disk.is_directory(directory):
+            raise UsageError(f"--package {word}: no such directory '{directory}'")
+        found[name] = directory
     return found
 
 

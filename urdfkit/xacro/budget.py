@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from urdfkit.core import disk, limits
+from urdfkit.core import disk, expansion_limits
 from urdfkit.text.xml_reader import DocumentTooLarge
 
 #: Characters and items, counted together, that one expansion may make for each megabyte that it
@@ -29,7 +29,7 @@ class Budget:
 
     def __init__(self, deadline: float) -> None:
         self._deadline = deadline
-        self._limits = limits.allowed()
+        self._limits = expansion_limits.allowed()
         self._left = self._look = UNITS_OF_A_MEGABYTE * self._limits.megabytes
 
     def charge(self, units: int) -> None:
@@ -72,4 +72,4 @@ class Budget:
 
 def deadline() -> float:
     """The time of the thread at which an expansion that begins now must have ended."""
-    return time.thread_time() + limits.allowed().seconds
+    return time.thread_time() + expansion_limits.allowed().seconds

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-from urdfkit.core import limits
+from urdfkit.core import expansion_limits
 from urdfkit.xacro.budget import Budget
 
 #: Seconds between two interruptions, if something catches the first.
@@ -33,7 +33,7 @@ def watched(budget: Budget) -> Iterator[None]:
     if stop_clock is None:
         yield
         return
-    allow_memory = _refuse_memory(limits.allowed().megabytes)
+    allow_memory = _refuse_memory(expansion_limits.allowed().megabytes)
     try:
         yield
     finally:
