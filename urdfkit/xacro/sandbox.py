@@ -165,7 +165,8 @@ class Sandbox:
             self._budget.charge(len(value))
         elif isinstance(value, int):
             _check_bits(value.bit_length())
-            self._budget.charge(_shown(value))
+            if shown := _shown(value):
+                self._budget.charge(shown)
         elif not isinstance(value, float):
             self._budget.charge(extent(value))
         return value
