@@ -23,7 +23,7 @@ from typing import NamedTuple
 OURS = """
 import sys, time, resource
 start = time.perf_counter()
-from urdfkit.loading import read
+from urdfkit.lint.loading import read
 from urdfkit.render import build, looking, draw, render_image, save
 file, target, quality, size = sys.argv[1:5]
 size = tuple(map(int, size.split("x")))

@@ -222,8 +222,9 @@ class IncludeGraph:
     ) -> None:
         self.resolver = resolver
         self._launches = launches
-        #: Of thousands of plain URDFs none is kept: hardly a question is about them.
-        self._xacros: dict[str, bytes] = {}
+        #: Those with an include. Of thousands of others none is kept: the few questions about one
+        #: read it again.
+        self._including: dict[str, bytes] = {}
         self._names: dict[str, str] = {}
         self.closed: list[str] = []
         for path in files:
@@ -236,26 +237,22 @@ class IncludeGraph:
             if _ROBOT.search(source.data) or path.lower().endswith(".urdf"):
                 real = disk.real(path)
                 self._names[real] = path
-                if b"xacro" in source.data:
-                    self._xacros[real] = source.data
-        self.includes = {path: self._includes(path) for path in self._xacros}
+                if b"xacro:include" in source.data:
+                    self._including[real] = source.data
+        self.includes = {path: self._includes(path) for path in self._including}
 
     def _text(self, path: str) -> bytes:
-        return self._xacros.get(path) or self.resolver.read(self._names[path]).data
+        return self._including.get(path) or self.resolver.read(self._names[path]).data
 
     def _includes(self, path: str) -> frozenset[str]:
-        data = self._xacros[path]
-        if b"xacro:include" not in data:
-            return frozenset()
-        return self._named(_INCLUDE.findall(without_comments(data)), path)
+        return self._named(_INCLUDE.findall(without_comments(self._including[path])), path)
 
     def _disabled(self) -> set[str]:
         """The files that only an include in a comment names."""
         found: set[str] = set()
-        for path, data in self._xacros.items():
-            if b"<!--" in data and b"xacro:include" in data:
-                text = b"".join(comment[1] for comment in comments(data))
-                found |= self._named(_DISABLED.findall(text), path)
+        for path, data in self._including.items():
+            text = b"".join(comment[1] for comment in comments(data))
+            found |= self._named(_DISABLED.findall(text), path)
         return found
 
     def _named(self, names: Iterable[bytes], path: str) -> frozenset[str]:
@@ -428,8 +425,8 @@ class IncludeGraph:
 
     def is_library(self, path: str) -> bool:
         """True if a file only defines things: outside of macros it makes no link and calls none."""
-        if not _ROBOT.search(self._text(disk.real(path))):
+        data = self._text(disk.real(path))
+        if not _ROBOT.search(data):
             return False
-        data = without_comments(self._text(disk.real(path)))
-        outside = _MACRO.sub(b"", data)
+        outside = _MACRO.sub(b"", without_comments(data))
         return not _CONTENT.search(outside) and not _INCLUDE.search(outside)
