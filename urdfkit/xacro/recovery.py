@@ -16,6 +16,7 @@ from urdfkit.xacro.errors import root_cause
 from urdfkit.xacro.expansion import Run
 from urdfkit.xacro.expansion_log import ANY, ExpansionLog
 from urdfkit.xacro.file_reader import Reader
+from urdfkit.xacro.watchdog import watched
 
 if TYPE_CHECKING:
     from urdfkit.text.source import Source
@@ -75,8 +76,11 @@ def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
 def _once(run: Run) -> BaseException | None:
     """Expand once; the error that stopped it, or None."""
     try:
-        run.document = load_engine().expand(run)
+        with watched(run.budget):
+            run.document = load_engine().expand(run)
     except (Exception, RecursionError, MemoryError) as error:
+        if isinstance(root_cause(error), MemoryError):
+            return run.budget.out_of_memory().with_traceback(error.__traceback__)
         return error
     return None
 
