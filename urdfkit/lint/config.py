@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping
 
 from urdfkit.core import disk
+from urdfkit.core.expansion_limits import Limits
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.diagnostic import Confidence, Severity
@@ -67,6 +68,7 @@ class Config(Record):
         options: values of options of rules, by code and name.
         trust: True if models may run any expression and read any file.
         width: columns of a line that is laid out; 0 for the usual.
+        limits: of the expansion of each description.
         warnings: what is odd about the configuration, and does not change what is checked.
     """
 
@@ -90,6 +92,7 @@ class Config(Record):
     width: int = 0
     warnings: tuple[str, ...] = ()
     but_errors: frozenset[str] = frozenset()
+    limits: Limits = Limits()
 
     @property
     def directory(self) -> str:

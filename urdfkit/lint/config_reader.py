@@ -12,6 +12,7 @@ from math import inf
 from typing import Any, TypeVar
 
 from urdfkit.core import disk
+from urdfkit.core.expansion_limits import Limits
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.lint import rule_index
@@ -29,7 +30,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
         path: of the file.
         trusted: False if it comes with a robot from anywhere. What would let it run code, the
             setting ``trust`` and modules as ``rule-packages``, is then an error, and so are
-            packages and robots outside of its workspace.
+            packages and robots outside of its workspace, and higher limits than the usual.
 
     Raises:
         ConfigError: there is none, or it cannot be understood.
@@ -89,6 +90,7 @@ def _read(reader: _SettingsReader, *, trusted: bool) -> Config:
         options=reader.options(),
         trust=reader.trust(trusted=trusted),
         width=reader.width(),
+        limits=reader.limits(trusted=trusted),
     )
     reader.finish()
     warnings = [warning for each in (reader, *ignoring) for warning in each.warnings]
@@ -189,6 +191,22 @@ class _SettingsReader:
                 "'trust' must be confirmed on the command line: pass --trust or --config FILE"
             )
         return wanted
+
+    def limits(self, *, trusted: bool) -> Limits:
+        """The limits of an expansion; higher ones than the usual take the user's word."""
+        usual = Limits()
+        chosen = {}
+        for name, most in (("seconds", usual.seconds), ("megabytes", usual.megabytes)):
+            key = f"xacro-{name}"
+            value = chosen[name] = self.take(key, int, int(most))
+            if isinstance(value, bool) or value < 1:
+                raise self.error(f"'{key}' must be a whole number from 1, not {value}")
+            if value > most and not trusted:
+                raise self.error(
+                    f"'{key}' above {most:g} must be confirmed on the command line: pass --{key} "
+                    "or --config FILE"
+                )
+        return Limits(**chosen)
 
     def codes(self, key: str) -> tuple[frozenset[str], frozenset[str]]:
         """The codes that a list of words means, and those that it names whole."""

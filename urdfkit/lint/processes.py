@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from urdfkit.core import disk
+from urdfkit.core import disk, expansion_limits
 from urdfkit.core.file_log import FileLog
 from urdfkit.core.own_sources import note_sources
 from urdfkit.lint import rule_index
@@ -105,6 +105,7 @@ def _begin(
     disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one
     _own = (options, Resolver(options.packages, texts=options.texts))
+    expansion_limits.allow(options.config.limits)
     for path in admitted:
         _own[1].admit(path, trust=options.trust)
 

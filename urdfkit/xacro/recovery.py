@@ -16,6 +16,7 @@ from urdfkit.xacro.errors import root_cause
 from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import ANY, ExpansionLog
 from urdfkit.xacro.file_reader import FileReader
+from urdfkit.xacro.watchdog import watched
 
 if TYPE_CHECKING:
     from urdfkit.text.source import Source
@@ -77,8 +78,11 @@ def attempt(
 def _once(run: ExpansionRun) -> BaseException | None:
     """Expand once; the error that stopped it, or None."""
     try:
-        run.document = load_engine().expand(run)
+        with watched(run.budget):
+            run.document = load_engine().expand(run)
     except (Exception, RecursionError, MemoryError) as error:
+        if isinstance(root_cause(error), MemoryError):
+            return run.budget.out_of_memory().with_traceback(error.__traceback__)
         return error
     return None
 

@@ -23,8 +23,8 @@ from urdfkit.robot.samples import mesh_xml
 BAD = mesh_xml("visual", "forearm.dae")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
-    "forearm.dae": collada(look='<diffuse><texture texture="image" texcoord="UV"/></diffuse>'),
-    "hand.dae": collada(look="<diffuse><color>1 0 0 1</color></diffuse>"),
+    "forearm.dae": collada(effect='<diffuse><texture texture="image" texcoord="UV"/></diffuse>'),
+    "hand.dae": collada(effect="<diffuse><color>1 0 0 1</color></diffuse>"),
 }
 
 

@@ -61,7 +61,7 @@ class GltfWriter:
         primitive = {
             "attributes": attributes,
             "indices": self._accessor(faces, target=_ELEMENTS),
-            "material": self._material(item.look),
+            "material": self._material(item.material),
         }
         mesh = self._once(
             ("mesh", json.dumps(primitive)), self._meshes, {"primitives": [primitive]}
@@ -198,7 +198,7 @@ def _corners(item: SceneItem) -> tuple[NDArray[Any], ...] | None:
     index = triangles.reshape(-1)
     for values, factor, kind in (
         (item.normals, 127, np.int8),
-        (item.uv if item.look.texture else None, 1, np.float32),
+        (item.uv if item.material.texture else None, 1, np.float32),
         (item.colors, 255, np.uint8),
     ):
         columns.append(_column(values, index, factor, kind))
