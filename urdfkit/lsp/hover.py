@@ -8,10 +8,10 @@ from collections.abc import Iterable, Iterator
 from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.ignore_comments import ignores
-from urdfkit.lsp.completion import grammar_of
+from urdfkit.lsp.grammar import grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import NameUse, path_in
-from urdfkit.lsp.workspace import OpenRobot
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.model import Joint, Link
