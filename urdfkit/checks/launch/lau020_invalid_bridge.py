@@ -1,8 +1,8 @@
 """The bridge between Gazebo and ROS cannot pass on a topic.
 
 `ros_gz_bridge` knows pairs of messages. For another pair it prints "Failed to create a bridge for
-topic" and goes on with the rest, so that the topic is there on one side and silent on the other. The
-same happens to an entry of its YAML file without both types or with another direction than
+topic" and goes on with the rest, so that the topic is there on one side and silent on the other.
+The same happens to an entry of its YAML file without both types or with another direction than
 `GZ_TO_ROS`, `ROS_TO_GZ` or `BIDIRECTIONAL`. A word of its command line that is no
 `topic@ros_type@gz_type`, with `[` from Gazebo and `]` to Gazebo, ends the program. Messages that
 are not in the table of urdfkit are not reported, for later releases add some.
