@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
+from urdfkit.lint.argument_sets import MAX_GIVEN
 from urdfkit.lint.fix import fix
-from urdfkit.lint.plan import MAX_GIVEN
 from urdfkit.lint.report import Report
 
 HEAD = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'

@@ -8,7 +8,7 @@ import pytest
 
 from urdfkit import Source, check
 from urdfkit.errors import UnknownRule, UnreadableFile
-from urdfkit.lint import engine
+from urdfkit.lint import check_job, engine
 from urdfkit.lint.config import Config, ConfigError, RobotEntry
 from urdfkit.lint.context import Subject
 from urdfkit.lint.options import Options
@@ -225,11 +225,11 @@ def test_of_a_robot_that_was_checked_nothing_heavy_stays(
     pytest.importorskip("numpy")
     alive: list[int] = []
 
-    def count(*arguments: object, run=engine._check_job) -> FileResult:
+    def count(*arguments: object, run=check_job.check_job) -> FileResult:
         alive.append(sum(isinstance(one, Subject) for one in gc.get_objects()))
         return run(*arguments)
 
-    monkeypatch.setattr(engine, "_check_job", count)
+    monkeypatch.setattr(check_job, "check_job", count)
     gc.collect()
     gc.disable()  # as good as it is for a few objects with large meshes
     try:

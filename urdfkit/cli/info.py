@@ -148,7 +148,7 @@ def _shapes(found: Shapes) -> Iterator[str]:
         yield from _entry(role, f"{sum(kinds.values())}{': ' if parts else ''}{parts}{more}")
     if found.files:
         formats = ", ".join(f"{count} {name}" for name, count in found.files.items())
-        yield from _entry("mesh files", f"{formats}; {_bytes(found.size)}")
+        yield from _entry("mesh files", f"{formats}; {output.size(found.size)}")
     if found.missing:
         names = _list(map(os.path.basename, found.missing))
         yield from _entry("unusable", names)
@@ -208,10 +208,6 @@ def _vector(values: Iterable[float], size: float = 0.0) -> str:
     every = list(values)
     noise = 1e-6 * max(size, *map(abs, every))
     return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in every)
-
-
-def _bytes(size: int) -> str:
-    return f"{size / 1e6:.1f} MB" if size >= 1e6 else f"{size / 1e3:.0f} kB"
 
 
 def as_json(found: Overview) -> Mapping[str, Any]:

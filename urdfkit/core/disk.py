@@ -9,11 +9,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from errno import EFBIG
 from stat import S_ISDIR, S_ISLNK, S_ISREG
-from typing import TYPE_CHECKING
+
+from urdfkit.core.regular_file import opened
+
+TYPE_CHECKING = False  # ``typing`` takes longer to import than all that this does
 
 if TYPE_CHECKING:
     from urdfkit.core.file_log import FileLog
+
+#: Files that are read as a whole are no longer than this: meshes are the longest.
+MAX_BYTES = 128 * 1024 * 1024
 
 _log: FileLog | None = None
 
@@ -43,14 +50,16 @@ def read(path: str | os.PathLike[str], most: int = -1) -> bytes:
         most: so many from its beginning; all if negative.
 
     Raises:
-        OSError: it cannot be opened.
+        OSError: it cannot be opened, is no regular file, or all of it is more than ``MAX_BYTES``.
         ValueError: there is a NUL in its name.
     """
     path = os.fspath(path)
     try:
-        with open(path, "rb") as file:
-            data = file.read(most)
+        with opened(path) as file:
+            data = file.read(MAX_BYTES + 1 if most < 0 else most)
             state = os.fstat(file.fileno()) if _log is not None else None
+        if most < 0 and len(data) > MAX_BYTES:
+            raise OSError(EFBIG, f"larger than {MAX_BYTES // 2**20} MiB", path)
     except OSError:
         if _log is not None:
             _log.read(path, most)

@@ -10,6 +10,8 @@ from __future__ import annotations
 import os
 from stat import S_IFMT, S_ISLNK
 
+from urdfkit.core.regular_file import opened
+
 TYPE_CHECKING = False
 
 if TYPE_CHECKING:
@@ -137,7 +139,7 @@ def _content_again(kind: str, path: str, answer: str, since: int) -> str | None:
         if kind == "d":
             digest = _of_names(os.listdir(path))
         else:
-            with open(path, "rb") as file:
+            with opened(path) as file:
                 digest = _digest(file.read(int(kind[1:] or -1)))
     except (OSError, ValueError):
         return answer if answer == NOTHING else None

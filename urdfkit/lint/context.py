@@ -16,7 +16,7 @@ from urdfkit.text.source import Source
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.report import Launched
+    from urdfkit.lint.report import Launched, UncheckedValues
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.robot import Dynamics
@@ -45,7 +45,6 @@ __all__ = [
     "RunState",
     "Subject",
     "Unavailable",
-    "UncheckedValues",
     "need_coal",
     "need_pinocchio",
 ]
@@ -91,22 +90,6 @@ class RunState(Record):
     rule_options: Mapping[str, Mapping[str, float]] = {}
     diagnostics: tuple[Diagnostic, ...] = ()
     chosen: frozenset[str] | None = None
-
-
-class UncheckedValues(Record):
-    """Values of an argument with which a robot is not checked, though files give them.
-
-    Attributes:
-        name: of the argument.
-        values: of it.
-        total: how many values it has.
-        why: they are left out.
-    """
-
-    name: str
-    values: tuple[str, ...]
-    total: int
-    why: str
 
 
 class Subject(DescriptionFile):

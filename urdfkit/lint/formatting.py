@@ -126,6 +126,6 @@ def _is_robot(path: str) -> bool:
 
 
 def _formatted(source: Source, width: int) -> Rewrite:
-    before = on_disk(source.path) or b""
+    before = rewriting.unchanged(source)
     after = encoded(formatted(source, width), source.encoding, before)
     return Rewrite(source.path, before, after)

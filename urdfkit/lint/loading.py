@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableRobot
+from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.context import Subject
-from urdfkit.lint.plan import Job, as_launched
+from urdfkit.lint.plan import Job
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver

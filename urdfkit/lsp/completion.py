@@ -8,11 +8,12 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 
 from urdfkit.core.record import Record
+from urdfkit.lsp.grammar import NAMING, USERS, grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
-from urdfkit.lsp.names import NAMING, USERS, parameters, path_in
-from urdfkit.lsp.workspace import OpenRobot
+from urdfkit.lsp.names import parameters, path_in
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
-from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
+from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK
 from urdfkit.workspace.directories import Directories
 
 #: Files and directories of one directory that are offered.
@@ -319,35 +320,6 @@ def _files(
         yield CompletionItem(
             f"{name}/" if is_directory else name, "directory" if is_directory else "file", "", at
         )
-
-
-def grammar_of(node: TagNode) -> Grammar | None:
-    """What URDF allows in an element; None where URDF has no grammar."""
-    way = [node.name]
-    for outer in node.around():
-        if outer.name == "robot":
-            break
-        if not outer.name.startswith("xacro:"):
-            way.insert(0, outer.name)
-    if way == ["robot"]:
-        return ROBOT
-    grammar = ROBOT if way[0] in ROBOT.children else _holder(way[0])
-    for name in way:
-        inner = grammar.children.get(name)
-        if inner is None or inner.open:
-            return None
-        grammar = inner
-    return grammar
-
-
-def _holder(tag: str) -> Grammar:
-    """The grammar of an element that may hold a tag, for a macro that makes a part of a link."""
-    queue = [ROBOT]
-    for grammar in queue:
-        if tag in grammar.children:
-            return grammar
-        queue += grammar.children.values()
-    return ROBOT
 
 
 def _word_start(node: TagNode, offset: int) -> int:

@@ -12,6 +12,7 @@ import zipfile
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
+from urdfkit.core.regular_file import opened
 from urdfkit.errors import UnreadableFile
 from urdfkit.text.source import why_unreadable
 from urdfkit.workspace.directories import walk
@@ -22,6 +23,7 @@ SUFFIXES = (".urdf", ".urdf.xacro")
 #: Other xacro files of a directory are robots if the root has a name, which no library needs.
 _NAMED_ROOT, _HEAD = re.compile(rb"<robot\b[^>]*\bname\s*="), 8192
 _LISTS = (".txt", ".lst")
+_LONGEST_LINE = 65_536
 _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
 
@@ -43,11 +45,12 @@ class Model(Record):
     directory: str = ""
 
 
-def models(sources: Iterable[str]) -> Iterator[Model]:
+def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Iterator[Model]:
     """The models of some sources; those in archives without a path as yet.
 
     Args:
         sources: descriptions, directories, archives, globs, and files that list these.
+        lists: the files that list them.
 
     Raises:
         UnreadableFile: a source does not exist, or is no list or archive though it is called so.
@@ -60,14 +63,15 @@ def models(sources: Iterable[str]) -> Iterator[Model]:
             members = (member for member in _members(source) if _is_model(member))
             yield from (Model(f"{source}/{member}", "", source) for member in members)
         elif os.path.isfile(source) and name.endswith(_LISTS):
-            yield from models(_listed(source))
+            real = os.path.realpath(source)
+            if real in lists:
+                raise UnreadableFile(f"{source}: this list names itself")
+            yield from models(_listed(source), lists | {real})
         elif glob.has_magic(source) and not os.path.lexists(source):
-            yield from models(glob.iglob(source, recursive=True))
-        elif os.path.isfile(source):
-            yield Model(source, source)
+            yield from models(glob.iglob(source, recursive=True), lists)
         else:
-            reason = why_unreadable(source, FileNotFoundError())
-            raise UnreadableFile(f"{source}: {reason}")
+            _require_readable(source)
+            yield Model(source, source)
 
 
 class Extraction:
@@ -102,6 +106,13 @@ class Extraction:
         return model._replace(path=path, directory=directory)
 
 
+def _require_readable(path: str) -> None:
+    try:
+        opened(path).close()
+    except OSError as error:
+        raise UnreadableFile(f"{path}: {why_unreadable(path, error)}") from error
+
+
 def _is_model(path: str) -> bool:
     return path.lower().endswith(SUFFIXES)  # SolidWorks writes .URDF
 
@@ -117,11 +128,14 @@ def _listed(path: str) -> Iterator[str]:
     """The lines of a list; relative paths start at the directory of the list."""
     directory = os.path.dirname(path)
     try:
-        with open(path, encoding="utf-8") as file:
-            for line in map(str.strip, file):
+        with opened(path) as file:
+            while data := file.readline(_LONGEST_LINE):
+                line = data.decode("utf-8").strip()
+                if "\0" in line:
+                    raise ValueError("it holds a NUL")
                 if line and not line.startswith("#"):
                     yield os.path.join(directory, line)
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:
         raise UnreadableFile(f"{path}: not a list of files ({error})") from error
 
 
@@ -136,7 +150,11 @@ def _members(archive: str) -> Iterator[str]:
                 names = packed.namelist()
     except (OSError, EOFError, tarfile.TarError, zipfile.BadZipFile) as error:
         raise UnreadableFile(f"{archive}: not a readable archive ({error})") from error
-    yield from sorted(os.path.normpath(name) for name in names if not name.endswith("/"))
+    plain = (os.path.normpath(name) for name in names if not name.endswith("/"))
+    # What lies outside of the archive is not extracted, and a file of that name is another one.
+    yield from sorted(
+        name for name in plain if not os.path.isabs(name) and name.split(os.sep)[0] != os.pardir
+    )
 
 
 def _extract(archive: str, directory: str) -> None:

@@ -74,6 +74,12 @@ def test_a_ball_becomes_a_sphere(tmp_path: Path) -> None:
     assert body.shape.radius == pytest.approx(0.2, rel=0.02)
 
 
+def test_the_file_of_a_hull_names_a_scale_that_is_the_same_all_over(tmp_path: Path) -> None:
+    file = robot(tmp_path, link(scale="2 2 2"), trimesh.creation.cone(0.2, 0.5))
+    (path,) = edited(read(file), propose(read(file), error=0.02)).meshes
+    assert Path(path).name == "m_2_2_2_collision.stl"
+
+
 def test_a_hull_becomes_a_file_beside_the_mesh(tmp_path: Path) -> None:
     cone = trimesh.creation.cone(0.2, 0.5)
     file = robot(tmp_path, link(scale="1 1 2"), cone)

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.lint.fix import Fixes, fix
+from urdfkit.lint.fix import fix
+from urdfkit.lint.fix_session import Fixes
 from urdfkit.lint.loading import load
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'

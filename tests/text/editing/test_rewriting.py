@@ -10,7 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from urdfkit.errors import UnwritableFile
-from urdfkit.text.editing.rewriting import Rewrite, diff, write
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.editing.rewriting import Rewrite, diff, rewrites, write
+from urdfkit.text.source import Source, Span
 
 CHANGES = {
     "plain": (b"<a>\n<b/>\n</a>\n", b"<a>\n<c/>\n</a>\n"),
@@ -50,6 +52,15 @@ def test_what_has_changed_meanwhile_stops_all(tmp_path: Path):
     with pytest.raises(UnwritableFile, match="it has changed meanwhile"):
         write(rewrites)
     assert [file.read_bytes() for file in files] == [b"<a/>", b"<c/>"]
+
+
+def test_what_has_changed_since_it_was_read_is_not_rewritten(tmp_path: Path):
+    (tmp_path / "a.urdf").write_bytes(b"<a/>")
+    source = Source.read(tmp_path / "a.urdf")
+    assert rewrites([Edit(Span(source, 1, 2), "b")])[0].after == b"<b/>"
+    (tmp_path / "a.urdf").write_bytes(b"<c/>")
+    with pytest.raises(UnwritableFile, match="it has changed meanwhile"):
+        rewrites([Edit(Span(source, 1, 2), "b")])
 
 
 @pytest.mark.skipif(shutil.which("patch") is None, reason="it needs patch")
