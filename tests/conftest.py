@@ -79,7 +79,6 @@ SLOW = (
     "tests/cli/test_report.py",
     "tests/cli/test_result_cache.py",
     "tests/core/test_disk.py::test_nothing_is_read_past",
-    "tests/mesh/test_warnings.py",
     "tests/false_alarms/",
     "tests/integration/",
     "tests/test_injection.py",

@@ -186,7 +186,7 @@ def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
         if taken := next((path for path in needed if _is_other(path, needed[path])), ""):
             left[proposal.link.name] = f"{taken} is there already, and is another mesh"
             continue
-        if outside := next((path for path in needed if not robot.resolver.admits(path)), ""):
+        if outside := next((path for path in needed if not robot.files.resolver.admits(path)), ""):
             left[proposal.link.name] = f"{outside} {OUTSIDE}: not written"
             continue
         meshes |= needed

@@ -217,7 +217,7 @@ def _make(
         return NotGenerated(path, references, defect, reason)
     if located.scheme not in ("package", "model", "absolute", "relative"):
         return NotGenerated(path, references, defect, f"'{located.scheme}://' leads to no file")
-    if not robot.resolver.admits(path):
+    if not robot.files.resolver.admits(path):
         return NotGenerated(path, references, defect, f"{OUTSIDE}: not written")
     if "Git LFS" in defect:
         return NotGenerated(
