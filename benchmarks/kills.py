@@ -4,7 +4,7 @@
 
 Each command works in a directory of its own and is killed (SIGKILL) at some instant of the time
 that it takes. After every kill, each file must be whole: as before or as after. Then the command
-runs to its end: the files must be those of a run that nobody killed, and no other file may be there.
+runs to its end: the files must be those of a run that nobody killed, and no others may be there.
 """
 
 from __future__ import annotations
