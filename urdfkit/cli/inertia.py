@@ -87,22 +87,25 @@ def command(
             lump=lump,
         )
     chosen = [one for one in proposals if links or one.is_doubtful]
-    lines: list[str] = []
-    left: dict[str, str] = {}
     if write or diff:
-        files, left = rewrites(chosen)
-        if diff:
-            lines += [line for file in files for line in file.diff().split("\n")[:-1]]
-        else:
-            rewriting.write(files)
-            lines += [f"wrote {shown(file.path)}" for file in files]
-        lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
-        lines = lines or ["nothing to write"]
-    elif form == "json":
-        lines = [dumped(as_json(proposals)).rstrip()]
+        return _write(chosen, is_diff=diff)
+    if form == "json":
+        output.write(dumped(as_json(proposals)))
     else:
-        lines += [*table(proposals), *proposed(chosen)]
-    output.write("\n".join(lines) + "\n")
+        output.write("".join(f"{line}\n" for line in (*table(proposals), *proposed(chosen))))
+    return 0
+
+
+def _write(chosen: Sequence[InertiaProposal], *, is_diff: bool) -> int:
+    """Write suggested values, or show them as a diff; 1 if one cannot be written."""
+    files, left = rewrites(chosen)
+    if is_diff:
+        text = "".join(file.diff() for file in files)
+    else:
+        rewriting.write(files)
+        text = "".join(f"wrote {shown(file.path)}\n" for file in files)
+    text += "".join(f"link '{name}' is unchanged: {reason}\n" for name, reason in left.items())
+    output.write(text or "nothing to write\n")
     return int(bool(left))
 
 

@@ -264,11 +264,10 @@ def serve(
             server_header=False,
             timeout_graceful_shutdown=1,
         )
-        server = uvicorn.Server(config)
         watching = asyncio.create_task(viewer.watch())
         opened(f"http://{HOST}:{listening.getsockname()[1]}/{token}/")
         try:
-            await server.serve(sockets=[listening])
+            await uvicorn.Server(config).serve(sockets=[listening])
         finally:
             watching.cancel()
 
