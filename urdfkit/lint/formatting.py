@@ -98,7 +98,7 @@ def _why_skipped(path: str, directory: str, *, force: bool) -> str:
     ownership = Ownership([os.path.join(directory, "x") if directory else path], Resolver())
     if directory and not ownership.owns(path):  # a link: it is not even read
         return OUTSIDE
-    return "" if force else ownership.refusal(Source.read(path))
+    return "" if force else ownership.why_protected(Source.read(path))
 
 
 def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterator[tuple[str, str]]:

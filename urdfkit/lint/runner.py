@@ -120,7 +120,7 @@ class _RuleRun:
         """Run those of some rules whose family applies to the subject.
 
         Raises:
-            Cancelled: nobody waits for the result any more.
+            Cancelled: the result is not wanted any more.
         """
         families: dict[str, list[str]] = {}
         for code in chosen:
@@ -133,7 +133,7 @@ class _RuleRun:
                 self._rule(rule)
 
     def _is_chosen(self, rule: Rule) -> bool:
-        """False for a preview rule that nobody asked for, and for one that takes too long."""
+        """False for a preview rule that is not selected, and for one that takes too long."""
         if rule.preview and not self.options.previews(rule.code):
             return False
         configured = self.config.severities.get(rule.code)

@@ -111,7 +111,7 @@ def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
 
 
 def _images(subject: Subject) -> set[str]:
-    """The files that the looks of a robot need besides its meshes, such as images."""
+    """The files that the appearance of a robot needs besides its meshes, such as images."""
     found: set[str] = set()
     for body in (body for link in subject.model.links for body in link.visuals):
         if body.material and body.material.texture is not None:
