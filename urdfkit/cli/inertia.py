@@ -92,20 +92,21 @@ def command(
     if form == "json":
         output.write(dumped(as_json(proposals)))
     else:
-        output.write("".join(f"{line}\n" for line in (*table(proposals), *proposed(chosen))))
+        output.page([*table(proposals), *proposed(chosen)])
     return 0
 
 
 def _write(chosen: Sequence[InertiaProposal], *, is_diff: bool) -> int:
     """Write suggested values, or show them as a diff; 1 if one cannot be written."""
+    lines: list[str] = []
     files, left = rewrites(chosen)
     if is_diff:
-        text = "".join(file.diff() for file in files)
+        output.write("".join(file.diff() for file in files))
     else:
         rewriting.write(files)
-        text = "".join(f"wrote {shown(file.path)}\n" for file in files)
-    text += "".join(f"link '{name}' is unchanged: {reason}\n" for name, reason in left.items())
-    output.write(text or "nothing to write\n")
+        lines += [f"wrote {shown(file.path)}" for file in files]
+    lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
+    output.page(lines or ["nothing to write"] * (not files))
     return int(bool(left))
 
 
