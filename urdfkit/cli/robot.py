@@ -122,7 +122,7 @@ def _robots_in(directory: str) -> str:
     return f"pass one of its robots: {', '.join(paths[:_NAMED])}{more}"
 
 
-class Reading(Record):
+class ReadOptions(Record):
     """How a robot is read: as the command line says, else as the configuration does.
 
     Attributes:
@@ -136,7 +136,7 @@ class Reading(Record):
     trust: bool
 
 
-def reading(asked: Mapping[str, Any], file: str) -> Reading:
+def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
     """How the robot in a file is read.
 
     Args:
@@ -149,7 +149,7 @@ def reading(asked: Mapping[str, Any], file: str) -> Reading:
     config = options.config(asked, file) or Config()
     entry = config.entry(file, options.arguments(asked), asked["variant"])
     packages = {**config.packages, **options.packages(asked)}
-    return Reading(entry.arguments, packages, asked["trust"] or config.trust)
+    return ReadOptions(entry.arguments, packages, asked["trust"] or config.trust)
 
 
 def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None = None) -> Subject:

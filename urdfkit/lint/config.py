@@ -61,7 +61,7 @@ class Config(Record):
         file_ignores: rules left out for some files.
         robots: the entry points; found by the include graph if empty.
         exclude: patterns of paths that the check of a directory leaves out.
-        foreign_rules: codes of the rules of other packages that run, too.
+        external_rules: codes of the rules of other packages that run, too.
         preview: True if preview rules run.
         named: codes that ``select`` names by their whole code or name.
         min_confidence: findings that are less sure are left out.
@@ -83,7 +83,7 @@ class Config(Record):
     file_ignores: tuple[FileIgnore, ...] = ()
     robots: tuple[RobotEntry, ...] = ()
     exclude: tuple[str, ...] = ()
-    foreign_rules: tuple[str, ...] = ()
+    external_rules: tuple[str, ...] = ()
     preview: bool = False
     named: frozenset[str] = frozenset()
     min_confidence: Confidence = Confidence.GUESSED

@@ -16,7 +16,7 @@ from urdfkit.text.source import Source, shown
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.lint.discovery import DirectoryContents
+    from urdfkit.lint.entry_points import DirectoryContents
     from urdfkit.lint.options import Options
     from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
     from urdfkit.text.document import CallFrame

@@ -94,14 +94,14 @@ _own: tuple[Options, Resolver]
 
 
 def _begin(
-    foreign: Mapping[str, str], options: Options, is_noting: bool, admitted: tuple[str, ...]
+    external: Mapping[str, str], options: Options, is_noting: bool, admitted: tuple[str, ...]
 ) -> None:
     """A process begins, which knows no rules of other packages and has noted nothing."""
     import signal
 
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    rule_index.register(foreign)
+    rule_index.register(external)
     disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one
     _own = (options, Resolver(options.packages, texts=options.texts))

@@ -62,7 +62,7 @@ def _characters(name: Attribute) -> Findings:
         return
     # Nothing refers to a fixed joint by its name.
     severity = Severity.INFO if is_fixed_joint else None
-    yield Finding(name, f"{tag} '{text}': {reason}", alike=reason, severity=severity)
+    yield Finding(name, f"{tag} '{text}': {reason}", group_key=reason, severity=severity)
 
 
 def _first_character(subject: Subject, name: Attribute) -> Findings:
