@@ -257,7 +257,7 @@ FILES: dict[str, tuple[dict[str, str], str]] = {
                 " ".join(f'a{n}=""' for n in range(1_000_000))
             )
         },
-        "",
+        "XAC013",
     ),
     "a long text": ({"r.urdf": f'<robot name="r">{"a " * 10_000_000}<link name="a"/></robot>'}, ""),
     "elements": ({"r.urdf": f'<robot name="r">{"<a/>" * 2_000_000}</robot>'}, "XAC013"),
