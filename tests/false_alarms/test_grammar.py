@@ -38,6 +38,21 @@ def test_what_a_known_program_reads_is_no_unknown_element(robot: str) -> None:
     ] == []
 
 
+@pytest.mark.parametrize(
+    ("shape", "severity"),
+    [
+        ('<plane normal="0 0 1"/>', Severity.INFO),
+        ('<cdf filename="a.cdf"/>', Severity.INFO),
+        ("<grid/>", Severity.ERROR),
+    ],
+)
+def test_a_shape_that_bullet_reads_is_no_error(shape: str, severity: Severity) -> None:
+    """Bullet's `plane_implicit.urdf`."""
+    robot = f'<link name="a"><collision><geometry>{shape}</geometry></collision></link>'
+    (found,) = reported("URD004", robot)
+    assert found.severity is severity
+
+
 def test_the_same_words_elsewhere_are_unknown() -> None:
     (found,) = reported("URD001", '<link name="a"/><collision_checking/>')
     assert found.severity is Severity.WARNING

@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from urdfkit.xacro import Xacro
 
 
+#: An argument is used above its default, which is a value all the same.
+_TOO_EARLY = "XAC020"
+
+
 class Unavailable(Exception):
     """A part that a rule needs is not to be had for this description; the text says why."""
 
@@ -41,6 +45,11 @@ class Reading(Record):
     document: Document | None
     problems: tuple[Problem, ...]
     xacro: Xacro | None
+
+    @property
+    def lacking(self) -> list[Problem]:
+        """The problems that are but arguments without a value."""
+        return [one for one in self.problems if one.argument and one.code != _TOO_EARLY]
 
 
 class DescriptionFile:
@@ -100,14 +109,20 @@ class DescriptionFile:
     @property
     def without_arguments(self) -> frozenset[str]:
         """The codes of problems that are but arguments without a value."""
-        problems = () if is_launch(self.source.path) else self.reading.problems
-        return frozenset(one.code for one in problems if one.argument)
+        lacking = () if is_launch(self.source.path) else self.reading.lacking
+        return frozenset(one.code for one in lacking)
 
     @property
     def missing_arguments(self) -> tuple[str, ...]:
         """The arguments without which a xacro cannot be expanded."""
-        problems = () if is_launch(self.source.path) else self.reading.problems
-        return tuple(dict.fromkeys(one.argument for one in problems if one.argument))
+        lacking = () if is_launch(self.source.path) else self.reading.lacking
+        return tuple(dict.fromkeys(one.argument for one in lacking))
+
+    @property
+    def arguments_to_pass(self) -> tuple[str, ...]:
+        """The missing arguments, else those that xacro misses because their default comes later."""
+        early = () if is_launch(self.source.path) else self.problems(_TOO_EARLY)
+        return self.missing_arguments or tuple(dict.fromkeys(one.argument for one in early))
 
     @property
     def is_fragment(self) -> bool:

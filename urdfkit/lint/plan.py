@@ -238,16 +238,17 @@ class Plan:
 def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
     """A job with its description.
 
-    A robot that cannot be expanded for want of arguments comes with those that launch files give
-    it: once for each set of them. Where none gives them all, it comes with the values that are
-    found otherwise and with which it expands.
+    A robot that cannot be expanded for want of arguments, or that uses them above their default,
+    comes with those that launch files give it: once for each set of them. Where none gives them
+    all, one that cannot be expanded comes with the values that are found otherwise and with which
+    it expands.
 
     Args:
         job: one description.
         read: makes the description of a job.
     """
     subject = read(job)
-    if is_launch(job.path) or not (names := subject.missing_arguments):
+    if is_launch(job.path) or not (names := subject.arguments_to_pass):
         return [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
@@ -266,6 +267,8 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         offered = [{name: one.arguments[name] for name in names} for one in sets]
         _note_unchecked(found, offered, failed)
         return found
+    if not subject.missing_arguments:
+        return [(job, subject)]
     return _as_found(job, read, subject, names) or [(job, subject)]
 
 

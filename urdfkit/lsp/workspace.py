@@ -242,7 +242,7 @@ class Workspace:
             subject = Subject(resolver.given(robot.file), resolver, config.arguments)
         except UrdfkitError:
             return robot
-        if names := subject.missing_arguments:
+        if names := subject.arguments_to_pass:
             for one in given(robot.file, names, resolver)[:1]:
                 self._launched[robot.file] = one.arguments
                 return robot._replace(arguments=one.arguments)
