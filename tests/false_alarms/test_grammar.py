@@ -24,6 +24,7 @@ JOINT = (
         '<link name="a"/><deformable name="d"><inertial><mass value="1"/></inertial></deformable>',
         '<link name="a"/><mujoco><compiler fusestatic="false"/></mujoco>',
         '<link name="a"/><klampt package_root="../.."/>',
+        JOINT.format("", '<child link="b"/><position_based_velocity_limits velocity_offset="1"/>'),
         '<link name="a"/><frame name="f" link="a" xyz="0 0 0" rpy="0 0 0"/>',
         '<link name="a"/><webots><device reference="camera"/></webots>',
         '<link name="a"/><drake:collision_filter_group name="g"/>',

@@ -66,7 +66,7 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
 
 def reported(found: Values) -> str:
     """Values of an argument, and where they are from."""
-    few = ", ".join(found.values[:_FEW])
+    few = ", ".join(value or "''" for value in found.values[:_FEW])
     more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
     verb = "has" if disk.is_folder(found.origin) else "gives"
     return f"{shown(found.origin)} {verb} {few}{more}"

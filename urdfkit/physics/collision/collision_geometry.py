@@ -216,9 +216,7 @@ class DistanceQuery:
         mesh = (self.first, self.second)[moved].solid
         bodies[moved] = _surface(*_drawn_in(mesh.vertices, mesh.faces, depth))
         self._hits.clear()
-        return bool(
-            coal.collide(bodies[0], _STILL, bodies[1], self._place, self._one, self._hits)
-        )
+        return bool(coal.collide(bodies[0], _STILL, bodies[1], self._place, self._one, self._hits))
 
     def hulls(self, rotation: Floats, translation: Floats) -> float:
         """The signed distance of the hulls of the two, in m; a lower bound of theirs."""
