@@ -87,8 +87,8 @@ def main() -> None:
     print("|", " | ".join(["defect", *programs, "urdfkit"]), "|")
     for name, (code, old, new) in DEFECTS.items():
         assert old in SOUND, name
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder, "robot.urdf")
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "robot.urdf")
             file.write_text(new.join(SOUND.rsplit(old, 1)), encoding="utf-8")
             reported = [
                 verdict([word.format(str(file)) if "{!" in word else word for word in words])

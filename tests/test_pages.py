@@ -51,13 +51,13 @@ def test_links_of_the_examples_lead_to_files_that_exist(page: Path) -> None:
 
 @pytest.fixture
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The folders and files that the example of a configuration names."""
-    folder = tmp_path / "project"
-    (folder / "urdf").mkdir(parents=True)
+    """The directories and files that the example of a configuration names."""
+    directory = tmp_path / "project"
+    (directory / "urdf").mkdir(parents=True)
     (tmp_path / "gripper" / "gripper_description").mkdir(parents=True)
-    (folder / "urdf" / "arm.urdf.xacro").write_text("<robot/>")
-    monkeypatch.chdir(folder)
-    return folder
+    (directory / "urdf" / "arm.urdf.xacro").write_text("<robot/>")
+    monkeypatch.chdir(directory)
+    return directory
 
 
 def test_the_example_of_a_configuration_is_one(project: Path) -> None:

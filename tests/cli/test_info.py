@@ -129,7 +129,7 @@ def test_the_first_error_is_told_not_a_warning_before_it(
     assert "more" not in reported
 
 
-def test_instead_of_a_folder_its_robots_are_named(
+def test_instead_of_a_directory_its_robots_are_named(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["info", str(MODELS / "good" / "two_link_arm")]) == 2

@@ -102,7 +102,7 @@ def on_a_terminal(*words: str | Path, command: str = "check") -> tuple[str, str]
 
 
 @UNIX
-def test_a_folder_on_a_terminal() -> None:
+def test_a_directory_on_a_terminal() -> None:
     out, reported = on_a_terminal(MODELS / "good", "--exit-zero")
     assert reported.startswith("\r[")
     assert "] 3 of 3" in reported

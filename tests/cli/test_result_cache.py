@@ -16,7 +16,7 @@ import pytest
 from tests.conftest import ROOT
 from urdfkit.cli import result_cache, result_entry, result_recording
 from urdfkit.cli.result_entry import Entry, decode, encode
-from urdfkit.core.cache_folder import VARIABLE
+from urdfkit.core.cache_directory import VARIABLE
 from urdfkit.core.file_log import FileLog, answer_again
 from urdfkit.output import formats
 
@@ -123,15 +123,15 @@ CHANGES = {
 
 
 def run(
-    folder: Path, *words: str, variables: Mapping[str, str] | None = None
+    directory: Path, *words: str, variables: Mapping[str, str] | None = None
 ) -> subprocess.CompletedProcess[bytes]:
-    cache = folder.parent / "cache"
+    cache = directory.parent / "cache"
     # What lies in the directory of temporary files and above is no part of a workspace.
-    environment = os.environ | {VARIABLE: str(cache), "TMPDIR": str(folder.parent)}
+    environment = os.environ | {VARIABLE: str(cache), "TMPDIR": str(directory.parent)}
     return subprocess.run(
         [sys.executable, "-c", PROGRAM, *words],
         check=False,
-        cwd=folder,
+        cwd=directory,
         capture_output=True,
         env=environment | dict(variables or {}),
     )
@@ -145,13 +145,13 @@ def is_repeated(done: subprocess.CompletedProcess[bytes]) -> bool:
 @pytest.fixture(scope="module")
 def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A workspace whose robots have been checked; each test leaves its result behind."""
-    folder = tmp_path_factory.mktemp("cached") / "ws"
+    directory = tmp_path_factory.mktemp("cached") / "ws"
     for name, text in FILES.items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text)
-    (folder / "arm/meshes/deep").mkdir()
-    assert not is_repeated(run(folder, *CHECK))
-    return folder
+        (directory / name).parent.mkdir(parents=True, exist_ok=True)
+        (directory / name).write_text(text)
+    (directory / "arm/meshes/deep").mkdir()
+    assert not is_repeated(run(directory, *CHECK))
+    return directory
 
 
 CHECK = ("check", ".", "--baseline", "baseline.json")

@@ -20,22 +20,22 @@ JOINT = """  <joint name="{name}" type="fixed">
 """
 
 
-def robot(folder: Path, *joints: str, comment: str = "") -> Report:
+def robot(directory: Path, *joints: str, comment: str = "") -> Report:
     body = "".join(JOINT.format(name=name, parent="base", axis=AXIS) for name in joints)
-    path = folder / "r.urdf"
+    path = directory / "r.urdf"
     path.write_text(f'<robot name="r">\n{comment}  <link name="base"/>\n{body}</robot>\n')
     return check(path, select=["JNT020"])
 
 
-def save(folder: Path, report: Report) -> str:
-    path = folder / "baseline.json"
-    path.write_text(dump(report, str(folder)))
+def save(directory: Path, report: Report) -> str:
+    path = directory / "baseline.json"
+    path.write_text(dump(report, str(directory)))
     return str(path)
 
 
-def sifted(report: Report, known: Counter[Fingerprint], folder: Path) -> tuple[list[str], int]:
+def sifted(report: Report, known: Counter[Fingerprint], directory: Path) -> tuple[list[str], int]:
     """The elements of what is new, and how much is tolerated."""
-    now = sift(report, known, str(folder))
+    now = sift(report, known, str(directory))
     return [found.element for found in now.diagnostics], now.tolerated
 
 

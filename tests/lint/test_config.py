@@ -28,8 +28,8 @@ ARGUED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 """
 
 
-def write(folder: Path, text: str, name: str = "urdfkit.toml") -> str:
-    path = folder / name
+def write(directory: Path, text: str, name: str = "urdfkit.toml") -> str:
+    path = directory / name
     path.write_text(text)
     return str(path)
 

@@ -14,8 +14,8 @@ from urdfkit.workspace.resolve import Resolver
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
 
-def write(folder: Path, name: str, body: str) -> str:
-    path = folder / name
+def write(directory: Path, name: str, body: str) -> str:
+    path = directory / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"{HEAD}\n{body}\n</robot>\n")
     return str(path)
@@ -109,7 +109,7 @@ def repository(tmp_path: Path) -> Path:
         ("robot/config/new.yaml", ["robot.xacro"]),  # of the same package
         ("settings/config/limits.yaml", []),  # of a package without robots
         ("notes/new.yaml", []),  # of none
-        ("gone/with/its/folder.xacro", []),
+        ("gone/with/its/directory.xacro", []),
         (".github/workflows/ci.yml", []),
         ("robot/.vscode/settings.yaml", []),
         ("other/urdf/other.urdf", ["other.urdf"]),
@@ -192,7 +192,7 @@ def test_a_dangling_link_hides_no_robot(tmp_path):
     assert check(tmp_path).files == (str(tmp_path / "b.urdf"),)
 
 
-def test_robots_of_a_folder_are_spelt_as_the_folder_was(tmp_path, monkeypatch):
+def test_robots_of_a_directory_are_spelt_as_the_directory_was(tmp_path, monkeypatch):
     (tmp_path / "robots").mkdir()
     (tmp_path / "elsewhere").mkdir()
     (tmp_path / "robots" / "b.urdf").write_text('<robot name="b"><link name="a"/></robot>')
@@ -227,12 +227,12 @@ def test_excluded_files_are_passed_over(package):
 
 
 @pytest.mark.parametrize("name", ["", "missing"])
-def test_a_folder_without_robots_is_an_error(tmp_path, name):
+def test_a_directory_without_robots_is_an_error(tmp_path, name):
     with pytest.raises(UnreadableFile):
         discover(str(tmp_path / name), Config(), Resolver())
 
 
-def test_a_folder_is_checked_and_the_library_is_told(package):
+def test_a_directory_is_checked_and_the_library_is_told(package):
     report = check(package)
     assert len(report.files) == 2
     assert [(Path(skip.path).name, skip.code) for skip in report.skipped] == [("lonely.xacro", "")]
@@ -245,7 +245,7 @@ def test_a_folder_is_checked_and_the_library_is_told(package):
         ("macros.xacro", "<robot><xacro:macro name='m'><link name='a'/></xacro:macro></robot>"),
     ],
 )
-def test_a_folder_without_a_robot_is_not_green(tmp_path: Path, file: str, text: str) -> None:
+def test_a_directory_without_a_robot_is_not_green(tmp_path: Path, file: str, text: str) -> None:
     (tmp_path / file).write_text(text)
     (found,) = [d for d in check(tmp_path).diagnostics if d.code == "CFG003"]
     assert found.message.startswith("no robot checked in ")
@@ -308,7 +308,7 @@ def test_a_name_that_no_file_can_have_includes_nothing(tmp_path):
     assert [Path(robot.file).name for robot in found.robots] == ["r.xacro"]
 
 
-def test_the_launch_files_of_a_folder_are_checked(package):
+def test_the_launch_files_of_a_directory_are_checked(package):
     (package / "launch").mkdir()
     (package / "launch" / "a.launch").write_text("<launch><group></launch>")
     (package / "launch" / "gone.launch").symlink_to("nowhere")
@@ -334,7 +334,7 @@ def test_the_controllers_that_launch_files_load_are_compared_with_the_robots(pac
     assert [Path(file).name for file in report.files].count("cart.xacro") == 1
 
 
-def test_a_folder_of_launch_files_alone_is_checked(tmp_path):
+def test_a_directory_of_launch_files_alone_is_checked(tmp_path):
     (tmp_path / "a.launch").write_text("<launch><group></launch>")
     report = check(tmp_path, select=["LAU"])
     assert [found.code for found in report.diagnostics] == ["CFG003", "LAU001"]

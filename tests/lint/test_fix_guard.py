@@ -36,8 +36,12 @@ def report(
     )
 
 
-def judged(before: Report, after: Report, old: str = ONE_LINK, new: str = TWO_LINKS) -> str:
-    def robots(body: str) -> list[Subject]:
+def judged(
+    before: Report, after: Report, old: str | None = ONE_LINK, new: str | None = TWO_LINKS
+) -> str:
+    def robots(body: str | None) -> list[Subject | None]:
+        if body is None:
+            return [None]
         source = Source("r.urdf", f'<robot name="r">{body}</robot>'.encode())
         return [Subject(source, Resolver(environment={}))]
 
@@ -83,6 +87,24 @@ def test_an_error_of_elements_that_were_hidden_was_there(
 def test_an_element_with_another_name_was_not_hidden() -> None:
     after = report(found("ABC001", "link/b"))
     assert judged(report(), after, new='<link name="b"/>') == "skipped: it would add ABC001"
+
+
+@pytest.mark.parametrize(("old", "new"), [(None, TWO_LINKS), (ONE_LINK, None), (None, None)])
+def test_nothing_was_hidden_in_a_robot_that_cannot_be_read(
+    old: str | None, new: str | None
+) -> None:
+    after = report(found("ABC001", "link/b"))
+    assert judged(report(), after, old, new) == "skipped: it would add ABC001"
+
+
+def test_only_robots_with_a_new_error_are_compared() -> None:
+    """The others may hide nothing: it takes reading both versions to know."""
+
+    def unread() -> list[Subject]:
+        raise AssertionError("nothing is new")
+
+    one = report(found("ABC001", "link/a"))
+    assert regression(one, one, unread, unread) == ""
 
 
 def test_one_more_error_of_a_code_forbids_a_fix() -> None:

@@ -21,14 +21,14 @@ LEG = XACRO.format(
 ).replace("{}", "%s")
 
 
-def robots(folder: Path) -> Path:
+def robots(directory: Path) -> Path:
     """Two robots that share a file of macros."""
-    (folder / "legs.xacro").write_text(LEG % "")
+    (directory / "legs.xacro").write_text(LEG % "")
     for name in ("one", "two"):
-        (folder / f"{name}.xacro").write_text(
+        (directory / f"{name}.xacro").write_text(
             XACRO.format(f'<xacro:include filename="legs.xacro"/>\n<xacro:leg p="{name}"/>')
         )
-    return folder / "legs.xacro"
+    return directory / "legs.xacro"
 
 
 def codes(checked, path: Path) -> list[str]:
@@ -138,7 +138,7 @@ def test_the_arguments_of_the_configuration_are_given(tmp_path: Path) -> None:
     assert [link.name for link in file.robot.model.links] == ["a"]
 
 
-def test_a_folder_that_goes_away_is_no_end(tmp_path: Path) -> None:
+def test_a_directory_that_goes_away_is_no_end(tmp_path: Path) -> None:
     shutil.copytree(MODELS / "good" / "mobile_base", tmp_path / "mobile_base")
     path = tmp_path / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
     file = Edited(path, path.read_text())
@@ -162,11 +162,11 @@ def test_every_prefix_of_a_text_is_checked_without_an_error(thorough: bool) -> N
         assert file.robot.page(file.path).source.data == text[:end].encode()
 
 
-def test_folders_are_listed_once_until_files_on_disk_change(
+def test_directories_are_listed_once_until_files_on_disk_change(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A package that is nowhere is looked for in the whole workspace."""
-    nowhere = f"p{uuid4().hex}"  # folders of other tests are neighbours of this one
+    nowhere = f"p{uuid4().hex}"  # directories of other tests are neighbours of this one
     (tmp_path / "package.xml").write_text("<package><name>own</name></package>")
     mesh = '<mesh filename="package://{}/x.stl"/>'
     text = '<robot name="r"><link name="a"><visual><geometry>{}</geometry></visual></link></robot>'

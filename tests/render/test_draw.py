@@ -13,7 +13,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from tests.render.scenes import alone, colour_at, corners, link, robot, scene
-from urdfkit.render import Camera, Scene, build, draw, looking, picture
+from urdfkit.render import Camera, Scene, build, draw, looking, render_image
 
 BOX = '<box size="0.4 0.2 0.3"/>'
 SIZE = (320, 200)
@@ -199,7 +199,7 @@ def test_an_empty_robot_is_an_empty_picture() -> None:
 
 def test_progress_goes_from_the_first_step_to_the_last() -> None:
     reported: list[tuple[int, int]] = []
-    picture(
+    render_image(
         scene(link("a", BOX)),
         ["front", "top"],
         size=(200, 100),

@@ -14,7 +14,7 @@ import numpy as np
 
 from tests.render.scenes import alone, link, robot
 from urdfkit.lint.loading import read
-from urdfkit.render import LAYERS, build, explained, looking, picture
+from urdfkit.render import LAYERS, build, explained, looking, render_image
 from urdfkit.render.layers import CLASH, NEIGHBOURS, NoSuchLayer
 from urdfkit.render.scene import SceneItem, placed
 
@@ -155,15 +155,15 @@ def test_names_stand_beside_their_links_and_never_on_one_another() -> None:
     subject = robot(*links)
     scene = explained(build(subject), subject, ["names"])
     assert [label.text for label in scene.labels] == [f"link_{i}" for i in range(12)]
-    bare = np.asarray(picture(build(subject), size=(480, 270), quality="draft"), dtype=int)
-    named = np.asarray(picture(scene, size=(480, 270), quality="draft"), dtype=int)
+    bare = np.asarray(render_image(build(subject), size=(480, 270), quality="draft"), dtype=int)
+    named = np.asarray(render_image(scene, size=(480, 270), quality="draft"), dtype=int)
     assert (np.abs(bare - named).sum(axis=2) > 60).sum() > 500
 
 
 @pytest.mark.parametrize("layer", LAYERS)
 def test_every_layer_takes_a_robot_that_is_nothing(layer: str) -> None:
     subject = robot('<link name="a"/>')
-    picture(explained(build(subject), subject, [layer]), size=(64, 64), quality="draft")
+    render_image(explained(build(subject), subject, [layer]), size=(64, 64), quality="draft")
 
 
 @pytest.mark.parametrize("layer", LAYERS)

@@ -50,9 +50,9 @@ def quad(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def seen(folder: Path, visual: str, view: str = "front") -> list[str]:
+def seen(directory: Path, visual: str, view: str = "front") -> list[str]:
     """The colours of the quarters of a robot: upper left and right, lower left and right."""
-    file = folder / "robot.urdf"
+    file = directory / "robot.urdf"
     text = f'<robot name="r"><link name="a"><visual>{visual}</visual></link></robot>'
     file.write_text(text, encoding="utf-8")
     scene = build(read(file))

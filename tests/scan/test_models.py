@@ -69,6 +69,22 @@ def test_an_archive_is_extracted_when_a_model_is_wanted(zoo: Path, suffix: str) 
     assert not path.exists()
 
 
+def test_an_archive_names_no_file_outside_of_it(tmp_path: Path) -> None:
+    (tmp_path / "secret.urdf").write_text("<robot/>")
+    with zipfile.ZipFile(tmp_path / "a.zip", "w") as packed:
+        for name in (f"../..{tmp_path}/secret.urdf", str(tmp_path / "secret.urdf"), "..b.urdf"):
+            packed.writestr(name, "<robot/>")
+    found = list(models([str(tmp_path / "a.zip")]))
+    assert [model.name for model in found] == [f"{tmp_path}/a.zip/..b.urdf"]
+
+
+@pytest.mark.parametrize("text", ["some.txt\n", "*.txt\n", "a\0b\n"])
+def test_a_list_that_has_no_end_or_is_none(zoo: Path, text: str) -> None:
+    (zoo / "some.txt").write_text(text)
+    with pytest.raises(UnreadableFile, match=r"names itself|not a list"):
+        list(models([str(zoo / "some.txt")]))
+
+
 def test_a_damaged_archive_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "a.zip").write_bytes(b"PK\3\4 no archive")
     with pytest.raises(UnreadableFile, match="not a readable archive"):

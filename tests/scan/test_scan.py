@@ -45,16 +45,16 @@ def check(subject):
 '''
 
 
-def write(folder: Path, count: int) -> Path:
-    folder.mkdir()
+def write(directory: Path, count: int) -> Path:
+    directory.mkdir()
     for number in range(1, count + 1):
-        (folder / f"{number:04}.urdf").write_text(ROBOT.format(number))
-    return folder
+        (directory / f"{number:04}.urdf").write_text(ROBOT.format(number))
+    return directory
 
 
-def rows(folder: Path) -> dict[str, dict[str, Any]]:
+def rows(directory: Path) -> dict[str, dict[str, Any]]:
     """The rows by model, without times; each model is there once."""
-    found = list(journal.rows(str(folder)))
+    found = list(journal.rows(str(directory)))
     by_name = {row["model"]: row for row in found}
     assert len(by_name) == len(found)
     for row in found:

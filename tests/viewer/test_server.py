@@ -44,9 +44,9 @@ sys.exit(main(["view", *sys.argv[1:]]))
 class Running:
     """A viewer of a copy of a robot."""
 
-    def __init__(self, folder: Path, *more: str) -> None:
-        shutil.copytree(BASE, folder / "mobile_base")
-        self.robot = folder / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
+    def __init__(self, directory: Path, *more: str) -> None:
+        shutil.copytree(BASE, directory / "mobile_base")
+        self.robot = directory / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
         words = [sys.executable, "-c", VIEW, str(self.robot), "--no-open", *more]
         self.process = subprocess.Popen(words, cwd=ROOT, stderr=subprocess.PIPE, text=True)
         assert self.process.stderr

@@ -210,7 +210,7 @@ def test_names_are_read_in_bounded_space(name: str, workspace: Path) -> None:
     assert problem.code == "XAC001"
 
 
-def test_folders_that_lead_in_circles(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_directories_that_lead_in_circles(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(budget, "MAX_SECONDS", 0.5)
     for number in range(10):
         (workspace / f"link{number}").symlink_to(".")

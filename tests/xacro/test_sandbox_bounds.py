@@ -1,5 +1,6 @@
 """The bounds of the sandbox: what is as large as allowed is made, and nothing larger."""
 
+import time
 from collections.abc import Callable
 from math import comb, factorial, inf, lcm, prod
 from typing import Any
@@ -7,9 +8,11 @@ from typing import Any
 import pytest
 import xacro
 
+from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro import sandbox as module
-from urdfkit.xacro.budget import Budget
+from urdfkit.xacro.budget import Budget, deadline
+from urdfkit.xacro.dom_builder import parse
 from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression, _within_bounds, extent
 
 
@@ -89,11 +92,43 @@ def test_fields_of_three_digits() -> None:
         sandbox().call(sandbox().format("{:1000}"), 1)
 
 
+def test_fields_of_format_count_for_1000_letters_and_10_of_each_of_the_longest_text() -> None:
+    def formatted(fields: int, value: object) -> object:
+        return sandbox().call(sandbox().format("{0}" * fields), value)
+
+    assert formatted(1000, 7) == "7" * 1000
+    assert formatted(500, "a" * 100) == "a" * 50_000
+    for fields, value in ((1001, 7), (501, "a" * 100), (500, "a" * 101)):
+        with pytest.raises(TooLarge):
+            formatted(fields, value)
+
+
 def test_the_budget_of_one_expansion() -> None:
     budget = Budget(inf)
     budget.charge(30_000_000)
+    budget.charge(999)
     with pytest.raises(DocumentTooLarge):
-        budget.charge(1000)  # it looks no more often
+        budget.charge(1)  # it looks no more often
+
+
+def test_the_time_of_one_expansion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It looks at the clock once in 1000 units."""
+    now, looks = 7.0, 0
+
+    def clock() -> float:
+        nonlocal looks
+        looks += 1
+        return now
+
+    monkeypatch.setattr(time, "thread_time", clock)
+    budget = Budget(deadline())
+    now, looks = 37.0, 0
+    for _ in range(1, 5000):
+        budget.charge(1)
+    assert looks == 5
+    now = 37.001
+    with pytest.raises(DocumentTooLarge, match="longer than 30 s"):
+        budget.charge(2)
 
 
 class Charged(Budget):
@@ -131,6 +166,14 @@ def test_what_is_made_is_charged_for_with_all_that_it_holds(what: str) -> None:
     budget = Charged()
     assert Sandbox(budget).keep(value) is value
     assert budget.units == [units]
+
+
+def test_steps_and_elements_count_for_many_characters() -> None:
+    budget = Charged()
+    assert Sandbox(budget).call(abs, -1) == 1
+    assert list(Sandbox(budget).steps([1, 2])) == [1, 2]
+    parse(Source("r.xacro", b"<a/>"), None, budget)
+    assert budget.units == [10, 10, 10, len("<a/>"), 100]
 
 
 @pytest.mark.parametrize(

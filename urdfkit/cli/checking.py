@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from urdfkit.cli.progress import Progress
     from urdfkit.lint.baseline import Fingerprint
-    from urdfkit.lint.fix import Fixes
+    from urdfkit.lint.fix_session import Fixes
 
 
 def run_check(values: Mapping[str, Any]) -> int:
@@ -239,11 +239,11 @@ def _with_baseline(
         return report
     from urdfkit.lint import baseline
 
-    folder = os.path.dirname(os.path.abspath(file))
+    directory = os.path.dirname(os.path.abspath(file))
     if known is None:
-        atomic.write(file, output.encode(baseline.dump(report, folder)))
+        atomic.write(file, output.encode(baseline.dump(report, directory)))
         known = baseline.load(file)
-    return baseline.sift(report, known, folder)
+    return baseline.sift(report, known, directory)
 
 
 def _progress(files: Sequence[str]) -> Progress | None:

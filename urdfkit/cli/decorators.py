@@ -7,6 +7,8 @@ from typing import Any, TypeVar
 
 import click
 
+from urdfkit.core import limits
+
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
@@ -46,4 +48,26 @@ VARIANT = click.option(
 )
 TARGET = click.option(
     "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
+)
+
+#: Gives a command that computes the limits of its process; they hold from here on.
+limited = with_options(
+    click.option(
+        "--memory",
+        type=click.FloatRange(0.1),
+        default=8.0,
+        metavar="GIB",
+        expose_value=False,
+        callback=lambda context, option, size: limits.begin_memory(int(size * 2**30)),
+        help="Limit of memory.",
+    ),
+    click.option(
+        "--timeout",
+        type=click.FloatRange(0.01, 1e6),
+        default=300.0,
+        metavar="SECONDS",
+        expose_value=False,
+        callback=lambda context, option, seconds: limits.begin_time(seconds),
+        help="Limit of time, until the result is written.",
+    ),
 )

@@ -11,7 +11,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
 from urdfkit.cli.checking import apply_fixes, choices, fail_on
 from urdfkit.cli.decorators import examples
-from urdfkit.lint.fix import Fixes
+from urdfkit.lint.fix_session import Fixes
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable, wrap

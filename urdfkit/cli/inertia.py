@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
 from urdfkit.robot.inertia import MassProperties
@@ -50,6 +50,7 @@ VERSION = 1
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @one_robot
+@limited
 def command(
     asked: dict[str, Any],
     source: str,

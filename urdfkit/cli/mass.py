@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
@@ -34,6 +34,7 @@ VERSION = 1
 @click.option(
     "--format", "form", type=click.Choice(["text", "json", "csv", "markdown"]), default="text"
 )
+@limited
 def command(asked: dict[str, Any], form: str) -> int:
     """Show the mass properties of every link and of the whole robot.
 

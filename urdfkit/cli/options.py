@@ -157,7 +157,7 @@ def jobs(values: Mapping[str, Any]) -> int:
 
 
 def config(values: Mapping[str, Any], near: str) -> Config | None:
-    """The configuration that holds for a file; for standard input that of the current folder.
+    """The configuration that holds for a file; for standard input that of the current directory.
 
     One that was found may come with a robot from anywhere, and is no more trusted than it.
     """
@@ -180,7 +180,7 @@ def add_rules(values: Mapping[str, Any]) -> list[str]:
     if names:
         from urdfkit.lint.rule_packages import add
 
-        add(names, modules=True, folder=os.curdir)
+        add(names, modules=True, directory=os.curdir)
     return names
 
 
@@ -197,15 +197,15 @@ def arguments(values: Mapping[str, Any]) -> dict[str, str]:
 
 
 def packages(values: Mapping[str, Any]) -> dict[str, str]:
-    """The folders of packages."""
+    """The directories of packages."""
     found = {}
     for word in values["package"]:
-        name, equals, folder = word.partition("=")
+        name, equals, directory = word.partition("=")
         if not (name and equals):
             raise UsageError(f"--package {word}: expected NAME=DIR: the package and its directory")
-        if not disk.is_folder(folder):
-            raise UsageError(f"--package {word}: no such directory '{folder}'")
-        found[name] = folder
+        if not disk.is_directory(directory):
+            raise UsageError(f"--package {word}: no such directory '{directory}'")
+        found[name] = directory
     return found
 
 

@@ -8,8 +8,10 @@ import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from urdfkit.core import limits
+
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from threading import Timer
     from typing import TextIO
 
@@ -92,11 +94,11 @@ def on_terminal(things: str = "", *, rated: bool = False) -> Progress | None:
 
 
 @contextmanager
-def shown(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]:
+def shown(things: str = "", *, rated: bool = False) -> Iterator[Callable[[int, int], None] | None]:
     """Progress on standard error while a job lasts, if a person looks at it."""
     bar = on_terminal(things, rated=rated)
     try:
-        yield bar
+        yield limits.noting(bar)
     finally:
         if bar is not None:
             bar.wipe()

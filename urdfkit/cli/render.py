@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
@@ -62,6 +62,7 @@ _NAMED = 5
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
 @click.option("--no-ground", is_flag=True, help="Do not draw the ground shadow.")
 @click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
+@limited
 def command(asked: dict[str, Any], **values: Any) -> int:
     """Render images and animations of a robot.
 
@@ -120,7 +121,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
     with progress.shown() as bar:
-        image = render.picture(
+        image = render.render_image(
             scene,
             VIEWS if named == ["all"] else named,
             size=_size(values["size"] or SIZE),
@@ -156,11 +157,11 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
+    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
         scenes = []
         chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
-            where = os.path.join(os.path.realpath(folder), name)
+            where = os.path.join(os.path.realpath(directory), name)
             robot = RobotState(file, where, chosen).subject
             scenes.append(_scene(robot, positions(robot, asked), values))
         before, after = scenes

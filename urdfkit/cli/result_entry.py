@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import zlib
 
-from urdfkit.core.cache_folder import cache_folder
+from urdfkit.core.cache_directory import cache_directory
 from urdfkit.core.record import Record
 
 #: Goes up when the layout of entries changes, or what answers mean.
@@ -30,15 +30,15 @@ class Entry(Record):
     outputs: list[tuple[str, bytes]]
 
 
-def folder() -> str | None:
+def directory() -> str | None:
     """The directory of the entries; None if there is none."""
-    cache = cache_folder()
+    cache = cache_directory()
     return os.path.join(cache, "results") if cache else None
 
 
 def path_of(question: bytes) -> str:
     """The file of the entry that answers a question."""
-    return os.path.join(folder() or "", f"{zlib.crc32(question):08x}")
+    return os.path.join(directory() or "", f"{zlib.crc32(question):08x}")
 
 
 def encode(entry: Entry) -> bytes:

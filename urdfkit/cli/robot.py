@@ -24,12 +24,12 @@ from urdfkit.cli.decorators import (
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
+from urdfkit.lint.argument_sets import unknown_arguments
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
-from urdfkit.lint.plan import unknown_arguments
 from urdfkit.mesh.io.facts import counted
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
@@ -39,7 +39,7 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.text.diagnostic import Problem
 
-#: Robots of a folder that an error names.
+#: Robots of a directory that an error names.
 _NAMED = 5
 
 #: The options of reading a robot, and the keys of their values.
@@ -102,14 +102,14 @@ def check_options(values: Mapping[str, Any], file: str) -> Options:
 
 
 def last_file(states: Sequence[str]) -> str:
-    """The state that is a file, whose configuration counts for all; else the current folder."""
+    """The state that is a file, whose configuration counts for all; else the current directory."""
     return next((file for file in reversed(states) if os.path.exists(file)), os.curdir)
 
 
-def _robots_in(folder: str) -> str:
-    """What to name instead of a folder."""
+def _robots_in(directory: str) -> str:
+    """What to name instead of a directory."""
     try:
-        found = discover(folder, Config(), Resolver()).robots
+        found = discover(directory, Config(), Resolver()).robots
     except UnreadableFile:
         return "pass a robot file"
     paths = [shown(robot.file) for robot in found]
@@ -122,7 +122,7 @@ class Reading(Record):
 
     Attributes:
         arguments: for xacro.
-        packages: folders of ROS packages by name.
+        packages: directories of ROS packages by name.
         trust: let the model run any expression.
     """
 

@@ -32,7 +32,7 @@ _FEW = 10
 _INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"'<>]+)["']""")
 _DECLARATION = re.compile(rb"<xacro:arg\b[^<>]*>")
 _ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
-#: A path in which a whole folder is the value of an argument, or of a parameter called like it.
+#: A path in which a whole directory is the value of an argument, or of a parameter called like it.
 _PATH = r"""["']([^"'<>\n]*/)(?:\$\(arg\s+%s\s*\)|\$\{\s*%s\s*\})(/[^"'<>\n]*)["']"""
 _PACKAGE = rf"{FIND}|^package://([\w.-]+)"
 _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
@@ -43,7 +43,7 @@ class Values(Record):
 
     Attributes:
         values: in the order in which they are found.
-        origin: path of the launch file, xacro file or folder that they are from.
+        origin: path of the launch file, xacro file or directory that they are from.
     """
 
     values: tuple[str, ...]
@@ -68,7 +68,7 @@ def reported(found: Values) -> str:
     """Values of an argument, and where they are from."""
     few = ", ".join(value or "''" for value in found.values[:_FEW])
     more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
-    verb = "has" if disk.is_folder(found.origin) else "gives"
+    verb = "has" if disk.is_directory(found.origin) else "gives"
     return f"{shown(found.origin)} {verb} {few}{more}"
 
 
@@ -80,7 +80,7 @@ def found_values(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
     for launch, choices in declared(robot, resolver):
         if name in choices:
             return Values(tuple(choices[name]), launch)
-    return _of_includes(name, xacro, resolver) or _of_folders(name, xacro, resolver)
+    return _of_includes(name, xacro, resolver) or _of_directories(name, xacro, resolver)
 
 
 def combinations(
@@ -138,19 +138,19 @@ def _attributes(tag: bytes, *names: bytes) -> Mapping[bytes, str]:
     return {name: at.group(1).decode("utf-8", "replace") for name, at in found.items() if at}
 
 
-def _of_folders(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
-    """The names of the folders to which all paths with the argument lead."""
+def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+    """The names of the directories to which all paths with the argument lead."""
     word = re.escape(name)
     common: set[str] | None = None
     origin = ""
     for source in xacro.sources:
         text = without_comments(source.data).decode("utf-8", "replace")
         for head, rest in dict.fromkeys(re.findall(_PATH % (word, word), text)):
-            folder = _plain_path(head, source, resolver)
-            if not folder or not resolver.allows(folder, source.path):
+            directory = _plain_path(head, source, resolver)
+            if not directory or not resolver.allows(directory, source.path):
                 continue
-            there = set(_leading_to(rest, name, folder, resolver))
-            common, origin = (there, folder) if common is None else (common & there, origin)
+            there = set(_leading_to(rest, name, directory, resolver))
+            common, origin = (there, directory) if common is None else (common & there, origin)
     return Values(tuple(sorted(common)), origin) if common else None
 
 
@@ -168,12 +168,12 @@ def _plain_path(text: str, source: Source, resolver: Resolver) -> str:
     return "" if "$" in text else os.path.normpath(os.path.join(here, text))
 
 
-def _leading_to(rest: str, name: str, folder: str, resolver: Resolver) -> Iterator[str]:
-    """The folders below one in which the rest of a path is there."""
+def _leading_to(rest: str, name: str, directory: str, resolver: Resolver) -> Iterator[str]:
+    """The directories below one in which the rest of a path is there."""
     itself = re.compile(rf"\$\(arg\s+{re.escape(name)}\s*\)|\$\{{\s*{re.escape(name)}\s*\}}")
-    for entry, is_folder in (resolver.folders.entries(folder) or {}).items():
-        if is_folder and re.fullmatch(r"\w[\w.-]*", entry):
+    for entry, is_directory in (resolver.directories.entries(directory) or {}).items():
+        if is_directory and re.fullmatch(r"\w[\w.-]*", entry):
             plain = map(glob.escape, _EXPRESSION.split(itself.sub(entry, rest)))
-            pattern = glob.escape(os.path.join(folder, entry)) + "*".join(plain)
+            pattern = glob.escape(os.path.join(directory, entry)) + "*".join(plain)
             if any(True for _ in glob.iglob(pattern)):
                 yield entry

@@ -79,7 +79,7 @@ def _read(reader: _Reader, *, trusted: bool) -> Config:
         severities=reader.severities(),
         file_ignores=tuple(_file_ignore(inner) for inner in ignoring),
         robots=tuple(
-            robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
+            robot for inner in reader.tables("robot") for robot in _robots(inner, reader.directory)
         ),
         exclude=reader.texts("exclude"),
         foreign_rules=foreign,
@@ -105,9 +105,9 @@ def _file_ignore(reader: _Reader) -> FileIgnore:
     return entry
 
 
-def _robots(reader: _Reader, folder: str) -> list[RobotEntry]:
+def _robots(reader: _Reader, directory: str) -> list[RobotEntry]:
     """The variants of one entry point; every one with the common arguments too."""
-    file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
+    file = os.path.normpath(os.path.join(directory, reader.take("file", str, "")))
     reader.require_inside("file", file)
     if not disk.is_file(file):
         raise reader.error(f"file not found: '{file}'")
@@ -140,7 +140,7 @@ class _Reader:
     def __init__(self, path: str, table: dict[str, Any], where: str, *, trusted: bool) -> None:
         self.path = path
         self._trusted = trusted
-        self.folder = os.path.dirname(os.path.abspath(path))
+        self.directory = os.path.dirname(os.path.abspath(path))
         self.where = where
         self.warnings: list[str] = []
         self._left = dict(table)
@@ -178,7 +178,7 @@ class _Reader:
         from urdfkit.lint.rule_packages import add
 
         try:
-            return tuple(add(names, modules=trusted, folder=self.folder))
+            return tuple(add(names, modules=trusted, directory=self.directory))
         except RuleError as error:
             raise self.error(f"'rule-packages': {error}") from error
 
@@ -285,18 +285,20 @@ class _Reader:
 
     def packages(self) -> dict[str, str]:
         table = self.take("packages", dict, {})
-        folders = {name: os.path.join(self.folder, str(value)) for name, value in table.items()}
-        for name, folder in folders.items():
-            self.require_inside(f"packages.{name}", folder)
-            if not disk.is_folder(folder):
-                raise self.error(f"'packages.{name}': no such directory '{folder}'")
-        return {name: os.path.normpath(folder) for name, folder in folders.items()}
+        directories = {
+            name: os.path.join(self.directory, str(value)) for name, value in table.items()
+        }
+        for name, directory in directories.items():
+            self.require_inside(f"packages.{name}", directory)
+            if not disk.is_directory(directory):
+                raise self.error(f"'packages.{name}': no such directory '{directory}'")
+        return {name: os.path.normpath(directory) for name, directory in directories.items()}
 
     def require_inside(self, key: str, path: str) -> None:
         """See that the configuration names a path of its own workspace, or is trusted."""
         if self._trusted:
             return
-        from urdfkit.workspace.package_folders import is_within
+        from urdfkit.workspace.package_directories import is_within
         from urdfkit.workspace.resolve import Resolver
 
         packages = Resolver().packages

@@ -1,4 +1,4 @@
-"""Which files of a folder are robots: its entry points, by the include graph.
+"""Which files of a directory are robots: its entry points, by the include graph.
 
 A xacro that another file includes is checked through that file, not alone. Includes are read from
 the text, without expanding anything, so that a change of one file leads to the robots it is part
@@ -19,12 +19,12 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.text.comments import comments, without_comments
 from urdfkit.text.file_kinds import is_launch
+from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 
-#: Files of one folder that are looked at.
+#: Files of one directory that are looked at.
 MAX_FILES = 20_000
 
 SUFFIXES = (".urdf", ".xacro")
@@ -62,8 +62,8 @@ _CONTENT = re.compile(
 )
 
 
-class FolderContents(Record):
-    """What a folder holds.
+class DirectoryContents(Record):
+    """What a directory holds.
 
     Attributes:
         robots: the entry points, sorted by path.
@@ -78,37 +78,40 @@ class FolderContents(Record):
     others: Mapping[str, str] = {}
 
 
-def discover(folder: str, config: Config, resolver: Resolver) -> FolderContents:
-    """The entry points of a folder: those of the configuration in it, else by the includes.
+def discover(directory: str, config: Config, resolver: Resolver) -> DirectoryContents:
+    """The entry points of a directory: those of the configuration in it, else by the includes.
 
     Raises:
-        UnreadableFile: the folder cannot be read, or holds no description.
+        UnreadableFile: the directory cannot be read, or holds no description.
     """
-    graph = _graph(folder, config, resolver)
+    graph = _graph(directory, config, resolver)
     found = graph.entry_points()
-    configured = tuple(robot for robot in config.robots if _is_within(robot.file, folder))
+    configured = tuple(robot for robot in config.robots if _is_within(robot.file, directory))
     if configured:
         named = {disk.real(robot.file) for robot in configured}
         reached = {path for robot in named for path in graph.closure(robot)}
         left = [one.file for one in found.robots if disk.real(one.file) not in reached]
-        return FolderContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
+        return DirectoryContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
     if not any(found):
         raise UnreadableFile(
-            f"{folder}: contains no .urdf, no .xacro with a <robot> and no launch file"
+            f"{directory}: contains no .urdf, no .xacro with a <robot> and no launch file"
         )
     return found
 
 
-def _graph(folder: str, config: Config, resolver: Resolver) -> IncludeGraph:
-    """The descriptions of a folder, and what looks like one whatever it is called."""
-    folders = resolver.folders
-    files = [*descriptions(folder, config, folders), *_lookalikes(folder, config, resolver)]
-    return IncludeGraph(files, resolver, launch_files(folder, config, folders))
+def _graph(directory: str, config: Config, resolver: Resolver) -> IncludeGraph:
+    """The descriptions of a directory, and what looks like one whatever it is called."""
+    directories = resolver.directories
+    files = [
+        *descriptions(directory, config, directories),
+        *_lookalikes(directory, config, resolver),
+    ]
+    return IncludeGraph(files, resolver, launch_files(directory, config, directories))
 
 
-def _lookalikes(folder: str, config: Config, resolver: Resolver) -> Iterator[str]:
+def _lookalikes(directory: str, config: Config, resolver: Resolver) -> Iterator[str]:
     """The files with the root ``<robot>`` whose suffix is not that of a description."""
-    found = filter(_may_be_lookalike, resolver.folders.walk(folder))
+    found = filter(_may_be_lookalike, resolver.directories.walk(directory))
     for path in filter(resolver.admits, islice(found, MAX_FILES)):
         head = without_comments(read_head(path, _HEAD)).removeprefix(_MARK)
         if _ROOT.match(head) and not matches(config.relative(path), config.exclude):
@@ -120,15 +123,15 @@ def _may_be_lookalike(path: str) -> bool:
     return not (suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path))
 
 
-def launch_files(folder: str, config: Config, folders: Folders) -> Iterator[str]:
-    """The launch files below a folder that can be read, sorted."""
-    for path in filter(is_launch, folders.walk(folder)):
+def launch_files(directory: str, config: Config, directories: Directories) -> Iterator[str]:
+    """The launch files below a directory that can be read, sorted."""
+    for path in filter(is_launch, directories.walk(directory)):
         is_chosen = not matches(config.relative(path), config.exclude)
         if is_chosen and disk.is_file(path) and os.access(path, os.R_OK):
             yield path
 
 
-def affected(files: Iterable[str], config: Config, resolver: Resolver) -> FolderContents:
+def affected(files: Iterable[str], config: Config, resolver: Resolver) -> DirectoryContents:
     """The entry points that some changed files are part of, each once.
 
     A description is part of the robots whose includes lead to it, wherever in the repository
@@ -138,17 +141,17 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Folder
     """
     changed: dict[str, list[str]] = {}
     for file in map(os.path.abspath, files):
-        folder = _repository(file, resolver)
-        if f"{os.sep}." not in file[len(folder.rstrip(os.sep)) :]:
-            changed.setdefault(folder, []).append(file)
+        directory = _repository(file, resolver)
+        if f"{os.sep}." not in file[len(directory.rstrip(os.sep)) :]:
+            changed.setdefault(directory, []).append(file)
     robots: list[RobotEntry] = []
     libraries: list[str] = []
-    for folder, here in sorted(changed.items()):
-        graph = _graph(folder, config, resolver)
+    for directory, here in sorted(changed.items()):
+        graph = _graph(directory, config, resolver)
         found = graph.entry_points()
-        known = [robot for robot in config.robots if _is_within(robot.file, folder)]
+        known = [robot for robot in config.robots if _is_within(robot.file, directory)]
         # A configuration names the robots below itself; it knows nothing of those in siblings.
-        others = [r for r in found.robots if not (known and _is_within(r.file, config.folder))]
+        others = [r for r in found.robots if not (known and _is_within(r.file, config.directory))]
         robots += sorted(
             (
                 robot
@@ -158,15 +161,15 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Folder
             key=lambda robot: robot[:2],
         )
         libraries += [path for path in found.libraries if path in here]
-    return FolderContents(tuple(robots), tuple(libraries))
+    return DirectoryContents(tuple(robots), tuple(libraries))
 
 
 def _repository(file: str, resolver: Resolver) -> str:
-    """The folder in which a file is shared: its repository, else its package, else its own."""
-    folder = os.path.dirname(file)
-    while not disk.is_folder(folder):  # the file is gone, with its folder
-        folder = os.path.dirname(folder)
-    above = own = folder
+    """The directory in which a file is shared: its repository, else its package, else its own."""
+    directory = os.path.dirname(file)
+    while not disk.is_directory(directory):  # the file is gone, with its directory
+        directory = os.path.dirname(directory)
+    above = own = directory
     while not disk.exists(os.path.join(above, ".git")):
         above, below = os.path.dirname(above), above
         if above == below:
@@ -175,28 +178,28 @@ def _repository(file: str, resolver: Resolver) -> str:
     return above
 
 
-def _is_within(path: str, folder: str) -> bool:
-    return path.startswith(os.path.join(os.path.abspath(folder), ""))
+def _is_within(path: str, directory: str) -> bool:
+    return path.startswith(os.path.join(os.path.abspath(directory), ""))
 
 
-def _package_folder(file: str, resolver: Resolver) -> str:
+def _package_directory(file: str, resolver: Resolver) -> str:
     package = resolver.packages.enclosing(file)
     return package[1] if package else os.path.dirname(file)
 
 
-def descriptions(folder: str, config: Config, folders: Folders) -> Iterator[str]:
-    """The files below a folder that may be descriptions or parts of them, sorted."""
-    if not disk.is_folder(folder):
-        raise UnreadableFile(f"{folder}: no such directory")
+def descriptions(directory: str, config: Config, directories: Directories) -> Iterator[str]:
+    """The files below a directory that may be descriptions or parts of them, sorted."""
+    if not disk.is_directory(directory):
+        raise UnreadableFile(f"{directory}: no such directory")
     count = 0
-    for path in folders.walk(folder):
+    for path in directories.walk(directory):
         is_part = path.lower().endswith(_INCLUDED)
         is_chosen = is_part and not matches(config.relative(path), config.exclude)
         # A broken link is reported; a pipe or a device may never end.
         if is_chosen and (disk.is_file(path) or not disk.exists(path)):
             count += 1
             if count > MAX_FILES:
-                raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
+                raise UnreadableFile(f"{directory}: more than {MAX_FILES} descriptions")
             yield path
 
 
@@ -263,7 +266,7 @@ class IncludeGraph:
         return frozenset(found - {path})
 
     def _targets(self, name: str, near: str) -> Iterator[str]:
-        """The files that an include may mean; by their name where its folder is an expression."""
+        """The files that an include may mean; by name where its directory is an expression."""
         text = re.sub(FIND, lambda match: self._package(match.group(1), near), name)
         text = text.replace("$(dirname)", os.path.dirname(os.path.abspath(near)))
         if "$" not in text and not set("*?[") & set(text):
@@ -277,9 +280,9 @@ class IncludeGraph:
         """The files of a package that a pattern may mean; ``*`` stands for expressions, too."""
         if not any(os.path.splitext(word)[0].strip(".") for word in pattern.split("*")):
             return  # nothing but an expression: it may mean any file
-        folder = os.path.join(disk.real(_package_folder(near, self.resolver)), "")
+        directory = os.path.join(disk.real(_package_directory(near, self.resolver)), "")
         for path in self._names:
-            if path.startswith(folder) and fnmatchcase(os.path.basename(path), pattern):
+            if path.startswith(directory) and fnmatchcase(os.path.basename(path), pattern):
                 yield path
 
     def _existing(self, path: str) -> str:
@@ -293,7 +296,7 @@ class IncludeGraph:
         except PackageNotFound:
             return f"$(find {name})"
 
-    def entry_points(self) -> FolderContents:
+    def entry_points(self) -> DirectoryContents:
         """The descriptions that no other file includes, and the libraries among them.
 
         Where files include one another in a ring, one of them.
@@ -321,7 +324,7 @@ class IncludeGraph:
         named = tuple(RobotEntry(path, "", {}) for path in robots)
         others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
         others |= dict.fromkeys(parts, _PART)
-        return FolderContents(named, libraries, tuple(self.closed), others)
+        return DirectoryContents(named, libraries, tuple(self.closed), others)
 
     def _parts(self, roots: Iterable[str]) -> list[str]:
         """The xacros that are not whole: without a name, or with their include commented out."""

@@ -15,7 +15,7 @@ from urdfkit.text.editing.apply import encoded
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 from urdfkit.text.source import Source, shown
-from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.ownership import OUTSIDE, READ_ONLY, Ownership
 from urdfkit.workspace.resolve import Resolver
 
@@ -61,14 +61,14 @@ def format_files(
     ('models/good/gripper.urdf',)
 
     Args:
-        files: descriptions, or folders, of which all descriptions are laid out.
+        files: descriptions, or directories, of which all descriptions are laid out.
         width: columns of a line; as the configuration says, or 100, if it is 0.
         force: lay out files as well that are generated, read-only or that git ignores.
         check: nothing will be written, so that read-only files count as well.
         config: of the project; it may exclude files.
 
     Raises:
-        UnreadableFile: a file or folder cannot be read, or a folder holds no description.
+        UnreadableFile: a file or directory cannot be read, or a directory holds no description.
     """
     changed: list[Rewrite] = []
     unchanged: list[str] = []
@@ -76,10 +76,10 @@ def format_files(
     failed: list[tuple[str, str]] = []
     config = config or Config()
     width = width or config.width or WIDTH
-    for path, folder in _files(files, config):
-        owner = os.path.join(folder, "x") if folder else path
-        ownership, is_named = Ownership([owner], Resolver()), not folder
-        if folder and not ownership.owns(path):  # a link: it is not even read
+    for path, directory in _files(files, config):
+        owner = os.path.join(directory, "x") if directory else path
+        ownership, is_named = Ownership([owner], Resolver()), not directory
+        if directory and not ownership.owns(path):  # a link: it is not even read
             skipped.append((path, OUTSIDE))
             continue
         source = Source.read(path)
@@ -104,28 +104,28 @@ def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterato
     seen: set[str] = set()
     for given in files:
         file = os.fspath(given)
-        is_folder = disk.is_folder(file)
-        for path in _below(file, config) if is_folder else (file,):
+        is_directory = disk.is_directory(file)
+        for path in _below(file, config) if is_directory else (file,):
             real = disk.real(path)
             if real not in seen:
                 seen.add(real)
-                yield path, file if is_folder else ""
+                yield path, file if is_directory else ""
 
 
-def _below(folder: str, config: Config) -> list[str]:
-    below = descriptions(folder, config, Folders())
+def _below(directory: str, config: Config) -> list[str]:
+    below = descriptions(directory, config, Directories())
     found = [path for path in map(shown, below) if _is_robot(path)]
     if not found:
-        raise UnreadableFile(f"{folder}: contains no .urdf and no .xacro with a <robot>")
+        raise UnreadableFile(f"{directory}: contains no .urdf and no .xacro with a <robot>")
     return found
 
 
 def _is_robot(path: str) -> bool:
-    """True for a file of a folder that is a description, as far as its text shows."""
+    """True for a file of a directory that is a description, as far as its text shows."""
     return b"<robot" in (on_disk(path) or b"")
 
 
 def _formatted(source: Source, width: int) -> Rewrite:
-    before = on_disk(source.path) or b""
+    before = rewriting.unchanged(source)
     after = encoded(formatted(source, width), source.encoding, before)
     return Rewrite(source.path, before, after)

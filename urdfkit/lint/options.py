@@ -19,7 +19,7 @@ class Options(Record):
 
     Attributes:
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         select: codes, beginnings of codes or names; only these rules run. All if empty.
         ignore: codes, beginnings of codes or names of rules that do not run.
         targets: names of the programs to check for; inferred from each model if empty.

@@ -26,7 +26,7 @@ class Launched(Record):
 
     Attributes:
         path: of the robot.
-        launch: of the launch file that gives them, or of the xacro file or folder they are from.
+        launch: of the launch file that gives them, or of the xacro file or directory they are from.
         arguments: those that the robot lacks by itself.
     """
 
@@ -135,3 +135,19 @@ class Report(Record):
         if self.crashed:
             return 3
         return int(any(self.count(one) for one in Severity if one.rank <= fail_on.rank))
+
+
+class UncheckedValues(Record):
+    """Values of an argument with which a robot is not checked, though files give them.
+
+    Attributes:
+        name: of the argument.
+        values: of it.
+        total: how many values it has.
+        why: they are left out.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    total: int
+    why: str

@@ -48,7 +48,7 @@ FAMILIES = {
     "XML": "XML",
 }
 
-#: The folder with a folder for each family of rules.
+#: The directory with a directory for each family of rules.
 _CHECKS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "checks")
 
 #: The module of every rule that is known, by code: urdfkit's own first.
@@ -76,7 +76,7 @@ def codes() -> list[str]:
 
 
 def family_of(code: str) -> str:
-    """The family of a rule, a folder of ``urdfkit/checks``; empty for one of another package."""
+    """The family of a rule, a directory of ``urdfkit/checks``; empty for one of another package."""
     return "" if code in _foreign else _known()[code].split(".")[2]
 
 

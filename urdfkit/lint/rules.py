@@ -168,7 +168,7 @@ class Rule(Record):
 
     def option(self, subject: Subject, name: str) -> float:
         """The value of an option: as configured, else its default."""
-        return subject.rule_options.get(self.code, self.options).get(name, self.options[name])
+        return subject.run.rule_options.get(self.code, self.options).get(name, self.options[name])
 
     def may_report_errors(self, configured: Severity | None) -> bool:
         """True if a finding may be an error, with the severity that the configuration gives it."""

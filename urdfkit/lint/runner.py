@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
+from urdfkit.lint.context import NotApplicable, RunState, Subject, Unavailable
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Silenced, Skipped, crash
 from urdfkit.lint.rules import Finding, Location, Rule
@@ -73,22 +73,22 @@ def run_rules(
         options: whose configuration changes severities and options of rules, and leaves findings
             out; resolved.
     """
-    subject.rule_options = options.config.options
+    subject.run = RunState(options.config.options)
     run = _Run(subject, options)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
-    subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
+    subject.run = RunState(options.config.options, tuple(run.diagnostics), frozenset(chosen))
     run.ignores = run.guarded(lambda: subject.ignores, ())
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
-        lacking = subject.without_arguments
+        lacking = subject.reading.missing_argument_codes
         wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
         is_unexplained = wants_arguments or not run.says_why()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
             run.rules([rule_index.NOT_CHECKED])
-            subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
+            subject.run = subject.run._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules(own)
     return run.verdict()
@@ -188,14 +188,14 @@ class _Run:
 
     def _with_data(self, finding: Finding) -> Finding:
         """A finding with the places of its numbers in data files."""
-        if finding.node is None or is_launch(self.subject.source.path):
+        if finding.node is None:
             return finding
         places = self.subject.data_places(finding.node)
         return finding._replace(data=places) if places else finding
 
     def _undisputed(self, findings: list[Finding]) -> list[Finding]:
         """Findings with the fixes on which all uses of a macro agree."""
-        if not any(finding.fix for finding in findings) or is_launch(self.subject.source.path):
+        if not any(finding.fix for finding in findings):
             return findings
         reading = self.subject.reading
         if reading.xacro is None or reading.document is None:

@@ -30,7 +30,7 @@ _ITEMS = {
     "name": lsp.CompletionItemKind.Reference,
     "word": lsp.CompletionItemKind.Value,
     "file": lsp.CompletionItemKind.File,
-    "folder": lsp.CompletionItemKind.Folder,
+    "directory": lsp.CompletionItemKind.Folder,
     "end": lsp.CompletionItemKind.Text,
 }
 

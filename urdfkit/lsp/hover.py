@@ -8,10 +8,10 @@ from collections.abc import Iterable, Iterator
 from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.ignore_comments import ignores
-from urdfkit.lsp.completion import grammar_of
+from urdfkit.lsp.grammar import grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import NameUse, path_in
-from urdfkit.lsp.workspace import OpenRobot
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.model import Joint, Link
@@ -172,7 +172,7 @@ def _mesh(robot: OpenRobot, here: Cursor) -> Iterator[str]:
 def _file(robot: OpenRobot, node: TagNode, reference: str) -> Iterator[str]:
     located = robot.resolver.locate(reference, node.source.path, robot.path)
     if located.path is None:
-        missing = "no such file" if located.folder or not located.package else "no such package"
+        missing = "no such file" if located.directory or not located.package else "no such package"
         yield f"**{node.name}** `{_code(reference)}`: {missing}"
         for tried in (located.tried or located.searched)[:MAX_SHOWN]:
             yield f"- tried `{_code(tried)}`"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from urdfkit.lsp.markup import Page, TagNode
-from urdfkit.lsp.workspace import OpenRobot
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.robot.model import Joint, Link
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span

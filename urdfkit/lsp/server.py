@@ -25,8 +25,9 @@ from pygls.lsp.server import LanguageServer
 from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.text import PositionEncoding, to_bytes, to_path, to_uri
-from urdfkit.lsp.workspace import OpenRobot, Workspace
+from urdfkit.lsp.workspace import Workspace
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Span
 

@@ -40,7 +40,7 @@ def difference(
         before: the first state.
         after: the second one.
         view: name of a view.
-        size: of all three pictures together, in pixels.
+        size: of all three images together, in pixels.
         look: of the camera, as `looking` takes it.
         drawing: as `draw` takes it.
 
@@ -65,7 +65,7 @@ def difference(
 
 
 def _compared(before: Bytes, after: Bytes) -> Bytes:
-    """The picture of the difference of two pictures of robots and nothing else."""
+    """The image of the difference of two images of robots and nothing else."""
     old, new = (pixels.astype(np.int32) for pixels in (before, after))
     result = np.full(before.shape, 255, dtype=np.uint8)
     shown = np.where((new[..., 3] > 0)[..., None], new, old)

@@ -1,4 +1,4 @@
-"""What a picture shows: the triangles of a robot, link by link, and where the links are."""
+"""What an image shows: the triangles of a robot, link by link, and where the links are."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ class MissingMesh(NamedTuple):
 
 
 class Label(NamedTuple):
-    """A word in a picture.
+    """A word in an image.
 
     Attributes:
         text: the word.
@@ -148,11 +148,8 @@ def build(
             continue
         for role in roles:
             for body in link.visuals if role == "visual" else link.collisions:
-                found = [
-                    kept
-                    for item in _items(subject, looks, link.name, role, body)
-                    if (kept := _sound(item))
-                ]
+                every = map(_sound, _items(subject, looks, link.name, role, body))
+                found = [item for item in every if item]
                 items += found
                 if not found and body.shape and body.shape.kind == "mesh":
                     reason = subject.meshes.reason(body.shape) or "its triangles are nowhere"
@@ -160,17 +157,20 @@ def build(
     roots = {subject.tree.root_of[item.link] for item in items}
     note = f"{len(roots)} roots are drawn in one place: no joint says how they stand to one another"
     scene = Scene(tuple(items), frames, notes=(note,) if len(roots) > 1 else ())
-    if not absent:
-        return scene
+    return _with_placeholders(scene, subject, absent) if absent else scene
+
+
+def _with_placeholders(
+    scene: Scene, subject: Subject, absent: list[tuple[Link, str, Body, str]]
+) -> Scene:
+    """A box for each body whose mesh is missing; of each its link, role and the reason."""
     least = PLACEHOLDER_SIZE * _reach(scene)
     boxes = (_placeholder(subject, link, role, body, least) for link, role, body, _ in absent)
-    return scene._replace(
-        items=(*items, *boxes),
-        missing=tuple(
-            MissingMesh(link.name, role, _filename(body.shape), reason)
-            for link, role, body, reason in absent
-        ),
+    missing = (
+        MissingMesh(link.name, role, _filename(body.shape), reason)
+        for link, role, body, reason in absent
     )
+    return scene._replace(items=(*scene.items, *boxes), missing=tuple(missing))
 
 
 def _items(

@@ -89,15 +89,16 @@ def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
         return whole
     corners = before[whole.faces]
     count = corners.sum(axis=1)
-    kept = _some(whole, count == 0)
+    kept = chosen_triangles(whole, count == 0)
     for number in (1, 2):
         some = count == number
         if some.any():
-            kept = _add(kept, _some(whole, some), corners[some], plane)
+            kept = _add(kept, chosen_triangles(whole, some), corners[some], plane)
     return kept
 
 
-def _some(whole: CameraTriangles, chosen: Bools) -> CameraTriangles:
+def chosen_triangles(whole: CameraTriangles, chosen: Bools | Integers) -> CameraTriangles:
+    """Some of the triangles, with all vertices."""
     return whole._replace(
         faces=whole.faces[chosen], item=whole.item[chosen], flat=whole.flat[chosen]
     )

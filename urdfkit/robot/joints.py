@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import pi
 
-from urdfkit.robot.model import Joint, Placed, RobotModel, number
+from urdfkit.robot.model import Joint, Placed, RobotModel
+from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.source import Span
 

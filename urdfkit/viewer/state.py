@@ -106,7 +106,7 @@ def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
     if subject.reading.document is not None:
         for mesh in subject.files.meshes:
             at = mesh.located
-            found.add(at.path or os.path.join(at.folder or os.curdir, at.relative))
+            found.add(at.path or os.path.join(at.directory or os.curdir, at.relative))
     return found | {one.span.source.path for one in diagnostics}
 
 

@@ -64,7 +64,7 @@ class Ownership:
     def owns(self, path: str) -> bool:
         """True if a file lies in one of the workspaces; it need not exist."""
         real = disk.real(path)
-        return any(real.startswith(os.path.join(folder, "")) for folder in self._workspaces)
+        return any(real.startswith(os.path.join(directory, "")) for directory in self._workspaces)
 
     def _judge(self, source: Source, path: str) -> str:
         if not self.owns(path):
@@ -79,7 +79,7 @@ class Ownership:
 
 
 def _may_be_written(path: str) -> bool:
-    """False for a file that nobody may write to; that its folder allows it is not enough."""
+    """False for a file that nobody may write to; that its directory allows it is not enough."""
     try:
         return bool(disk.state(path).st_mode & 0o222)
     except OSError:

@@ -16,7 +16,7 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.text.source import Source
-from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.packages import Candidate, Packages, path_list
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class ResolvedReference(Record):
         scheme: ``package``, ``model``, ``absolute`` (a path or ``file://``), ``relative``, or
             another one in small letters.
         package: name of the package that is referred to, or None.
-        folder: of that package, or None if it is not found.
+        directory: of that package, or None if it is not found.
         relative: the path below the package, or below the file that refers to it.
         path: the file, or None if there is none.
         tried: the paths that were tried, in order.
@@ -49,7 +49,7 @@ class ResolvedReference(Record):
     reference: str
     scheme: str
     package: str | None = None
-    folder: str | None = None
+    directory: str | None = None
     relative: str = ""
     path: str | None = None
     tried: tuple[str, ...] = ()
@@ -58,10 +58,10 @@ class ResolvedReference(Record):
 
     @property
     def attempts(self) -> str:
-        """The paths that were tried, for a message; those below the current folder from there."""
+        """The paths that were tried, for a message; relative where below the current directory."""
         try:
             here = os.path.join(os.getcwd(), "")
-        except OSError:  # the current folder is gone
+        except OSError:  # the current directory is gone
             here = ""
         return ", ".join(path.removeprefix(here) for path in self.tried)
 
@@ -70,7 +70,7 @@ class Resolver:
     """Finds packages and files; everything is read once.
 
     Args:
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         environment: that of the process unless given.
         texts: files whose bytes are not those on disk, by path: fixes that are not written yet,
             the buffers of an editor.
@@ -83,8 +83,8 @@ class Resolver:
         texts: Mapping[str, bytes] | None = None,
     ) -> None:
         environment = disk.Environment() if environment is None else environment
-        self.folders = Folders()
-        self.packages = Packages(packages or {}, environment, self.folders)
+        self.directories = Directories()
+        self.packages = Packages(packages or {}, environment, self.directories)
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
         self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
         self._located: dict[tuple[str, str, str], ResolvedReference] = {}
@@ -95,7 +95,7 @@ class Resolver:
         self._admits_everything = False
 
     def with_texts(self, texts: Mapping[str, bytes]) -> Resolver:
-        """One for other texts, which knows what this one has found of packages and folders."""
+        """One for other texts, which knows what this one has found of packages and directories."""
         other = Resolver.__new__(Resolver)
         vars(other).update(vars(self))
         other._texts = _by_real_path(texts)
@@ -125,7 +125,7 @@ class Resolver:
         """A text file that the user names, wherever it lies; models may read what is around it.
 
         Raises:
-            UnreadableFile: it is missing, a folder, too large, or may not be opened.
+            UnreadableFile: it is missing, a directory, too large, or may not be opened.
         """
         self.admit(path)
         return self._read(path)
@@ -134,7 +134,7 @@ class Resolver:
         """A text file that something else names, by the bytes that stand for it if some do.
 
         Raises:
-            UnreadableFile: it is missing, a folder, too large, may not be opened, or lies outside.
+            UnreadableFile: it is missing, a directory, too large, not readable, or outside.
         """
         if not self.admits(path):
             raise UnreadableFile(f"{path}: {OUTSIDE}")
@@ -145,7 +145,7 @@ class Resolver:
         return Source.read(path) if data is None else Source(path, data)
 
     def package(self, name: str, near: str) -> str:
-        """The folder of a ROS package.
+        """The directory of a ROS package.
 
         Args:
             name: of the package.
@@ -157,7 +157,7 @@ class Resolver:
         candidate = self._choose(name, near, None)
         if candidate is None:
             raise PackageNotFound(name, self.packages.searched(name, near))
-        return candidate.folder
+        return candidate.directory
 
     def in_package(self, name: str, relative: str, near: str) -> ResolvedReference:
         """A file of a package, by its path in the installed package.
@@ -178,7 +178,7 @@ class Resolver:
             top: path of the checked file, if another; relative references start there first.
         """
         top = top or near
-        key = (reference, self.packages.folder_of(near), self.packages.folder_of(top))
+        key = (reference, self.packages.directory_of(near), self.packages.directory_of(top))
         if key not in self._located:
             found = self._locate(reference, near, top)
             if found.path is not None and not self.admits(found.path):
@@ -195,9 +195,9 @@ class Resolver:
         package = self.packages.enclosing(path)
         if package is None:
             return None
-        name, folder = package
-        relative = os.path.relpath(os.path.abspath(path), folder).replace(os.sep, "/")
-        return next(self._as_installed(name, folder, relative), None)
+        name, directory = package
+        relative = os.path.relpath(os.path.abspath(path), directory).replace(os.sep, "/")
+        return next(self._as_installed(name, directory, relative), None)
 
     def allows(self, path: str, near: str) -> bool:
         """True if a model may read a file: one of its workspace or of a package.
@@ -219,19 +219,24 @@ class Resolver:
                 return False
         except OSError:
             pass  # missing: only its place counts
-        real = self.folders.real(path)
+        real = self.directories.real(path)
         chosen = [candidate for found in self._candidates.values() for candidate in found]
-        roots = [self.packages.workspace(near), self.packages.workspace(self.folders.real(near))]
-        roots += [candidate.folder for candidate in chosen if candidate.certain]
-        if any(_within(real, self.folders.real(root)) for root in roots):
+        roots = [
+            self.packages.workspace(near),
+            self.packages.workspace(self.directories.real(near)),
+        ]
+        roots += [candidate.directory for candidate in chosen if candidate.certain]
+        if any(_within(real, self.directories.real(root)) for root in roots):
             return True
-        if any(_within(path, candidate.folder) for candidate in chosen if candidate.trusted):
+        if any(_within(path, candidate.directory) for candidate in chosen if candidate.trusted):
             return True
         package = self.packages.enclosing(real)
         around = [package[1]] if package else []
-        around += [candidate.folder for candidate in chosen if _within(real, candidate.folder)]
-        levels = [self.folders.real(level.root) for level in self.packages.levels(near)]
-        return any(_within(folder, level) for folder in around for level in levels)
+        around += [
+            candidate.directory for candidate in chosen if _within(real, candidate.directory)
+        ]
+        levels = [self.directories.real(level.root) for level in self.packages.levels(near)]
+        return any(_within(directory, level) for directory in around for level in levels)
 
     def _locate(self, reference: str, near: str, top: str) -> ResolvedReference:
         text = reference.replace("\\", "/")
@@ -258,12 +263,12 @@ class Resolver:
             searched = self.packages.searched(name, near) if name else ()
             return ResolvedReference(reference, scheme, name, None, relative, searched=searched)
         tried: list[str] = []
-        path = self._find(name, candidate.folder, relative, tried)
+        path = self._find(name, candidate.directory, relative, tried)
         return ResolvedReference(
             reference,
             scheme,
             name,
-            candidate.folder,
+            candidate.directory,
             relative,
             path or self._around(name, relative, near),
             tuple(tried),
@@ -277,30 +282,32 @@ class Resolver:
         package = self.packages.enclosing(near)
         if not relative or (package and package[0] != name):
             return None
-        root, folder = self.packages.workspace(near), self.packages.folder_of(near)
-        while _within(folder, root):
+        root, directory = self.packages.workspace(near), self.packages.directory_of(near)
+        while _within(directory, root):
             for path in (relative, f"{name}/{relative}"):
-                if found := self.folders.find(folder, path):
+                if found := self.directories.find(directory, path):
                     return found
-            if folder == root:
+            if directory == root:
                 break
-            folder = os.path.dirname(folder)
+            directory = os.path.dirname(directory)
         return None
 
     def _in_models(self, reference: str, name: str, rest: str, near: str) -> ResolvedReference:
         """As Gazebo finds it: below its model path, which packages may add to."""
         tried: list[str] = []
-        below = [(folder, rest) for paths in self._model_paths.values() for folder in paths]
+        below = [(directory, rest) for paths in self._model_paths.values() for directory in paths]
         exported = self.packages.gazebo_model_paths(near)
-        below += [(folder, f"{path}/{rest}".lstrip("/")) for folder, path in exported]
-        for folder, relative in below:
-            tried.append(_join(folder, relative))
-            path = self.folders.find(folder, relative)
+        below += [(directory, f"{path}/{rest}".lstrip("/")) for directory, path in exported]
+        for directory, relative in below:
+            tried.append(_join(directory, relative))
+            path = self.directories.find(directory, relative)
             if path:
-                return ResolvedReference(reference, "model", name, folder, rest, path, tuple(tried))
+                return ResolvedReference(
+                    reference, "model", name, directory, rest, path, tuple(tried)
+                )
         located = self._in_package(reference, "model", name, rest.partition("/")[2], near)
         searched: tuple[str, ...] = ()
-        if located.folder is None:
+        if located.directory is None:
             searched = tuple(
                 f"{variable} ({os.pathsep.join(paths) or 'not set'})"
                 for variable, paths in self._model_paths.items()
@@ -316,7 +323,7 @@ class Resolver:
                 spelling.lstrip("/") if re.match(_DRIVE, spelling) else spelling
             )
             tried.append(path)
-            found = self.folders.find(*os.path.split(path)) or self.installed(path)
+            found = self.directories.find(*os.path.split(path)) or self.installed(path)
             if found:
                 return ResolvedReference(
                     reference, "absolute", None, None, text, found, tuple(tried)
@@ -325,10 +332,10 @@ class Resolver:
 
     def _relative(self, reference: str, text: str, near: str, top: str) -> ResolvedReference:
         tried: list[str] = []
-        for folder in dict.fromkeys(map(self.packages.folder_of, (top, near))):
+        for directory in dict.fromkeys(map(self.packages.directory_of, (top, near))):
             for relative in _spellings(text):
-                tried.append(_join(folder, relative))
-                path = self.folders.find(folder, relative)
+                tried.append(_join(directory, relative))
+                path = self.directories.find(directory, relative)
                 if path:
                     return ResolvedReference(
                         reference, "relative", None, None, text, path, tuple(tried)
@@ -336,61 +343,61 @@ class Resolver:
         return ResolvedReference(reference, "relative", None, None, text, None, tuple(tried))
 
     def _choose(self, name: str, near: str, relative: str | None) -> Candidate | None:
-        """The folder of a package: one with its ``package.xml``, else one that is called so.
+        """The directory of a package: one with its ``package.xml``, else one that is called so.
 
         Where some are only called so, the first that has the wanted file.
         """
-        key = (name, self.packages.folder_of(near))
+        key = (name, self.packages.directory_of(near))
         if key not in self._candidates:
             found = _until_certain(self.packages.candidates(name, near))
             self._candidates[key] = tuple(sorted(found, key=lambda one: not one.certain))
         candidates = self._candidates[key]
         if relative is not None and not all(candidate.certain for candidate in candidates):
             for candidate in candidates:
-                if self._find(name, candidate.folder, relative, []):
+                if self._find(name, candidate.directory, relative, []):
                     return candidate
         return candidates[0] if candidates else None
 
-    def _find(self, name: str, folder: str, relative: str, tried: list[str]) -> str | None:
+    def _find(self, name: str, directory: str, relative: str, tried: list[str]) -> str | None:
         """A file of a package; the paths looked at are added to ``tried``."""
         for spelling in _spellings(relative):
-            tried.append(_join(folder, spelling))
-            path = self.folders.find(folder, spelling)
+            tried.append(_join(directory, spelling))
+            path = self.directories.find(directory, spelling)
             if path:
                 return path
         for spelling in _spellings(relative):
-            for path in self._as_installed(name, folder, spelling):
+            for path in self._as_installed(name, directory, spelling):
                 return path
         return None
 
-    def _as_installed(self, name: str, folder: str, relative: str) -> Iterator[str]:
+    def _as_installed(self, name: str, directory: str, relative: str) -> Iterator[str]:
         """The files that a build would install at a path of the package."""
         from urdfkit.workspace.installs import source_paths  # needed by few packages only
 
-        for source in source_paths(self._installed(name, folder), name, relative):
-            path = self.folders.find(folder, source)
+        for source in source_paths(self._installed(name, directory), name, relative):
+            path = self.directories.find(directory, source)
             if path:
                 yield path
-        if not any(self.folders.find(folder, file) for file in _BUILD_FILES):
-            yield from self._one_level_down(folder, relative)
+        if not any(self.directories.find(directory, file) for file in _BUILD_FILES):
+            yield from self._one_level_down(directory, relative)
 
-    def _installed(self, name: str, folder: str) -> list[Installed]:
+    def _installed(self, name: str, directory: str) -> list[Installed]:
         """What the build of a package installs; its CMakeLists.txt is read once."""
-        if folder not in self._rules:
+        if directory not in self._rules:
             from urdfkit.workspace.installs import read_rules
 
-            is_there = self.folders.find(folder, "CMakeLists.txt") is not None
-            self._rules[folder] = read_rules(folder, name) if is_there else []
-        return self._rules[folder]
+            is_there = self.directories.find(directory, "CMakeLists.txt") is not None
+            self._rules[directory] = read_rules(directory, name) if is_there else []
+        return self._rules[directory]
 
-    def _one_level_down(self, folder: str, relative: str) -> Iterator[str]:
-        """The only file at this path in a subfolder, where no build file gives the layout.
+    def _one_level_down(self, directory: str, relative: str) -> Iterator[str]:
+        """The only file at this path in a subdirectory, where no build file gives the layout.
 
-        ``description/urdf`` and ``bringup/launch`` are the usual folders that a build removes.
+        ``description/urdf`` and ``bringup/launch`` are the usual directories that a build removes.
         """
-        entries = self.folders.entries(folder) or {}
-        inside = sorted(name for name, is_folder in entries.items() if is_folder)
-        found = [self.folders.find(folder, f"{name}/{relative}") for name in inside]
+        entries = self.directories.entries(directory) or {}
+        inside = sorted(name for name, is_directory in entries.items() if is_directory)
+        found = [self.directories.find(directory, f"{name}/{relative}") for name in inside]
         paths = [path for path in found if path]
         if len(paths) == 1:
             yield paths[0]
@@ -429,9 +436,9 @@ def _spellings(text: str) -> Iterator[str]:
         yield data.decode("utf-8", "replace")
 
 
-def _join(folder: str, relative: str) -> str:
-    return os.path.normpath(os.path.join(folder, relative))
+def _join(directory: str, relative: str) -> str:
+    return os.path.normpath(os.path.join(directory, relative))
 
 
-def _within(path: str, folder: str) -> bool:
-    return path == folder or path.startswith(folder.rstrip(os.sep) + os.sep)
+def _within(path: str, directory: str) -> bool:
+    return path == directory or path.startswith(directory.rstrip(os.sep) + os.sep)

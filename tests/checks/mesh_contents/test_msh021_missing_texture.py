@@ -59,10 +59,10 @@ def test_the_material_file_is_searched_next_to_the_mesh(tmp_path: Path) -> None:
             "does not exist"
         )
     ]
-    for folder, number in (("", 1), ("meshes/", 0)):
+    for directory, number in (("", 1), ("meshes/", 0)):
         there = tmp_path / f"{number}"
         there.mkdir()
-        more = {f"{folder}looks/a.mtl": b"newmtl m\n"}
+        more = {f"{directory}looks/a.mtl": b"newmtl m\n"}
         assert len(messages(there, "MSH021", robot, files | more)) == number
 
 

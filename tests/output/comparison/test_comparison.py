@@ -42,7 +42,7 @@ TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 @pytest.fixture
 def pair(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Two folders with one robot each."""
+    """Two directories with one robot each."""
     monkeypatch.chdir(tmp_path)
     for name in ("a", "b"):
         (tmp_path / name).mkdir()
@@ -183,14 +183,14 @@ def test_a_mesh_that_is_gone(pair: Path) -> None:
 # --- git
 
 
-def git(folder: Path, *words: str) -> None:
+def git(directory: Path, *words: str) -> None:
     who = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "init.defaultBranch=main"]
-    subprocess.run(["git", *who, *words], cwd=folder, check=True, capture_output=True)
+    subprocess.run(["git", *who, *words], cwd=directory, check=True, capture_output=True)
 
 
 @pytest.fixture
 def repository(pair: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A robot in a folder of a repository, committed, then changed."""
+    """A robot in a directory of a repository, committed, then changed."""
     top = pair / "a"
     (top / "urdf").mkdir()
     for name in ("arm.urdf", "base.obj"):
@@ -204,7 +204,7 @@ def repository(pair: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return top
 
 
-def test_revisions_from_the_top_and_from_a_folder(
+def test_revisions_from_the_top_and_from_a_directory(
     repository: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     kinds = {"limits", "findings"}

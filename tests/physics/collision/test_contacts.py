@@ -141,10 +141,10 @@ def test_it_misses_nothing_that_coal_finds(entry: tuple[Path, dict[str, Any]]) -
     from urdfkit.physics.collision.geometry_arrays import solids
     from urdfkit.physics.collision.pair_queries import Examiner
 
-    folder, model = entry
+    directory, model = entry
     if "expect" not in model or "/fail_" in model["path"]:
         pytest.skip("it does not expand")
-    subject = read(folder / model["path"], arguments=arguments_of(model))
+    subject = read(directory / model["path"], arguments=arguments_of(model))
     unit = subject.targets.applies_units
     moving = chain(subject.tree)
     bodies, _ = solids(subject.model, subject.meshes, unit=unit)

@@ -49,10 +49,10 @@ def everything(one: Examiner, pair: Pair, rows: Floats) -> Floats:
     return found
 
 
-def arm(folder: Path) -> Subject:
+def arm(directory: Path) -> Subject:
     """Six links with all sorts of bodies, some of them surfaces, that often collide."""
-    shell = mesh(cube(folder / "shell.stl", 0.06, 5))
-    solid = mesh(cube(folder / "solid.stl", 0.05))
+    shell = mesh(cube(directory / "shell.stl", 0.06, 5))
+    solid = mesh(cube(directory / "solid.stl", 0.05))
     turn = revolute(-2.5, 2.5, "0 1 0")
     return robot(
         link("base", box(0.3, 0.3, 0.1)),

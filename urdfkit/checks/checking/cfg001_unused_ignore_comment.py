@@ -24,8 +24,8 @@ FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE003] closed by the gripper -->\n"
 def check(subject: Subject) -> Findings:
     from urdfkit.lint.suppress import sift
 
-    hits = sift(subject.outcome.diagnostics, subject.ignores).hits
-    chosen = subject.outcome.chosen
+    hits = sift(subject.run.diagnostics, subject.ignores).hits
+    chosen = subject.run.chosen
     for ignore in subject.ignores:
         codes = [code for code, _ in ignore.codes]
         if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):

@@ -39,7 +39,7 @@ def check(subject: Subject) -> Findings:
             alike=one.name,
         )
     # A part of a robot is checked through the file that includes it, which XAC001 names.
-    if subject.reading.document is not None or subject.is_fragment:
+    if subject.reading.document is not None or subject.reading.is_fragment:
         return
     from urdfkit.lint.unchecked import why_unchecked
 

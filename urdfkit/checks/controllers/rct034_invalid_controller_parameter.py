@@ -106,9 +106,10 @@ def check(subject: Subject) -> Findings:
 
 def _is_of_workspace(subject: Subject, controller: Controller) -> bool:
     """True if the sources of its class are in the workspace: the package of the same name."""
-    folders = subject.resolver.packages.known(subject.source.path)
-    folder = folders.get(controller.type.partition("/")[0])
-    found = subject.resolver.folders.find(folder, "CMakeLists.txt") if folder else None
+    directory = subject.resolver.packages.known(subject.source.path).get(
+        controller.type.partition("/")[0]
+    )
+    found = subject.resolver.directories.find(directory, "CMakeLists.txt") if directory else None
     return found is not None
 
 

@@ -21,8 +21,9 @@ from __future__ import annotations
 
 from urdfkit.core.spatial import Rotation, rotate
 from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
-from urdfkit.robot.model import Joint, numbers
+from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
+from urdfkit.robot.values import numbers
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 

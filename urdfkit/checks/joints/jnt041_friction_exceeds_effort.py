@@ -16,8 +16,9 @@ from __future__ import annotations
 from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.joints import MOVING, effort_unit, unit
-from urdfkit.robot.model import Joint, number
+from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.values import number
 from urdfkit.text.document import Element
 
 BAD = arm_xml(

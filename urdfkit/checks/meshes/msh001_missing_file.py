@@ -120,6 +120,6 @@ def _fix(mesh: MeshReference, reference: str, title: str) -> Fix | None:
 def _missing_directory(located: ResolvedReference) -> str:
     """The topmost directory that does not exist; the file's own if that exists."""
     lost = os.path.dirname(os.path.abspath(located.tried[0]))
-    while not disk.is_folder(above := os.path.dirname(lost)):
+    while not disk.is_directory(above := os.path.dirname(lost)):
         lost = above
     return lost

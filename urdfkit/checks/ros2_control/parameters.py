@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
-from urdfkit.robot.model import number
+from urdfkit.robot.values import number
 from urdfkit.ros.ros_control import Component
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value

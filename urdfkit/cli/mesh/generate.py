@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.parts import PARTS
@@ -42,6 +42,7 @@ def _is_robot(files: list[str]) -> bool:
 @click.option("--force", is_flag=True, help="Replace the file even if it is a valid mesh.")
 @click.option("--dry-run", is_flag=True, help="Print what would be generated; write nothing.")
 @read_by_options
+@limited
 def command(
     words: tuple[str, ...],
     model: str | None,

@@ -134,7 +134,7 @@ def write_files(files: dict[str, bytes], directory: str) -> list[str]:
     Raises:
         UnwritableFile: a directory or file cannot be written.
     """
-    atomic.make_folder(directory)
+    atomic.make_directory(directory)
     paths = [os.path.join(directory, name) for name in files]
     for path, data in reversed([*zip(paths, files.values(), strict=True)]):
         atomic.write(path, data)

@@ -21,7 +21,7 @@ from urdfkit.output.comparison.surfaces import changed_surfaces
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.kinematics import frames
 from urdfkit.text.diagnostic import Diagnostic, Severity
-from urdfkit.text.source import without_folder
+from urdfkit.text.source import without_directory
 
 if TYPE_CHECKING:
     from urdfkit.core.spatial import Vector
@@ -171,8 +171,8 @@ def _directories(subject: Subject) -> tuple[str, str]:
 def portable(text: str, comparison: Comparison) -> str:
     """A page without the directories of the machine that it was made on."""
     for directory in comparison.directories:
-        text = without_folder(text, directory)
-    return without_folder(text, os.path.expanduser("~"), "~/")
+        text = without_directory(text, directory)
+    return without_directory(text, os.path.expanduser("~"), "~/")
 
 
 def _findings(

@@ -32,15 +32,15 @@ def tree(subject: Subject) -> dict[str, str]:
 
 def pictures(built: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
     """The robot from four sides; and with the links of errors and warnings in colour."""
-    from urdfkit.render import marked, picture
+    from urdfkit.render import marked, render_image
 
     seen = built._replace(items=tuple(item for item in built.items if item.role == "visual"))
     if not seen.items:
         return {}
-    found = {"picture": webp(picture(seen, VIEWS, size=SHEET))}
+    found = {"picture": webp(render_image(seen, VIEWS, size=SHEET))}
     coloured = marked(seen, subject, diagnostics)
     if coloured.labels:
-        found["marked"] = webp(picture(coloured, size=MARKED))
+        found["marked"] = webp(render_image(coloured, size=MARKED))
     return found
 
 

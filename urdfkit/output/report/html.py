@@ -32,7 +32,7 @@ MAX_FINDINGS, MAX_ROWS = 500, 400
 #: Links of a matrix.
 MAX_MATRIX = 60
 
-_FOLDER = os.path.join(os.path.dirname(__file__), "templates")
+_DIRECTORY = os.path.join(os.path.dirname(__file__), "templates")
 #: The scripts of the 3D view, in the order of their needs.
 _SCENE = ("joints.js", "surfaces.js", "overlays.js", "camera.js", "scene.js")
 _SEVERITIES = ("error", "warning", "info")
@@ -188,7 +188,7 @@ def _environment() -> Environment:
         raise UrdfkitError("HTML reports need Jinja: pip install 'urdfkit[report]'") from error
     environment = Environment(
         autoescape=True,
-        loader=FileSystemLoader(_FOLDER),
+        loader=FileSystemLoader(_DIRECTORY),
         trim_blocks=True,
         lstrip_blocks=True,
         undefined=StrictUndefined,
@@ -204,7 +204,7 @@ def _environment() -> Environment:
 
 
 def _read(name: str) -> str:
-    with open(os.path.join(_FOLDER, name), encoding="utf-8") as file:
+    with open(os.path.join(_DIRECTORY, name), encoding="utf-8") as file:
         return file.read()
 
 

@@ -238,7 +238,8 @@ def _collision(robot: Robot, body: Body, fits: Fits, meshes: dict[str, Mesh]) ->
     reference, path = place
     lines: list[str] = []
     # Scaled already, so the new element has no scale, and other scales need other files.
-    x, y, z = body.shape.scale if body.shape else (1.0, 1.0, 1.0)
+    assert body.shape is not None
+    x, y, z = body.shape.scale
     scale = "" if x == y == z == 1 else f"_{x:g}_{y:g}_{z:g}"
     for number, part in enumerate(best.mesh.parts, start=1):
         end = f"{scale}_collision{'' if best.kind == 'hull' else f'_{number}'}.stl"

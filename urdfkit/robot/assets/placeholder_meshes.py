@@ -211,7 +211,7 @@ def _make(
     size: Vector | None = None,
 ) -> GeneratedMesh | NotGenerated:
     located = references[0].located
-    if located.package is not None and located.folder is None:
+    if located.package is not None and located.directory is None:
         reason = f"package '{located.package}' not found; pass its directory with --package"
         return NotGenerated(path, references, defect, reason)
     if located.scheme not in ("package", "model", "absolute", "relative"):

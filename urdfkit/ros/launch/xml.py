@@ -9,11 +9,10 @@ from collections.abc import Iterable, Mapping
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.argument_checks import (
+    ArgumentUses,
     declares_others,
     is_included,
-    is_typo,
     missing_in_include,
-    undeclared,
     unknown_to_included,
 )
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
@@ -70,9 +69,7 @@ class _File:
         self.outer = outer
         self._ros: int | None = None
         self._level = 0
-        #: Names of arguments, those that the including file lends among them.
-        self._declared: set[str] = {*arguments, *lent}
-        self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
+        self._arguments = ArgumentUses({*arguments, *lent})
         self._is_whole = True
 
     def read(self) -> None:
@@ -88,7 +85,12 @@ class _File:
         if document is not None and is_launch:
             self._ros = 2 if is_yaml else dialect(document.root) or self._ros_of_package()
             self._children(document.root)
-            self._report_undeclared()
+            self.collector.problems += self._arguments.problems(
+                self.frame,
+                carries_over=self._ros == 2,
+                is_sure=self._is_sure,
+                is_lost=self._ros == 1 and bool(self.outer),
+            )
 
     def _unreadable(self, at: Span, reason: str) -> None:
         problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
@@ -110,10 +112,10 @@ class _File:
             "test": self._node,
         }
         for element in parent.children:
-            self._references(element, ("if", "unless"))
+            self._arguments.use(element, ("if", "unless"))
             if self._is_off(element):
                 # Other values of the arguments may turn it on.
-                self._declared |= {e.get("name") or "" for e in arguments_in(element)}
+                self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
             self._look_at(element)
             if handle := handles.get(element.tag):
@@ -132,35 +134,10 @@ class _File:
         manifest = manifest_of(self.collector.resolver, self.source.path)
         return manifest.ros if manifest else None
 
-    # -------------------------------------------------------- what is wrong
-
     def _look_at(self, element: Element) -> None:
         if self._ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
             self.collector.problems += mistakes(element, self._ros, self.frame)
-        self._references(element, element.attributes)
-
-    def _references(self, element: Element, names: Iterable[str]) -> None:
-        """Note the arguments that are used and not declared so far."""
-        for name in names:
-            attribute = element.attributes.get(name)
-            for used in USE.findall(attribute.value) if attribute else ():
-                if attribute and used not in self._declared:
-                    self._undeclared.setdefault(used, (attribute.span, frozenset(self._declared)))
-
-    def _report_undeclared(self) -> None:
-        missing = self._undeclared
-        if self._ros == 2:  # where what an include declares, holds behind it
-            missing = {n: use for n, use in missing.items() if n not in self._declared}
-        if missing and not self._is_sure():
-            missing = {n: use for n, use in missing.items() if is_typo(n, use[1])}
-        is_lost = self._ros == 1 and bool(self.outer)
-        for name, (span, declared) in missing.items():
-            if name in self._declared:
-                message = f"argument '{name}' is used before it is declared"
-                problem = Problem("LAU006", span, message, frame=self.frame)
-            else:
-                problem = undeclared(name, declared, span, self.frame, is_lost=is_lost)
-            self.collector.problems.append(problem)
+        self._arguments.use(element, element.attributes)
 
     def _is_sure(self) -> bool:
         """True if no other file can declare what this one uses."""
@@ -170,11 +147,9 @@ class _File:
         """True if files that include this one may give it more arguments than are known."""
         return not self.outer and is_included(self.source.path, self.collector.resolver)
 
-    # ------------------------------------------------------------- elements
-
     def _arg(self, element: Element) -> None:
         name = element.get("name") or ""
-        self._declared.add(name)
+        self._arguments.declare([name])
         attribute = element.attributes.get("value") or element.attributes.get("default")
         if attribute and name not in self.given:
             value = self.text(attribute)
@@ -203,7 +178,7 @@ class _File:
         self._is_whole = self._is_whole and taken.is_whole
         self._compare(element, taken, source)
         if self._ros == 2:
-            self._declared |= taken.names  # which an include leaves behind
+            self._arguments.declare(taken.names)  # which an include leaves behind
         frame = frame_at(self.source, element.tag_at, self.frame)
         if path.endswith(".py"):
             self.collector.is_whole = False
@@ -218,7 +193,7 @@ class _File:
             return
         lent = {child.get("name") or "" for child in element.children}
         if self._lends(element):
-            lent |= self._declared
+            lent |= self._arguments.declared
         _File(self.collector, source, self._passed(element), lent, frame, here).read()
 
     def _lends(self, element: Element) -> bool:
@@ -236,7 +211,7 @@ class _File:
             return  # what was given on the command line, too
         known = {name for name, _ in passed}
         if self._ros == 2:
-            known |= self._declared
+            known |= self._arguments.declared
         problems = self.collector.problems
         problems += unknown_to_included(passed, taken, source, self.frame, ros=self._ros or 2)
         if self._ros == 1 or not self._may_be_lent():
