@@ -56,3 +56,17 @@ def test_an_argument_above_its_default_that_launch_files_pass(
     add_file(tmp_path / "launch" / "a.launch", launch(text).encode())
     for given in (tmp_path, tmp_path / "r.xacro"):
         assert len(check(given, select=["XAC020"]).diagnostics) == count
+
+
+DUAL = XACRO.replace("$(arg model)", "r").format(
+    '<xacro:arg name="sim" default=""/>' + BASE + '<xacro:if value="$(arg sim)"/>'
+)
+
+
+@pytest.mark.parametrize(("argument", "codes"), [("sim", []), ("slim", ["XAC001"])])
+def test_defaults_that_do_not_suffice(tmp_path: Path, argument: str, codes: list[str]) -> None:
+    """Kinova's `kortex_dual_robots.xacro`: empty defaults, and a launch file that gives all."""
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    add_file(tmp_path / "r.xacro", DUAL.encode())
+    add_file(tmp_path / "launch" / "a.launch", launch(DESCRIPTION.format(argument)).encode())
+    assert [one.code for one in check(tmp_path, select=["XAC001"]).diagnostics] == codes

@@ -77,3 +77,18 @@ def test_a_tensor_of_a_body_of_a_micrometre(moment: float, severity: Severity) -
     thruster += joint("base", "thruster", "revolute")
     (found,) = reported("INE005", thruster)
     assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("mass", "size", "severity"),
+    [
+        (12, "1 0.9 1", Severity.INFO),  # Igus: a coarse collision shape
+        (5, "1 0.9 1", Severity.WARNING),
+        (5, "1 1.1 1", Severity.INFO),  # the walls that a drone flies around
+    ],
+)
+def test_densities_near_the_bound_and_of_scenery(
+    mass: float, size: str, severity: Severity
+) -> None:
+    (found,) = reported("INE010", part("wall", mass, (1, 0, 0, 1, 0, 1), f'<box size="{size}"/>'))
+    assert found.severity is severity

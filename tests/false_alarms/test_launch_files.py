@@ -95,3 +95,11 @@ def test_the_cause_that_is_named_is_not_a_missing_package(tmp_path: Path) -> Non
     (found,) = reported(tmp_path / "arm", "LAU004", "a.launch", text, files)
     assert "'lost'" not in found.message
     assert found.message.endswith(", and 1 more")
+
+
+@pytest.mark.parametrize(("inner", "count"), [("arm", 0), ("other", 1)])
+def test_a_superbuild_around_the_package(tmp_path: Path, inner: str, count: int) -> None:
+    """Husarion: `project(SUPERBUILD NONE)`, and the package in the other branch."""
+    text = f"if(X)\n  project(SUPERBUILD NONE)\nelse()\n  project({inner})\nendif()\n"
+    found = reported(tmp_path / "arm", "PKG005", "a.launch", "", {"CMakeLists.txt": text})
+    assert len(found) == count

@@ -49,3 +49,13 @@ def test_a_material_called_none(name: str, count: int) -> None:
     shape = '<visual><geometry><mesh filename="a.dae"/></geometry><material name="{}"/></visual>'
     robot = f'<link name="a">{shape.format(name)}</link>'
     assert len(reported("REF003", robot)) == count
+
+
+@pytest.mark.parametrize(
+    ("link", "severity"), [("left/hand", Severity.INFO), ("hand", Severity.WARNING)]
+)
+def test_a_namespace_of_link_and_joint(link: str, severity: Severity) -> None:
+    """Trossen's and the UUV simulator's robots."""
+    arm = child("hand").replace('"hand_joint"', '"left/joint_1"').replace('"hand"', f'"{link}"')
+    (found,) = reported("NAM004", BASE + arm)
+    assert found.severity is severity
