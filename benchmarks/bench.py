@@ -1,6 +1,7 @@
 """What `urdfkit check` costs next to stock xacro and other tools, without and with the extras.
 
-Usage: python benchmarks/bench.py [--lean PYTHON] [--all PYTHON] [--rounds N] [--shared DIRECTORY]
+Usage: python benchmarks/bench.py [--lean PYTHON] [--all PYTHON] [--rounds N] [--corpus-rounds N]
+                                  [--shared DIRECTORY]
 
 CPU time of whole processes, user and system, bytecode compiled. The contestants take turns, so that
 a busy machine slows all of them alike; the least of all rounds is compared. The two installs are
@@ -273,7 +274,7 @@ def main() -> int:
     parser.add_argument("--lean", type=Path, metavar="PYTHON", help="has urdfkit without extras")
     parser.add_argument("--all", type=Path, metavar="PYTHON", help="has urdfkit[all]")
     parser.add_argument("--rounds", type=int, default=15)
-    parser.add_argument("--corpus-rounds", type=int, default=3)
+    parser.add_argument("--corpus-rounds", type=int, default=3, help="0 leaves the corpus out")
     parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared", metavar="DIRECTORY")
     options = parser.parse_args()
     lean = options.lean or installed("lean", "")
@@ -284,7 +285,8 @@ def main() -> int:
         heads = "".join(f"{name:>14}" for name in COLUMNS)
         print(f"{'CPU time of':16}{'reference':16}{'ms':>8}{heads}")
         kept = measure_robots(bench, options.shared, options.rounds)
-        if robots := list(corpus(options.shared)):
+        robots = list(corpus(options.shared))
+        if robots and options.corpus_rounds:
             kept += measure_corpus(bench, robots, options.corpus_rounds)
     print("", *kept, sep="\n")
     return int(any(line.startswith("OVER") for line in kept))

@@ -81,7 +81,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--peers", default=sys.executable, help="a Python with drake and mujoco")
     python = parser.parse_args().peers
-    programs = {"Drake": [python, "-c", _DRAKE], "MuJoCo": [python, "-c", _MUJOCO]}
+    programs = {}
+    for name, module, program in (("Drake", "pydrake", _DRAKE), ("MuJoCo", "mujoco", _MUJOCO)):
+        if verdict([python, "-c", f"import {module}"]) != "refuses":
+            programs[name] = [python, "-c", program]
     if checker := shutil.which("check_urdf"):
         programs = {"check_urdf": [checker, "{!s}"], **programs}
     print("|", " | ".join(["defect", *programs, "urdfkit"]), "|")

@@ -23,8 +23,8 @@ from typing import NamedTuple
 OURS = """
 import sys, time, resource
 start = time.perf_counter()
-from urdfkit.loading import read
-from urdfkit.render import build, looking, draw, render_image, save
+from urdfkit.lint.loading import read
+from urdfkit.render import build, place_camera, draw, render_image, save
 file, target, quality, size = sys.argv[1:5]
 size = tuple(map(int, size.split("x")))
 scene = build(read(file))
@@ -32,7 +32,7 @@ save(render_image(scene, size=size, quality=quality), target)
 first = time.perf_counter() - start, time.process_time()
 again = time.perf_counter(), time.process_time()
 if size[0] < 2000:
-    draw(scene, looking(scene.points(), size=size), quality=quality)
+    draw(scene, place_camera(scene.points(), size=size), quality=quality)
 """
 VTK = """
 import sys, time, resource, math

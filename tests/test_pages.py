@@ -75,13 +75,13 @@ def test_the_example_of_a_configuration_is_one(project: Path) -> None:
 def test_every_setting_is_documented(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Those that the reader takes, at the top and in tables."""
     taken: set[str] = set()
-    take = config_reader._Reader.take
+    take = config_reader._SettingsReader.take
 
     def recorded(self: Any, key: str, kind: type, default: Any) -> Any:
         taken.add(key)
         return take(self, key, kind, default)
 
-    monkeypatch.setattr(config_reader._Reader, "take", recorded)
+    monkeypatch.setattr(config_reader._SettingsReader, "take", recorded)
     (example,) = blocks("configuration.md", "toml")
     (project / "urdfkit.toml").write_text(example)
     config_reader.load("urdfkit.toml")

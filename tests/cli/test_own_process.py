@@ -21,13 +21,14 @@ pytest.importorskip("manifold3d")
 MESH = MODELS / "good" / "two_link_arm" / "meshes" / "forearm.stl"
 #: A command line whose work is done by something else.
 WITH = """
-import sys, time
+import signal, sys, time
 import urdfkit.cli.mesh.hull as command
 from urdfkit.cli import main
 from urdfkit.core import atomic, limits
 def work(mesh):
     {}
 command.hull = work
+signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs of a shell ignore it
 sys.argv = ["urdfkit", "mesh", "hull", *sys.argv[1:]]
 main()
 """

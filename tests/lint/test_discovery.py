@@ -1,5 +1,6 @@
 """Entry points by the include graph, and the robots that a changed file is part of."""
 
+import tracemalloc
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.discovery import affected, discover
 from urdfkit.lint.options import Options
+from urdfkit.text import source
 from urdfkit.workspace.resolve import Resolver
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -253,6 +255,21 @@ def test_a_directory_without_a_robot_is_not_green(tmp_path: Path, file: str, tex
     assert "CFG003" not in {d.code for d in check(tmp_path, ignore=["CFG003"]).diagnostics}
     write(tmp_path, "r.urdf", '<link name="a"/>')
     assert "CFG003" not in {d.code for d in check(tmp_path).diagnostics}
+
+
+def test_the_texts_of_many_robots_are_not_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(source, "MAX_BYTES", 100_000)  # so much is reserved to read a file
+    text = '<!-- made by xacro --><robot name="r"><link name="a"/></robot>' + 50_000 * " "
+    for number in range(100):
+        (tmp_path / f"{number}.urdf").write_text(text, encoding="utf-8")
+    resolver = Resolver()
+    tracemalloc.start()
+    try:
+        assert len(discover(str(tmp_path), Config(), resolver).robots) == 100
+        most = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert most < 20 * len(text)
 
 
 def test_processes_give_the_same_report(package):

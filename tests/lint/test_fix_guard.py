@@ -3,8 +3,8 @@
 import pytest
 
 from urdfkit.lint.context import Subject
-from urdfkit.lint.fix_consistency import without_disputed_fixes
-from urdfkit.lint.fix_guard import _is_used, regression, useless
+from urdfkit.lint.fix_consistency import without_inconsistent_fixes
+from urdfkit.lint.fix_guard import _is_used, ineffective, regression
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Finding
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Edit, Fix, Severity
@@ -115,9 +115,9 @@ def test_one_more_error_of_a_code_forbids_a_fix() -> None:
 
 def test_a_fix_that_leaves_its_finding_is_useless() -> None:
     one = found("ABC001", "link/a")
-    assert useless(report(one), report(one), [one]) == "skipped: it does not remove the finding"
-    assert useless(report(one), report(), [one]) == ""
-    assert useless(report(one, one), report(one), [one]) == ""
+    assert ineffective(report(one), report(one), [one]) == "skipped: it does not remove the finding"
+    assert ineffective(report(one), report(), [one]) == ""
+    assert ineffective(report(one, one), report(one), [one]) == ""
 
 
 @pytest.mark.parametrize(
@@ -140,5 +140,5 @@ def test_every_use_of_a_text_must_ask_for_the_fix_and_other_findings_need_none(
     _, link, other, *_ = Subject(source, Resolver(environment={})).document.root.walk()
     fix = Fix("remove it", (Edit(Span(source, *link.span[1:]), ""),))
     asks, only_tells = Finding(link, "message", fix=fix), Finding(other, "message")
-    found = without_disputed_fixes([asks, only_tells], {link.tag_at: uses, other.tag_at: 1})
+    found = without_inconsistent_fixes([asks, only_tells], {link.tag_at: uses, other.tag_at: 1})
     assert found == [asks if is_fixed else asks._replace(fix=None), only_tells]

@@ -25,6 +25,7 @@ def from_to(one: trimesh.Trimesh, other: trimesh.Trimesh) -> float:
 BALL = trimesh.creation.icosphere(4, 1.0)
 
 
+@pytest.mark.usefixtures("rough_meshes")
 @pytest.mark.parametrize(("scale", "away"), [(1e-6, 0.0), (1e-6, 0.1), (1e5, 0.0)])
 def test_concentric_balls(scale: float, away: float) -> None:
     small, large = BALL.copy(), BALL.copy()

@@ -99,7 +99,7 @@ def test_what_a_model_does_to_its_process_costs_that_model_alone(
 ) -> None:
     # Rules that are known once stay so, also for the tests that follow.
     monkeypatch.setattr(rule_index, "_modules", rule_index._known().copy())
-    monkeypatch.setattr(rule_index, "_foreign", set())
+    monkeypatch.setattr(rule_index, "_external", set())
     rules = tmp_path / "harmful_rules"
     rules.mkdir()
     (rules / "__init__.py").write_text('"""Rules."""\n')

@@ -29,7 +29,7 @@ def directory(tmp_path: Path) -> Path:
     (tmp_path / "a.obj").write_bytes(made.obj())
     (tmp_path / "a.mtl").write_text("newmtl paint\nKd 1 0 0\nmap_Kd wood.png\n")
     (tmp_path / "a.dae").write_bytes(
-        samples.collada(look='<diffuse><texture texture="image" texcoord="uv"/></diffuse>')
+        samples.collada(effect='<diffuse><texture texture="image" texcoord="uv"/></diffuse>')
     )
     content = json.loads(samples.gltf())
     (tmp_path / "numbers.bin").write_bytes(bytes(36))

@@ -101,6 +101,6 @@ def test_loops_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 
 @given(st.text('installforeachd(DIRECTORY DESTINATION set)$"#\\[]{};/\n x', max_size=200))
 def test_any_text_is_read(text: str) -> None:
-    reader = installs._Reader(installs.known_variables("arm"))
+    reader = installs._CMakeReader(installs.known_variables("arm"))
     for command in installs._commands(text):
         reader.read(command)

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from tests.workspaces import add_file, add_package, record_listings
 from urdfkit.errors import PackageNotFound
-from urdfkit.workspace.resolve import ResolvedReference, Resolver
+from urdfkit.workspace.references import ResolvedReference
+from urdfkit.workspace.resolve import Resolver
 
 
 @pytest.fixture
@@ -193,9 +194,9 @@ def test_what_cmake_installs_elsewhere(arm: Path) -> None:
     )
     near = str(arm / "urdf" / "arm.urdf")
     found = resolver()
-    assert found.in_package("arm", "urdf/parts/a.xacro", near).path == str(moved)
-    assert found.in_package("arm", "urdf/kept.xacro", near).path == str(kept)
-    assert found.in_package("arm", "urdf/none.xacro", near).path is None
+    assert found.locate("package://arm/urdf/parts/a.xacro", near).path == str(moved)
+    assert found.locate("package://arm/urdf/kept.xacro", near).path == str(kept)
+    assert found.locate("package://arm/urdf/none.xacro", near).path is None
     assert found.locate("package://arm/urdf/parts/a.xacro", near).path == str(moved)
     assert found.installed(str(arm / "urdf" / "parts" / "a.xacro")) == str(moved)
     assert found.installed(str(arm / "urdf" / "x" / ".." / "parts" / "a.xacro")) == str(moved)
@@ -208,7 +209,7 @@ def test_without_build_files_the_only_such_path_one_directory_down(arm: Path) ->
     near = str(arm / "urdf" / "arm.urdf")
     moved = add_file(arm / "description" / "config" / "a.yaml")
     assert resolver().installed(str(arm / "config" / "a.yaml")) == str(moved)
-    assert resolver().in_package("arm", "config/a.yaml", near).path == str(moved)
+    assert resolver().locate("package://arm/config/a.yaml", near).path == str(moved)
     add_file(arm / "CMakeLists.txt")
     assert resolver().installed(str(arm / "config" / "a.yaml")) is None
     (arm / "CMakeLists.txt").unlink()

@@ -105,7 +105,7 @@ def _may_be_kept(values: Mapping[str, Any], chosen: Options) -> bool:
     """False of a check that does more than to report, or depends on more than on files."""
     acts = values["fix"] or values["write_baseline"] or values["changed"]
     # Rules of others are programs, and so are models that are trusted.
-    return not (acts or chosen.with_config().trust or chosen.rules or chosen.config.foreign_rules)
+    return not (acts or chosen.with_config().trust or chosen.rules or chosen.config.external_rules)
 
 
 def choices(values: Mapping[str, Any]) -> Options:
@@ -243,7 +243,7 @@ def _with_baseline(
     if known is None:
         atomic.write(file, output.encode(baseline.dump(report, directory)))
         known = baseline.load(file)
-    return baseline.sift(report, known, directory)
+    return baseline.apply_baseline(report, known, directory)
 
 
 def _progress(files: Sequence[str]) -> Progress | None:

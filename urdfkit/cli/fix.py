@@ -18,7 +18,7 @@ from urdfkit.text.terminal import printable, wrap
 
 _OPTIONS = (
     "unsafe-fixes diff force select ignore rules preview min-confidence fail-on target package "
-    "trust changed jobs no-cache config isolated variant"
+    "trust xacro-seconds xacro-megabytes changed jobs no-cache config isolated variant"
 ).split()
 #: Line numbers of one kind of finding that are listed.
 _MAX_LINES = 8

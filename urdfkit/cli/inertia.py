@@ -87,22 +87,21 @@ def command(
             lump=lump,
         )
     chosen = [one for one in proposals if links or one.is_doubtful]
-    lines: list[str] = []
     left: dict[str, str] = {}
     if write or diff:
+        lines: list[str] = []
         files, left = rewrites(chosen)
         if diff:
-            lines += [line for file in files for line in file.diff().split("\n")[:-1]]
+            output.write("".join(file.diff() for file in files))
         else:
             rewriting.write(files)
             lines += [f"wrote {shown(file.path)}" for file in files]
         lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
-        lines = lines or ["nothing to write"]
+        output.page(lines or ["nothing to write"] * (not files))
     elif form == "json":
-        lines = [dumped(as_json(proposals)).rstrip()]
+        output.write(dumped(as_json(proposals)))
     else:
-        lines += [*table(proposals), *proposed(chosen)]
-    output.write("\n".join(lines) + "\n")
+        output.page([*table(proposals), *proposed(chosen)])
     return int(bool(left))
 
 

@@ -14,7 +14,8 @@ from urdfkit.errors import UnwritableFile
 from urdfkit.lint.argument_values import found_values
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
-from urdfkit.lint.discovery import DirectoryContents, discover
+from urdfkit.lint.discovery import discover
+from urdfkit.lint.entry_points import DirectoryContents
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.source import Source
 from urdfkit.workspace.config_file import nearest
@@ -54,7 +55,7 @@ def command(directory: str, only_print: bool) -> int:
 def render(found: DirectoryContents, directory: str) -> str:
     """The text of a configuration."""
     resolver = Resolver()
-    robots = [_Robot(robot.file, directory, resolver) for robot in found.robots]
+    robots = [_ConfiguredRobot(robot.file, directory, resolver) for robot in found.robots]
     lines = [
         "# Settings of urdfkit. Lines starting with '#' are comments.",
         "",
@@ -73,7 +74,7 @@ def render(found: DirectoryContents, directory: str) -> str:
     return "\n".join(lines).rstrip() + "\n"
 
 
-class _Robot:
+class _ConfiguredRobot:
     """A description, and what a configuration has to say about it."""
 
     def __init__(self, file: str, directory: str, resolver: Resolver) -> None:

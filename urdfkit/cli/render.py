@@ -125,7 +125,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
             scene,
             VIEWS if named == ["all"] else named,
             size=_size(values["size"] or SIZE),
-            look=_camera(values),
+            camera_options=_camera(values),
             progress=bar,
             **_drawing(values),
         )
@@ -143,7 +143,7 @@ def _animation(
     size, view = _size(values["size"] or MOVING), _one_view(values)
     if values["turntable"]:
         points = render.swept_circle(scene.points())
-        shots = render.orbit(scene, render.looking(points, view, size=size, **_camera(values)))
+        shots = render.orbit(scene, render.place_camera(points, view, size=size, **_camera(values)))
     else:
         scenes = render.sweep(scene, robot, values["sweep"], pose)
         shots = render.followed(list(scenes), view, size=size, **_camera(values))
@@ -170,7 +170,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
             after,
             _one_view(values),
             size=_size(values["size"] or DIFFERENCE),
-            look=_camera(values),
+            camera_options=_camera(values),
             **_drawing(values),
         )
     render.save(image, values["output"])

@@ -16,7 +16,7 @@ import sys
 import time
 
 from urdfkit import __version__
-from urdfkit.cli.result_entry import Entry, decode, directory, path_of
+from urdfkit.cli.result_entry import ResultEntry, decode, directory, path_of
 from urdfkit.core import file_log
 
 #: Variables that decide how a result is printed.
@@ -80,7 +80,7 @@ def replay(words: list[str]) -> int | None:
     return _write(entry)
 
 
-def _write(entry: Entry) -> int:
+def _write(entry: ResultEntry) -> int:
     """Write everything as the check did."""
     for path, data in entry.outputs:
         if path:

@@ -12,7 +12,7 @@ from urdfkit.core.record import Record
 _LAYOUT = b"urdfkit result 1"
 
 
-class Entry(Record):
+class ResultEntry(Record):
     """What is known of a check.
 
     Attributes:
@@ -41,7 +41,7 @@ def path_of(question: bytes) -> str:
     return os.path.join(directory() or "", f"{zlib.crc32(question):08x}")
 
 
-def encode(entry: Entry) -> bytes:
+def encode(entry: ResultEntry) -> bytes:
     """An entry as bytes, with a checksum."""
     fields = [str(entry.since), str(entry.code), str(len(entry.answers)), str(len(entry.outputs))]
     for answer in entry.answers:
@@ -54,7 +54,7 @@ def encode(entry: Entry) -> bytes:
     return b"%s %08x\n%s" % (_LAYOUT, zlib.crc32(body), body)
 
 
-def decode(data: bytes) -> Entry:
+def decode(data: bytes) -> ResultEntry:
     """The entry in some bytes.
 
     Raises:
@@ -77,4 +77,4 @@ def decode(data: bytes) -> Entry:
         at += length
     if len(answers) != count or len(written) != outputs:
         raise ValueError("damaged")
-    return Entry(rest[:asked], since, answers, code, written)
+    return ResultEntry(rest[:asked], since, answers, code, written)

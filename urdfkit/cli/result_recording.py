@@ -6,7 +6,7 @@ import os
 import time
 
 from urdfkit.cli import result_entry
-from urdfkit.cli.result_entry import Entry
+from urdfkit.cli.result_entry import ResultEntry
 from urdfkit.core import atomic, disk
 from urdfkit.core.file_log import FileLog
 from urdfkit.core.own_sources import note_sources
@@ -44,10 +44,10 @@ def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
     disk.log_to(None)
     if log.is_complete:
         answers = [(kind, path, answer) for (kind, path), answer in log.answers.items()]
-        store(Entry(*_begun, answers, code, outputs))
+        store(ResultEntry(*_begun, answers, code, outputs))
 
 
-def store(entry: Entry) -> None:
+def store(entry: ResultEntry) -> None:
     """Write an entry; that this fails is no concern of a check."""
     path = result_entry.path_of(entry.question)
     directory = os.path.dirname(path)

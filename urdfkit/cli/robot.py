@@ -18,6 +18,8 @@ from urdfkit.cli.decorators import (
     TARGET,
     TRUST,
     VARIANT,
+    XACRO_MEGABYTES,
+    XACRO_SECONDS,
     Command,
     with_options,
 )
@@ -43,8 +45,11 @@ if TYPE_CHECKING:
 _NAMED = 5
 
 #: The options of reading a robot, and the keys of their values.
-_READING = (TRUST, ISOLATED, CONFIG, VARIANT, PACKAGE)
-_KEYS = (options.FILES, "package", "variant", "config", "isolated", "trust", "joint", "pose")
+_READING = (XACRO_MEGABYTES, XACRO_SECONDS, TRUST, ISOLATED, CONFIG, VARIANT, PACKAGE)
+_KEYS = (
+    *(options.FILES, "package", "variant", "config", "isolated", "trust"),
+    *("xacro_seconds", "xacro_megabytes", "joint", "pose"),
+)
 
 #: Gives a command the options of reading a robot, without the words that name it.
 read_by_options = with_options(*_READING)
@@ -117,7 +122,7 @@ def _robots_in(directory: str) -> str:
     return f"pass one of its robots: {', '.join(paths[:_NAMED])}{more}"
 
 
-class Reading(Record):
+class ReadOptions(Record):
     """How a robot is read: as the command line says, else as the configuration does.
 
     Attributes:
@@ -131,7 +136,7 @@ class Reading(Record):
     trust: bool
 
 
-def reading(asked: Mapping[str, Any], file: str) -> Reading:
+def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
     """How the robot in a file is read.
 
     Args:
@@ -144,7 +149,7 @@ def reading(asked: Mapping[str, Any], file: str) -> Reading:
     config = options.config(asked, file) or Config()
     entry = config.entry(file, options.arguments(asked), asked["variant"])
     packages = {**config.packages, **options.packages(asked)}
-    return Reading(entry.arguments, packages, asked["trust"] or config.trust)
+    return ReadOptions(entry.arguments, packages, asked["trust"] or config.trust)
 
 
 def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None = None) -> Subject:

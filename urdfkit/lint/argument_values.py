@@ -1,4 +1,4 @@
-"""Values for the xacro arguments that a description lacks, from the files around it.
+"""ArgumentValues for the xacro arguments that a description lacks, from the files around it.
 
 A robot's file may want arguments that a launch file gives. Where no launch file gives all of them,
 a value is likely that is declared for the same name, or that names a directory which a path with
@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.lint.include_graph import INCLUDE
 from urdfkit.ros.launch.robot_arguments import declared, given
 from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Problem
@@ -26,10 +27,9 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.xacro import Xacro
 
-#: Values of one argument that a message names.
+#: ArgumentValues of one argument that a message names.
 _FEW = 10
 
-_INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"'<>]+)["']""")
 _DECLARATION = re.compile(rb"<xacro:arg\b[^<>]*>")
 _ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
 #: A path in which a whole directory is the value of an argument, or of a parameter called like it.
@@ -38,8 +38,8 @@ _PACKAGE = rf"{FIND}|^package://([\w.-]+)"
 _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
-class Values(Record):
-    """Values that one argument may have.
+class ArgumentValues(Record):
+    """ArgumentValues that one argument may have.
 
     Attributes:
         values: in the order in which they are found.
@@ -64,22 +64,24 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
         yield problem._replace(help=f"{problem.help}; {reported(found)}") if found else problem
 
 
-def reported(found: Values) -> str:
-    """Values of an argument, and where they are from."""
+def reported(found: ArgumentValues) -> str:
+    """ArgumentValues of an argument, and where they are from."""
     few = ", ".join(value or "''" for value in found.values[:_FEW])
     more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
     verb = "has" if disk.is_directory(found.origin) else "gives"
     return f"{shown(found.origin)} {verb} {few}{more}"
 
 
-def found_values(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
     """The values that one argument of a description may have; None if there are none."""
     robot = xacro.sources[0].path
     if sets := given(robot, (name,), resolver):
-        return Values(tuple(dict.fromkeys(one.arguments[name] for one in sets)), sets[0].launch)
+        return ArgumentValues(
+            tuple(dict.fromkeys(one.arguments[name] for one in sets)), sets[0].launch
+        )
     for launch, choices in declared(robot, resolver):
         if name in choices:
-            return Values(tuple(choices[name]), launch)
+            return ArgumentValues(tuple(choices[name]), launch)
     return _of_includes(name, xacro, resolver) or _of_directories(name, xacro, resolver)
 
 
@@ -91,7 +93,7 @@ def combinations(
     One argument takes each of its values, and the others then their first one. There are none
     unless each of them has a value.
     """
-    found: dict[str, Values] = {}
+    found: dict[str, ArgumentValues] = {}
     for name in names:
         values = found_values(name, xacro, resolver)
         if values is None:
@@ -106,17 +108,17 @@ def combinations(
         yield first | change
 
 
-def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
     """The default in an included file to which the expansion does not come."""
     read = {disk.real(source.path) for source in xacro.sources}
     for source in xacro.sources:
-        for file in _INCLUDE.findall(without_comments(source.data)):
+        for file in INCLUDE.findall(without_comments(source.data)):
             path = _plain_path(file.decode("utf-8", "replace"), source, resolver)
             if not path or disk.real(path) in read or not resolver.allows(path, source.path):
                 continue
             default = _default(name, path, resolver)
             if default is not None:
-                return Values((default,), path)
+                return ArgumentValues((default,), path)
     return None
 
 
@@ -138,7 +140,7 @@ def _attributes(tag: bytes, *names: bytes) -> Mapping[bytes, str]:
     return {name: at.group(1).decode("utf-8", "replace") for name, at in found.items() if at}
 
 
-def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
     """The names of the directories to which all paths with the argument lead."""
     word = re.escape(name)
     common: set[str] | None = None
@@ -151,7 +153,7 @@ def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> Values | Non
                 continue
             there = set(_leading_to(rest, name, directory, resolver))
             common, origin = (there, directory) if common is None else (common & there, origin)
-    return Values(tuple(sorted(common)), origin) if common else None
+    return ArgumentValues(tuple(sorted(common)), origin) if common else None
 
 
 def _plain_path(text: str, source: Source, resolver: Resolver) -> str:

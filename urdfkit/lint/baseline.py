@@ -69,10 +69,10 @@ def fingerprints(diagnostics: Iterable[Diagnostic]) -> list[str]:
 def dump(report: Report, directory: str) -> str:
     """The text of a baseline of a report; the same findings give the same text.
 
-    It has what is silenced as well, for its cause is tolerated from now on.
+    It has what is superseded as well, for its cause is tolerated from now on.
     """
-    silenced = (one for group in report.silenced for one in group.findings)
-    found = {_identity(one): one for one in (*report.diagnostics, *silenced)}
+    superseded = (one for group in report.superseded for one in group.findings)
+    found = {_identity(one): one for one in (*report.diagnostics, *superseded)}
     counts = Counter(fingerprint(diagnostic, directory) for diagnostic in found.values())
     findings = [{**key._asdict(), "count": count} for key, count in sorted(counts.items())]
     document = {"version": VERSION, "findings": findings}
@@ -100,23 +100,23 @@ def load(path: str) -> Counter[Fingerprint]:
         raise BaselineError(f"{path}: not a urdfkit baseline ({error})") from error
 
 
-def sift(report: Report, known: Counter[Fingerprint], directory: str) -> Report:
+def apply_baseline(report: Report, known: Counter[Fingerprint], directory: str) -> Report:
     """A report without what a baseline tolerates.
 
     A tolerated finding silences nothing: what follows from it is reported, unless the baseline has
     that, too.
     """
-    tolerated = _Tolerated(known, directory)
-    new = [one for one in report.diagnostics if not tolerated.takes(one)]
+    known_findings = _KnownFindings(known, directory)
+    new = [one for one in report.diagnostics if not known_findings.takes(one)]
     stands = set(map(_identity, new))
     found = {
         _identity(one): one
-        for group in report.silenced
+        for group in report.superseded
         if stands.isdisjoint(map(_identity, group.causes))
         for one in group.findings
     }
-    new += [one for one in found.values() if not tolerated.takes(one)]
-    return report._replace(diagnostics=in_reading_order(new), tolerated=tolerated.count)
+    new += [one for one in found.values() if not known_findings.takes(one)]
+    return report._replace(diagnostics=in_reading_order(new), tolerated=known_findings.count)
 
 
 def _identity(diagnostic: Diagnostic) -> tuple[object, ...]:
@@ -125,7 +125,7 @@ def _identity(diagnostic: Diagnostic) -> tuple[object, ...]:
     return (diagnostic.code, disk.real(span.source.path), *span[1:], diagnostic.message)
 
 
-class _Tolerated:
+class _KnownFindings:
     """What a baseline still tolerates.
 
     Args:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping
 
 from urdfkit.core import disk
+from urdfkit.core.expansion_limits import Limits
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.diagnostic import Confidence, Severity
@@ -60,13 +61,14 @@ class Config(Record):
         file_ignores: rules left out for some files.
         robots: the entry points; found by the include graph if empty.
         exclude: patterns of paths that the check of a directory leaves out.
-        foreign_rules: codes of the rules of other packages that run, too.
+        external_rules: codes of the rules of other packages that run, too.
         preview: True if preview rules run.
         named: codes that ``select`` names by their whole code or name.
         min_confidence: findings that are less sure are left out.
         options: values of options of rules, by code and name.
         trust: True if models may run any expression and read any file.
         width: columns of a line that is laid out; 0 for the usual.
+        limits: of the expansion of each description.
         warnings: what is odd about the configuration, and does not change what is checked.
     """
 
@@ -81,7 +83,7 @@ class Config(Record):
     file_ignores: tuple[FileIgnore, ...] = ()
     robots: tuple[RobotEntry, ...] = ()
     exclude: tuple[str, ...] = ()
-    foreign_rules: tuple[str, ...] = ()
+    external_rules: tuple[str, ...] = ()
     preview: bool = False
     named: frozenset[str] = frozenset()
     min_confidence: Confidence = Confidence.GUESSED
@@ -90,6 +92,7 @@ class Config(Record):
     width: int = 0
     warnings: tuple[str, ...] = ()
     but_errors: frozenset[str] = frozenset()
+    limits: Limits = Limits()
 
     @property
     def directory(self) -> str:

@@ -156,7 +156,7 @@ def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[lis
         from urdfkit.lint.processes import in_processes
 
         admitted = tuple(resolver.admitted.values())
-        known = (rule_index.foreign(), options, disk.log() is not None, admitted)
+        known = (rule_index.external(), options, disk.log() is not None, admitted)
         yield from in_processes(jobs, known, count)
         return
     for job in jobs:

@@ -21,7 +21,7 @@ from urdfkit.lint.fix_guard import (
     real_path,
 )
 from urdfkit.lint.fix_session import Fixes, FixSession, UnappliedFix
-from urdfkit.lint.options import Options, choose, foreign_codes
+from urdfkit.lint.options import Options, choose, external_codes
 from urdfkit.lint.report import Fixable, Report
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 
@@ -93,7 +93,7 @@ def _session(
     files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
 ) -> FixSession:
     resolved = options.resolved()
-    codes = {*resolved.select, *choose((), (), options.config, foreign_codes(options))}
+    codes = {*resolved.select, *choose((), (), options.config, external_codes(options))}
     checker = Checker(files, options._replace(preview=resolved.preview), codes)
     named = rule_index.named(options.select)
     return FixSession(checker, resolved.select, named, unsafe=unsafe, force=force)
@@ -121,13 +121,13 @@ def _with_meshes(
         if robot.reading.document is None:
             continue
         ours = Ownership([robot.source.path], robot.resolver)
-        stand_ins = generate_missing(robot)
-        for undone in stand_ins.undone:
+        generated = generate_missing(robot)
+        for undone in generated.undone:
             found[disk.real(undone.path)] = undone
-        for made in stand_ins.made:
-            foreign = not (force or ours.owns(made.path))
+        for made in generated.made:
+            is_outside = not (force or ours.owns(made.path))
             refusal = NotGenerated(made.path, made.references, made.defect, OUTSIDE)
-            found[disk.real(made.path)] = refusal if foreign else made
+            found[disk.real(made.path)] = refusal if is_outside else made
     meshes = tuple(one for one in found.values() if isinstance(one, GeneratedMesh))
     replaced = {reference.at.span for one in meshes for reference in one.references}
     places = {(real_path(span.source), *span[1:]) for span in replaced}

@@ -107,7 +107,7 @@ def _kind(element: Element) -> tuple[str, str]:
     return (element.parent.path if element.parent else "", element.tag)
 
 
-def useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
+def ineffective(before: Report, after: Report, applied: list[Diagnostic]) -> str:
     """Says so if a fix left its finding as it was; it would be applied for ever."""
     expected = Counter(map(key_of, before.diagnostics))
     expected.subtract(Counter(map(key_of, applied)))
@@ -189,7 +189,7 @@ class RegressionGuard:
         self._checker = checker
         self._found: dict[frozenset[str], list[str]] = {}
 
-    def disputes(
+    def conflicts(
         self, chosen: Iterable[Diagnostic], texts: Mapping[str, bytes], report: Report
     ) -> set[Key]:
         """The findings whose fix edits what another robot uses without asking for the edit.

@@ -13,10 +13,10 @@ from urdfkit.lint.fix_guard import (
     Key,
     RegressionGuard,
     Robots,
+    ineffective,
     key_of,
     real_path,
     regression,
-    useless,
 )
 from urdfkit.lint.report import Report
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 MAX_ROUNDS = 10
 #: Robots, or variants of one, share the text and not the finding.
-_DISPUTED = "skipped: another robot uses this text and is correct as it is"
+_CONFLICTING = "skipped: another robot uses this text and is correct as it is"
 #: First and last byte of an edit, and its text.
 _Piece = tuple[int, int, str]
 
@@ -207,9 +207,9 @@ class FixSession:
 
     def _round(self, report: Report, chosen: list[Diagnostic], *, is_careful: bool) -> Report:
         """Apply all fixes without a regression; the report on the texts after them."""
-        disputed = self._guard.disputes(chosen, self._texts, report)
-        self._dropped.update(dict.fromkeys(disputed, _DISPUTED))
-        chosen = [one for one in chosen if key_of(one) not in disputed]
+        conflicting = self._guard.conflicts(chosen, self._texts, report)
+        self._dropped.update(dict.fromkeys(conflicting, _CONFLICTING))
+        chosen = [one for one in chosen if key_of(one) not in conflicting]
         kept: list[Diagnostic] = []
         texts, latest = self._texts, report
         batches = [chosen] if chosen else []
@@ -217,9 +217,9 @@ class FixSession:
             batch = batches.pop()
             trial = {**self._texts, **self._edited([*kept, *batch])}
             after = self._checker.guard(trial)
-            reason = regression(report, after, *map(self._robots, (self._texts, trial))) or useless(
-                report, after, [*kept, *batch]
-            )
+            reason = regression(
+                report, after, *map(self._robots, (self._texts, trial))
+            ) or ineffective(report, after, [*kept, *batch])
             if is_careful:
                 reason = reason or self._guard.regression(self._texts, trial, report.files)
             if not reason:

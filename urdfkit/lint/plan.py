@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from urdfkit.core import disk
+from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.lint.config import ConfigError
@@ -16,7 +16,7 @@ from urdfkit.text.source import Source, shown
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.lint.discovery import DirectoryContents
+    from urdfkit.lint.entry_points import DirectoryContents
     from urdfkit.lint.options import Options
     from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
     from urdfkit.text.document import CallFrame
@@ -92,6 +92,7 @@ class Plan:
 
     def __init__(self, resolver: Resolver, options: Options) -> None:
         self.resolver = resolver
+        expansion_limits.allow(options.config.limits)
         if options.trust:
             resolver.admit(os.curdir, trust=True)
         self.config = options.config

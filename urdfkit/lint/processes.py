@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from urdfkit.core import disk
+from urdfkit.core import disk, expansion_limits
 from urdfkit.core.file_log import FileLog
 from urdfkit.core.own_sources import note_sources
 from urdfkit.lint import rule_index
@@ -94,17 +94,18 @@ _own: tuple[Options, Resolver]
 
 
 def _begin(
-    foreign: Mapping[str, str], options: Options, is_noting: bool, admitted: tuple[str, ...]
+    external: Mapping[str, str], options: Options, is_noting: bool, admitted: tuple[str, ...]
 ) -> None:
     """A process begins, which knows no rules of other packages and has noted nothing."""
     import signal
 
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    rule_index.register(foreign)
+    rule_index.register(external)
     disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one
     _own = (options, Resolver(options.packages, texts=options.texts))
+    expansion_limits.allow(options.config.limits)
     for path in admitted:
         _own[1].admit(path, trust=options.trust)
 

@@ -70,7 +70,7 @@ class Fixable(Record):
     left: tuple[tuple[str, int], ...]
 
 
-class Silenced(Record):
+class Superseded(Record):
     """Findings that follow from others, which are reported in their place.
 
     Attributes:
@@ -101,7 +101,7 @@ class Report(Record):
         unknown_arguments: those given that no description mentions, each with the one that was
             meant, or nothing.
         fixable: what ``urdfkit fix`` would do; None where nobody asked.
-        silenced: what is not reported because its cause is, of each description that has some.
+        superseded: what is not reported because its cause is, of each description that has some.
     """
 
     files: tuple[str, ...]
@@ -117,7 +117,7 @@ class Report(Record):
     launched: tuple[Launched, ...] = ()
     unknown_arguments: tuple[tuple[str, str], ...] = ()
     fixable: Fixable | None = None
-    silenced: tuple[Silenced, ...] = ()
+    superseded: tuple[Superseded, ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

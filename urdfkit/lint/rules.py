@@ -65,8 +65,8 @@ class Finding(Record):
         related: other places that explain it.
         confidence: how sure it is.
         weight: the larger, the worse; orders the calls of one macro.
-        alike: the same for findings of one cause that robots have in numbers: more than a few of
-            them are shown as one.
+        group_key: the same for findings of one cause that robots have in numbers: more than a
+            few of them are shown as one.
         severity: where it is not that of the rule, whatever the targets.
         targets: those for which it has this severity; empty if it does not depend on them.
         data: where the numbers stand that expressions took out of data files; the judge finds it.
@@ -79,7 +79,7 @@ class Finding(Record):
     related: tuple[Related, ...] = ()
     confidence: Confidence = Confidence.MEASURED
     weight: float = 0.0
-    alike: str = ""
+    group_key: str = ""
     severity: Severity | None = None
     targets: tuple[str, ...] = ()
     data: tuple[Related, ...] = ()

@@ -10,7 +10,7 @@ from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import NotApplicable, RunState, Subject, Unavailable
 from urdfkit.lint.options import Options
-from urdfkit.lint.report import Crashed, Silenced, Skipped, crash
+from urdfkit.lint.report import Crashed, Skipped, Superseded, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
 from urdfkit.text.document import Step
@@ -47,7 +47,7 @@ class FileResult(Record):
         targets: the programs that severities depend on; None if none does.
         suppressed: how many findings the model's comments or the configuration suppress.
         unknown_arguments: those given that the description never mentions, with the one meant.
-        silenced: findings that follow from others, which are reported in their place.
+        superseded: findings that follow from others, which are reported in their place.
     """
 
     diagnostics: tuple[Diagnostic, ...]
@@ -57,7 +57,7 @@ class FileResult(Record):
     targets: Targets | None
     suppressed: int
     unknown_arguments: Mapping[str, str] = {}
-    silenced: Silenced = Silenced((), ())
+    superseded: Superseded = Superseded((), ())
 
 
 def run_rules(
@@ -74,7 +74,7 @@ def run_rules(
             out; resolved.
     """
     subject.run = RunState(options.config.options)
-    run = _Run(subject, options)
+    run = _RuleRun(subject, options)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
@@ -94,7 +94,7 @@ def run_rules(
     return run.verdict()
 
 
-class _Run:
+class _RuleRun:
     """Gathers what the rules say about one subject."""
 
     def __init__(self, subject: Subject, options: Options) -> None:
@@ -146,7 +146,7 @@ class _Run:
         if not findings:
             return
         try:
-            findings = self._undisputed(findings)
+            findings = self._with_consistent_fixes(findings)
             # Detected only where severities depend on them.
             targets = self.subject.targets.names if findings and rule.by_target else ()
             self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
@@ -193,16 +193,16 @@ class _Run:
         places = self.subject.data_places(finding.node)
         return finding._replace(data=places) if places else finding
 
-    def _undisputed(self, findings: list[Finding]) -> list[Finding]:
+    def _with_consistent_fixes(self, findings: list[Finding]) -> list[Finding]:
         """Findings with the fixes on which all uses of a macro agree."""
         if not any(finding.fix for finding in findings):
             return findings
         reading = self.subject.reading
         if reading.xacro is None or reading.document is None:
             return findings
-        from urdfkit.lint.fix_consistency import without_disputed_fixes
+        from urdfkit.lint.fix_consistency import without_inconsistent_fixes
 
-        return without_disputed_fixes(findings, self.subject.uses)
+        return without_inconsistent_fixes(findings, self.subject.uses)
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
         severity = self.config.severities.get(diagnostic.code)
@@ -220,14 +220,14 @@ class _Run:
         diagnostics = tuple(d for d in self.diagnostics if not self._left_out(d))
         if not self.ignores:
             return diagnostics
-        from urdfkit.lint.suppress import sift
+        from urdfkit.lint.suppress import apply_suppressions
 
-        return sift(diagnostics, self.ignores).kept
+        return apply_suppressions(diagnostics, self.ignores).kept
 
     def verdict(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
-        diagnostics, silenced = _without_consequences(diagnostics, self._asked)
+        diagnostics, superseded = _without_consequences(diagnostics, self._asked)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return FileResult(
             diagnostics,
@@ -236,7 +236,7 @@ class _Run:
             frozenset(self.ran),
             targets,
             left_out,
-            silenced=silenced,
+            superseded=superseded,
         )
 
     def _distinct_crashes(self) -> Iterator[Crashed]:
@@ -257,11 +257,11 @@ class _Run:
 
 def _without_consequences(
     diagnostics: tuple[Diagnostic, ...], rules: Mapping[str, Rule]
-) -> tuple[tuple[Diagnostic, ...], Silenced]:
+) -> tuple[tuple[Diagnostic, ...], Superseded]:
     """Findings without what follows from others, which are then as severe as that; and that."""
     causes = [one for one in diagnostics if _hides_parts(one, rules[one.code])]
     if not causes:
-        return diagnostics, Silenced((), ())
+        return diagnostics, Superseded((), ())
     kept: list[Diagnostic] = []
     hidden: list[Diagnostic] = []
     for one in diagnostics:
@@ -270,7 +270,7 @@ def _without_consequences(
         if found in causes:
             worst = min((found, *hidden), key=lambda one: one.severity.rank)
             kept[place] = found._replace(severity=worst.severity)
-    return tuple(kept), Silenced(tuple(causes), tuple(hidden))
+    return tuple(kept), Superseded(tuple(causes), tuple(hidden))
 
 
 def _hides_parts(diagnostic: Diagnostic, rule: Rule) -> bool:
@@ -328,7 +328,7 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
         worst.help or rule.help,
         worst.fix,
         suffering,
-        worst.alike,
+        worst.group_key,
     )
 
 

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from difflib import SequenceMatcher
 from itertools import accumulate
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from lsprotocol import types as lsp
 from pygls.lsp.server import LanguageServer
@@ -73,6 +73,27 @@ class Server(LanguageServer):
         except Exception:  # a bug must not end the server
             _log.exception("no answer")
         return otherwise
+
+    def answer(
+        self,
+        request: str,
+        question: Callable[[Server, Any], object],
+        otherwise: object,
+        options: object = None,
+    ) -> None:
+        """Let the worker answer a kind of requests.
+
+        Args:
+            request: the method of the protocol.
+            question: computes the answer of the parameters of a request.
+            otherwise: the answer where that fails.
+            options: of the method, which the client is sent.
+        """
+
+        async def handle(params: Any) -> object:
+            return await self.ask(lambda: question(self, params), otherwise)
+
+        self.feature(request, options)(handle)
 
     def path(self, uri: str) -> str:
         """The real path of a URI."""

@@ -9,6 +9,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 
+from urdfkit.core import expansion_limits
 from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled, UrdfkitError
 from urdfkit.lint import rule_index
@@ -161,6 +162,7 @@ class Workspace:
         """Directories are listed once, until files on disk change: there may be thousands."""
         if config.path not in self._resolvers:
             self._resolvers[config.path] = Resolver(config.packages)
+        expansion_limits.allow(config.limits)
         return self._resolvers[config.path].with_texts(self.texts)
 
     def check(

@@ -45,7 +45,8 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
         NoHull: all points lie in a plane.
     """
     shell = hull(mesh)
-    beyond = one_way(shell.vertices, shell.faces, mesh.vertices, mesh.faces)
+    sound = soup_of(mesh)
+    beyond = one_way(shell.vertices, shell.faces, sound.points, sound.faces)
     if most == 1 or beyond <= _CONVEX * np.ptp(shell.vertices, axis=0).max():
         return shell
     return cut(mesh, most=most, engine=engine)

@@ -6,8 +6,8 @@
 >>> render_image(scene, ["iso", "top"], size=(640, 360)).size
 (640, 360)
 
-`build` makes a robot a `Scene` of triangles, and `render_image` an image of it; `looking` gives a
-`Camera` that has a scene in view, and `draw` the pixels that it sees.
+`build` makes a robot a `Scene` of triangles, and `render_image` an image of it; `place_camera`
+gives a `Camera` that has a scene in view, and `draw` the pixels that it sees.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ try:
         sweep,
         swept_circle,
     )
-    from urdfkit.render.camera import VIEWS, Camera, CameraOptions, looking
+    from urdfkit.render.camera import VIEWS, Camera, CameraOptions, place_camera
     from urdfkit.render.difference import difference
     from urdfkit.render.draw import QUALITIES, DrawingOptions, draw
     from urdfkit.render.findings import marked
@@ -62,9 +62,9 @@ __all__ = [
     "draw",
     "explained",
     "followed",
-    "looking",
     "marked",
     "orbit",
+    "place_camera",
     "render_image",
     "save",
     "save_animation",

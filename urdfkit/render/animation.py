@@ -16,7 +16,7 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject
 from urdfkit.render.arrays import Floats
-from urdfkit.render.camera import Camera, CameraOptions, looking
+from urdfkit.render.camera import Camera, CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import opaque, write
 from urdfkit.render.pixels import STUDIO
@@ -146,11 +146,11 @@ def followed(
     view: str = "iso",
     *,
     size: tuple[int, int],
-    **look: Unpack[CameraOptions],
+    **camera_options: Unpack[CameraOptions],
 ) -> list[Shot]:
-    """Scenes with one camera that has all of them in view; the arguments are those of `looking`."""
+    """Scenes with one camera that has all in view; the arguments are those of `place_camera`."""
     points = np.concatenate([scene.points() for scene, _ in scenes])
-    camera = looking(points, view, size=size, **look)
+    camera = place_camera(points, view, size=size, **camera_options)
     return [(scene, camera) for scene, _ in scenes]
 
 

@@ -117,7 +117,7 @@ class Camera(NamedTuple):
 
 
 class CameraOptions(TypedDict, total=False):
-    """What `looking` takes by name, but for the size."""
+    """What `place_camera` takes by name, but for the size."""
 
     azimuth: float | None
     elevation: float | None
@@ -130,7 +130,7 @@ def _far(camera: Camera) -> float:
     return camera.near * 800
 
 
-def looking(
+def place_camera(
     points: Floats,
     view: str = "iso",
     *,

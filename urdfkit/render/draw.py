@@ -128,9 +128,9 @@ class _Drawing:
     ) -> None:
         self.scene, self.camera, self.quality, self.workers = scene, camera, quality, workers
         everything = soup(scene, camera)
-        looks = [item.look for item in scene.items]
-        workers.each(sorted({look.texture for look in looks if look.texture}, key=str), texture)
-        self.kinds = [_kind(look) for look in looks]
+        materials = [item.material for item in scene.items]
+        workers.each(sorted({one.texture for one in materials if one.texture}, key=str), texture)
+        self.kinds = [_kind(one) for one in materials]
         pieces = list(zip(everything.pieces, self.kinds, strict=True))
         solid = [piece for piece, kind in pieces if kind == _OPAQUE]
         robot = [piece for piece, kind in pieces if kind != _SIGN]
@@ -148,7 +148,7 @@ class _Drawing:
         self.opaque, self.clear, self.signs = (
             np.flatnonzero(kind == one) for one in (_OPAQUE, _CLEAR, _SIGN)
         )
-        self.colours = SurfaceColours(looks, self.soup, self.screen, camera)
+        self.colours = SurfaceColours(materials, self.soup, self.screen, camera)
         self.offsets = rooks(quality.samples)
 
     def _projected(
@@ -321,7 +321,7 @@ class _Drawing:
         return near
 
 
-def _kind(look: SurfaceMaterial) -> int:
-    if look.sign:
+def _kind(material: SurfaceMaterial) -> int:
+    if material.sign:
         return _SIGN
-    return _OPAQUE if look.rgba[3] > SOLID else _CLEAR
+    return _OPAQUE if material.rgba[3] > SOLID else _CLEAR

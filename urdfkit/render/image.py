@@ -11,7 +11,7 @@ from PIL import Image, ImageColor
 
 from urdfkit.core import atomic
 from urdfkit.errors import UrdfkitError
-from urdfkit.render.camera import CameraOptions, looking, unfit
+from urdfkit.render.camera import CameraOptions, place_camera, unfit
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import caption, opaque, write
 from urdfkit.render.pixels import STUDIO
@@ -33,7 +33,7 @@ def render_image(
     views: Sequence[str] = ("iso",),
     *,
     size: tuple[int, int] = (1280, 720),
-    look: CameraOptions | None = None,
+    camera_options: CameraOptions | None = None,
     progress: Callable[[int, int], None] | None = None,
     **drawing: Unpack[DrawingOptions],
 ) -> Image.Image:
@@ -43,7 +43,7 @@ def render_image(
         scene: the robot, as `build` gives it.
         views: names of `camera.VIEWS`; several make a sheet.
         size: of the image, in pixels.
-        look: of the camera, as `looking` takes it.
+        camera_options: as `place_camera` takes it.
         progress: called with the number of steps done and of all.
         drawing: as `draw` takes it.
 
@@ -59,7 +59,9 @@ def render_image(
         raise ImageError(reason)
     whole = Image.new("RGBA", size, (190, 195, 202, 255) if has_background else (0, 0, 0, 0))
     for number, view in enumerate(views):
-        camera = looking(scene.points(), view, size=(cell[0] - gap, cell[1] - gap), **(look or {}))
+        camera = place_camera(
+            scene.points(), view, size=(cell[0] - gap, cell[1] - gap), **(camera_options or {})
+        )
         part = _part(progress, number, len(views))
         image = Image.fromarray(draw(scene, camera, progress=part, **drawing))
         if scene.labels:

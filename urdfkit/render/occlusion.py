@@ -51,10 +51,8 @@ def openness(
     bias = np.float32(BIAS * radius)
     hidden = np.zeros(len(points), dtype=np.float32)
     for tap in range(taps):
-        x = column + (offsets[place, tap, 0] * reach).astype(np.int32)
-        y = row + (offsets[place, tap, 1] * reach).astype(np.int32)
-        np.clip(x, 0, width - 1, out=x)
-        np.clip(y, 0, height - 1, out=y)
+        x = np.clip(column + (offsets[place, tap, 0] * reach).astype(np.int32), 0, width - 1)
+        y = np.clip(row + (offsets[place, tap, 1] * reach).astype(np.int32), 0, height - 1)
         qx, qy, qz = camera.places(x, y, flat[y * np.int32(width) + x])
         qx -= px
         qy -= py

@@ -44,7 +44,7 @@ def soup(scene: Scene, camera: Camera) -> CameraTriangles:
     total = ends[-1]
     colored = any(item.colors is not None for item in scene.items)
     # Of a texture on a mesh without coordinates, as Interbotix' STL files, one corner shows.
-    textured = any(item.uv is not None or item.look.texture for item in scene.items)
+    textured = any(item.uv is not None or item.material.texture for item in scene.items)
     points, normals = (np.zeros((total, 3), dtype=np.float32) for _ in range(2))
     uv = np.zeros((total, 2), dtype=np.float32) if textured else None
     colors = np.ones((total, 4), dtype=np.float32) if colored else None

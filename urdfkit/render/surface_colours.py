@@ -24,7 +24,7 @@ class SurfaceColours:
     """Colours the fragments of one image.
 
     Args:
-        looks: of the items of the scene.
+        materials: of the items of the scene.
         soup: their triangles.
         screen: the vertices of these in the image.
         camera: that sees them.
@@ -32,18 +32,18 @@ class SurfaceColours:
 
     def __init__(
         self,
-        looks: Sequence[SurfaceMaterial],
+        materials: Sequence[SurfaceMaterial],
         soup: CameraTriangles,
         screen: Projected,
         camera: Camera,
     ) -> None:
-        self._looks, self._soup, self._screen = looks, soup, screen
+        self._materials, self._soup, self._screen = materials, soup, screen
         self._rig, self._is_parallel = rig(camera), camera.is_orthographic
 
     def opacity(self, some: Fragments, there: FragmentSurface, depth: Floats) -> Floats:
         """How much fragments hide of what is behind them, (k,); less of it if they are hidden."""
-        rgba = np.array([look.rgba[3] for look in self._looks], dtype=np.float32)
-        signs = np.array([look.sign for look in self._looks])
+        rgba = np.array([one.rgba[3] for one in self._materials], dtype=np.float32)
+        signs = np.array([one.sign for one in self._materials])
         item = self._soup.item[some.number]
         hidden = signs[item] & (depth.reshape(-1)[some.pixel] < -there.position[:, 2])
         opacity: Floats = rgba[item] * np.where(hidden, np.float32(HIDDEN), np.float32(1))
@@ -52,15 +52,15 @@ class SurfaceColours:
     def light(self, some: Fragments, there: FragmentSurface, lit: Illumination) -> Floats:
         """The light that fragments send, (k, 3)."""
         item = self._soup.item[some.number]
-        rgb = np.array([look.rgba[:3] for look in self._looks] or [(1, 1, 1)], dtype=np.float32)
+        rgb = np.array([one.rgba[:3] for one in self._materials] or [(1, 1, 1)], dtype=np.float32)
         albedo = srgb_to_linear(rgb)[item]
         if there.color is not None:
             albedo = albedo * srgb_to_linear(there.color[:, :3])
-        for index, look in enumerate(self._looks):
-            if look.texture is not None:
+        for index, one in enumerate(self._materials):
+            if one.texture is not None:
                 of_it = np.flatnonzero(item == index)
                 if len(of_it):
-                    albedo[of_it] *= self._textured(look, some, there, of_it)
+                    albedo[of_it] *= self._textured(one, some, there, of_it)
         return shaded(
             albedo,
             there.position,
@@ -71,11 +71,11 @@ class SurfaceColours:
         )
 
     def _textured(
-        self, look: SurfaceMaterial, some: Fragments, there: FragmentSurface, of_it: Integers
+        self, material: SurfaceMaterial, some: Fragments, there: FragmentSurface, of_it: Integers
     ) -> Floats:
         """What a texture shows on fragments, (k, 3)."""
-        assert look.texture is not None
-        image = texture(look.texture)
+        assert material.texture is not None
+        image = texture(material.texture)
         if image is None:
             return np.ones((len(of_it), 3), dtype=np.float32)
         faces = self._soup.faces[some.number[of_it]]

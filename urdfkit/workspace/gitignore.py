@@ -12,7 +12,7 @@ from urdfkit.workspace.file_head import read_head
 MAX_BYTES = 1024 * 1024
 
 
-class Ignored:
+class GitIgnored:
     """The files that git ignores, asked for by path with ``in``.
 
     Starting git takes time, so it is asked only about a file that a line of some .gitignore or of

@@ -70,7 +70,7 @@ def read_rules(directory: str, package: str) -> list[Installed]:
     text = read_head(os.path.join(directory, "CMakeLists.txt"), MAX_BYTES).decode(
         "utf-8", "replace"
     )
-    reader = _Reader(known_variables(package))
+    reader = _CMakeReader(known_variables(package))
     for command in _commands(text):
         reader.read(command)
     return reader.rules
@@ -114,7 +114,7 @@ def _commands(text: str) -> Iterator[_Command]:
             arguments.append((quoted if quoted is not None else word, quoted is not None))
 
 
-class _Reader:
+class _CMakeReader:
     """Runs the commands that matter here; the body of a loop is run for each of its items."""
 
     def __init__(self, variables: dict[str, str]) -> None:

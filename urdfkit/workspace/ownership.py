@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from urdfkit.core import disk
 from urdfkit.text.comments import blank_comments, comments
 from urdfkit.text.source import Source
-from urdfkit.workspace.gitignore import Ignored
+from urdfkit.workspace.gitignore import GitIgnored
 from urdfkit.workspace.resolve import Resolver
 
 OUTSIDE = "the file is outside the workspace"
@@ -52,7 +52,7 @@ class Ownership:
             disk.real(resolver.packages.workspace(disk.real(file))) for file in files
         }
         self._refusals: dict[str, str] = {}
-        self._ignored = Ignored()
+        self._ignored = GitIgnored()
 
     def refusal(self, source: Source) -> str:
         """Why the file of a source is left alone; empty if it need not be."""

@@ -8,62 +8,26 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from itertools import product
 from stat import S_ISDIR, S_ISREG
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
-from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.text.source import Source
 from urdfkit.workspace.directories import Directories
-from urdfkit.workspace.packages import Candidate, Packages, path_list
+from urdfkit.workspace.package_files import PackageFiles, join
+from urdfkit.workspace.packages import Packages, path_list
+from urdfkit.workspace.references import DRIVE, ResolvedReference, spellings, split_scheme
 
 if TYPE_CHECKING:
-    from urdfkit.workspace.installs import Installed
+    pass
 
-_DRIVE = r"/?[A-Za-z]:/"
-_BUILD_FILES = ("CMakeLists.txt", "setup.py")
 #: Why a file is not read, behind its path.
 OUTSIDE = "is outside the workspace and the packages of this model"
 
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
-
-
-class ResolvedReference(Record):
-    """What a reference leads to.
-
-    Attributes:
-        reference: as written.
-        scheme: ``package``, ``model``, ``absolute`` (a path or ``file://``), ``relative``, or
-            another one in small letters.
-        package: name of the package that is referred to, or None.
-        directory: of that package, or None if it is not found.
-        relative: the path below the package, or below the file that refers to it.
-        path: the file, or None if there is none.
-        tried: the paths that were tried, in order.
-        outside: a file that the reference leads to and that the model may not read.
-        searched: where the package was searched, if it is not found.
-    """
-
-    reference: str
-    scheme: str
-    package: str | None = None
-    directory: str | None = None
-    relative: str = ""
-    path: str | None = None
-    tried: tuple[str, ...] = ()
-    searched: tuple[str, ...] = ()
-    outside: str | None = None
-
-    @property
-    def attempts(self) -> str:
-        """The paths that were tried, for a message; relative where below the current directory."""
-        try:
-            here = os.path.join(os.getcwd(), "")
-        except OSError:  # the current directory is gone
-            here = ""
-        return ", ".join(path.removeprefix(here) for path in self.tried)
 
 
 class Resolver:
@@ -85,10 +49,9 @@ class Resolver:
         environment = disk.Environment() if environment is None else environment
         self.directories = Directories()
         self.packages = Packages(packages or {}, environment, self.directories)
+        self._package_files = PackageFiles(self.packages, self.directories)
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
-        self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
         self._located: dict[tuple[str, str, str], ResolvedReference] = {}
-        self._rules: dict[str, list[Installed]] = {}
         self._texts = _by_real_path(texts or {})
         #: Files that the user named, one for each workspace.
         self.admitted: dict[str, str] = {}
@@ -154,20 +117,10 @@ class Resolver:
         Raises:
             PackageNotFound: with what was searched.
         """
-        candidate = self._choose(name, near, None)
+        candidate = self._package_files.choose(name, near, None)
         if candidate is None:
             raise PackageNotFound(name, self.packages.searched(name, near))
         return candidate.directory
-
-    def in_package(self, name: str, relative: str, near: str) -> ResolvedReference:
-        """A file of a package, by its path in the installed package.
-
-        Args:
-            name: of the package.
-            relative: with forward slashes, below ``share/<name>``.
-            near: path of the file in which the reference stands.
-        """
-        return self._in_package(f"package://{name}/{relative}", "package", name, relative, near)
 
     def locate(self, reference: str, near: str, top: str | None = None) -> ResolvedReference:
         """The file that a mesh or texture reference leads to.
@@ -197,7 +150,7 @@ class Resolver:
             return None
         name, directory = package
         relative = os.path.relpath(os.path.abspath(path), directory).replace(os.sep, "/")
-        return next(self._as_installed(name, directory, relative), None)
+        return next(self._package_files.as_installed(name, directory, relative), None)
 
     def allows(self, path: str, near: str) -> bool:
         """True if a model may read a file: one of its workspace or of a package.
@@ -220,7 +173,7 @@ class Resolver:
         except OSError:
             pass  # missing: only its place counts
         real = self.directories.real(path)
-        chosen = [candidate for found in self._candidates.values() for candidate in found]
+        chosen = self._package_files.chosen
         roots = [
             self.packages.workspace(near),
             self.packages.workspace(self.directories.real(near)),
@@ -240,7 +193,7 @@ class Resolver:
 
     def _locate(self, reference: str, near: str, top: str) -> ResolvedReference:
         text = reference.replace("\\", "/")
-        scheme, rest = _split(text)
+        scheme, rest = split_scheme(text)
         if scheme in ("package", "model"):
             name, _, relative = rest.partition("/")
             if scheme == "model":
@@ -251,19 +204,19 @@ class Resolver:
             rest = rest.removeprefix("localhost")
         elif scheme:
             return ResolvedReference(reference, scheme)
-        if rest.startswith("/") or re.match(_DRIVE, rest):
+        if rest.startswith("/") or re.match(DRIVE, rest):
             return self._absolute(reference, rest)
         return self._relative(reference, rest, near, top)
 
     def _in_package(
         self, reference: str, scheme: str, name: str, relative: str, near: str
     ) -> ResolvedReference:
-        candidate = self._choose(name, near, relative) if name else None
+        candidate = self._package_files.choose(name, near, relative) if name else None
         if candidate is None:
             searched = self.packages.searched(name, near) if name else ()
             return ResolvedReference(reference, scheme, name, None, relative, searched=searched)
         tried: list[str] = []
-        path = self._find(name, candidate.directory, relative, tried)
+        path = self._package_files.find(name, candidate.directory, relative, tried)
         return ResolvedReference(
             reference,
             scheme,
@@ -299,7 +252,7 @@ class Resolver:
         exported = self.packages.gazebo_model_paths(near)
         below += [(directory, f"{path}/{rest}".lstrip("/")) for directory, path in exported]
         for directory, relative in below:
-            tried.append(_join(directory, relative))
+            tried.append(join(directory, relative))
             path = self.directories.find(directory, relative)
             if path:
                 return ResolvedReference(
@@ -318,126 +271,28 @@ class Resolver:
 
     def _absolute(self, reference: str, text: str) -> ResolvedReference:
         tried: list[str] = []
-        for spelling in _spellings(text):
-            path = os.path.normpath(
-                spelling.lstrip("/") if re.match(_DRIVE, spelling) else spelling
-            )
+        found = None
+        for spelling in spellings(text):
+            path = os.path.normpath(spelling.lstrip("/") if re.match(DRIVE, spelling) else spelling)
             tried.append(path)
             found = self.directories.find(*os.path.split(path)) or self.installed(path)
             if found:
-                return ResolvedReference(
-                    reference, "absolute", None, None, text, found, tuple(tried)
-                )
-        return ResolvedReference(reference, "absolute", None, None, text, None, tuple(tried))
+                break
+        return ResolvedReference(reference, "absolute", None, None, text, found, tuple(tried))
 
     def _relative(self, reference: str, text: str, near: str, top: str) -> ResolvedReference:
         tried: list[str] = []
-        for directory in dict.fromkeys(map(self.packages.directory_of, (top, near))):
-            for relative in _spellings(text):
-                tried.append(_join(directory, relative))
-                path = self.directories.find(directory, relative)
-                if path:
-                    return ResolvedReference(
-                        reference, "relative", None, None, text, path, tuple(tried)
-                    )
-        return ResolvedReference(reference, "relative", None, None, text, None, tuple(tried))
-
-    def _choose(self, name: str, near: str, relative: str | None) -> Candidate | None:
-        """The directory of a package: one with its ``package.xml``, else one that is called so.
-
-        Where some are only called so, the first that has the wanted file.
-        """
-        key = (name, self.packages.directory_of(near))
-        if key not in self._candidates:
-            found = _until_certain(self.packages.candidates(name, near))
-            self._candidates[key] = tuple(sorted(found, key=lambda one: not one.certain))
-        candidates = self._candidates[key]
-        if relative is not None and not all(candidate.certain for candidate in candidates):
-            for candidate in candidates:
-                if self._find(name, candidate.directory, relative, []):
-                    return candidate
-        return candidates[0] if candidates else None
-
-    def _find(self, name: str, directory: str, relative: str, tried: list[str]) -> str | None:
-        """A file of a package; the paths looked at are added to ``tried``."""
-        for spelling in _spellings(relative):
-            tried.append(_join(directory, spelling))
-            path = self.directories.find(directory, spelling)
-            if path:
-                return path
-        for spelling in _spellings(relative):
-            for path in self._as_installed(name, directory, spelling):
-                return path
-        return None
-
-    def _as_installed(self, name: str, directory: str, relative: str) -> Iterator[str]:
-        """The files that a build would install at a path of the package."""
-        from urdfkit.workspace.installs import source_paths  # needed by few packages only
-
-        for source in source_paths(self._installed(name, directory), name, relative):
-            path = self.directories.find(directory, source)
-            if path:
-                yield path
-        if not any(self.directories.find(directory, file) for file in _BUILD_FILES):
-            yield from self._one_level_down(directory, relative)
-
-    def _installed(self, name: str, directory: str) -> list[Installed]:
-        """What the build of a package installs; its CMakeLists.txt is read once."""
-        if directory not in self._rules:
-            from urdfkit.workspace.installs import read_rules
-
-            is_there = self.directories.find(directory, "CMakeLists.txt") is not None
-            self._rules[directory] = read_rules(directory, name) if is_there else []
-        return self._rules[directory]
-
-    def _one_level_down(self, directory: str, relative: str) -> Iterator[str]:
-        """The only file at this path in a subdirectory, where no build file gives the layout.
-
-        ``description/urdf`` and ``bringup/launch`` are the usual directories that a build removes.
-        """
-        entries = self.directories.entries(directory) or {}
-        inside = sorted(name for name, is_directory in entries.items() if is_directory)
-        found = [self.directories.find(directory, f"{name}/{relative}") for name in inside]
-        paths = [path for path in found if path]
-        if len(paths) == 1:
-            yield paths[0]
+        starts = dict.fromkeys(map(self.packages.directory_of, (top, near)))
+        path = None
+        for directory, relative in product(starts, spellings(text)):
+            tried.append(join(directory, relative))
+            if path := self.directories.find(directory, relative):
+                break
+        return ResolvedReference(reference, "relative", None, None, text, path, tuple(tried))
 
 
 def _by_real_path(texts: Mapping[str, bytes]) -> dict[str, bytes]:
     return {disk.real(path): data for path, data in texts.items()}
-
-
-def _until_certain(candidates: Iterator[Candidate]) -> Iterator[Candidate]:
-    for candidate in candidates:
-        yield candidate
-        if candidate.certain:
-            return
-
-
-def _split(text: str) -> tuple[str, str]:
-    """The scheme before ``://``, in small letters, and the rest; without one, all is the rest.
-
-    One letter is no scheme but a drive.
-    """
-    scheme, is_written, rest = text.partition("://")
-    letters = scheme.replace("+", "").replace(".", "").replace("-", "")
-    is_scheme = scheme.isascii() and scheme[:1].isalpha() and letters.isalnum()
-    if is_written and is_scheme and len(scheme) > 1:
-        return scheme.lower(), rest
-    return "", text
-
-
-def _spellings(text: str) -> Iterator[str]:
-    """The path as written, and with its percent escapes resolved."""
-    yield text
-    if "%" in text:
-        data = text.encode("utf-8", "replace")
-        data = re.sub(rb"%([0-9A-Fa-f]{2})", lambda m: bytes([int(m.group(1), 16)]), data)
-        yield data.decode("utf-8", "replace")
-
-
-def _join(directory: str, relative: str) -> str:
-    return os.path.normpath(os.path.join(directory, relative))
 
 
 def _within(path: str, directory: str) -> bool:

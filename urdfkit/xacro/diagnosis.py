@@ -162,8 +162,6 @@ def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]
         return "XAC013", f"rejected: {cause}", ""
     if isinstance(cause, RecursionError):
         return "XAC013", "macros, includes or properties refer to themselves without end", ""
-    if isinstance(cause, MemoryError):
-        return "XAC013", "the expansion needs more memory than there is", ""
     if isinstance(cause, PackageNotFound):
         searched = ", ".join(cause.searched) or "nothing to search"
         message = f"package '{cause.name}' is not found; searched: {searched}"

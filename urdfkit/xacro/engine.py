@@ -30,7 +30,7 @@ from urdfkit.xacro.evaluation import Evaluation
 from urdfkit.xacro.sandbox import UnsafeExpression
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.expansion import Run
+    from urdfkit.xacro.expansion import ExpansionRun
 
 #: Characters of a name. xacro parses one as Python, which may need all memory for a long one.
 MAX_NAME = 200
@@ -101,10 +101,10 @@ class XacroEngine:
         self._exchange_messages()
 
     @property
-    def _run(self) -> Run:
+    def _run(self) -> ExpansionRun:
         return self._evaluation.run
 
-    def expand(self, run: Run) -> Any:
+    def expand(self, run: ExpansionRun) -> Any:
         """Expand the file of a run to a DOM.
 
         Raises:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _WILDCARD = r"[*?[]"
 
 
-class Reader:
+class FileReader:
     """Reads files; every xacro file once.
 
     Args:

@@ -9,7 +9,7 @@ pytest.importorskip("manifold3d")
 from tests.meshed import link, mesh, messages
 from urdfkit.mesh.samples import collada
 
-WOOD = collada(look='<diffuse><texture texture="image" texcoord="UV"/></diffuse>')
+WOOD = collada(effect='<diffuse><texture texture="image" texcoord="UV"/></diffuse>')
 
 
 def test_an_image_of_collada(tmp_path: Path) -> None:

@@ -150,7 +150,7 @@ def test_it_misses_nothing_that_coal_finds(entry: tuple[Path, dict[str, Any]]) -
     bodies, _ = solids(subject.model, subject.meshes, unit=unit)
     examiner = Examiner(moving, map(form, bodies))
     pairs = list(moving.pairs(examiner.links))
-    seen = examiner.look(pairs, 0.0).at(moving.default[None], count=True)
+    seen = examiner.query(pairs, 0.0).at(moving.default[None], count=True)
     known = {frozenset(pair.names): pair.contact for pair in contacts(subject).pairs}
     for pair, one in zip(pairs, seen, strict=True):
         names = frozenset(moving.links[number] for number in pair)

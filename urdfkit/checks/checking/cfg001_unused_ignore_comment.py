@@ -22,9 +22,9 @@ FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE003] closed by the gripper -->\n"
 
 @rule(Severity.WARNING, needs=(), help="delete the comment")
 def check(subject: Subject) -> Findings:
-    from urdfkit.lint.suppress import sift
+    from urdfkit.lint.suppress import apply_suppressions
 
-    hits = sift(subject.run.diagnostics, subject.ignores).hits
+    hits = apply_suppressions(subject.run.diagnostics, subject.ignores).hits
     chosen = subject.run.chosen
     for ignore in subject.ignores:
         codes = [code for code, _ in ignore.codes]

@@ -54,7 +54,7 @@ def check(subject: Subject) -> Findings:
         else:
             path = "> in <".join(reversed(found.item.path.split("/")))
             message = f"{use.title}: unknown element <{path}> (ignored)"
-            yield Finding(found.item.at, message, alike=use.filename)
+            yield Finding(found.item.at, message, group_key=use.filename)
     for (use, _), some in foreign.items():
         assert use.plugin is not None
         yield _of_other_generation(use, use.plugin, some)
@@ -68,7 +68,7 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
         f"{use.title}: unknown element <{element.tag}> (ignored)",
         f"did you mean <{name}>?",
         fix_tag(element, name),
-        alike=f"{use.filename} misspelt",
+        group_key=f"{use.filename} misspelt",
         severity=Severity.INFO if _is_default(use, name, element.text) else Severity.WARNING,
     )
 
@@ -101,7 +101,7 @@ def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParame
             Related(one.item.at.span, f"{tag}: {_advice(one.item, plugin)}")
             for tag, one in zip(tags[1:], others, strict=True)
         ),
-        alike=f"{use.filename} {'renamed' if edits else 'other'}",
+        group_key=f"{use.filename} {'renamed' if edits else 'other'}",
         severity=Severity.WARNING,
     )
 

@@ -43,7 +43,7 @@ def check(subject: Subject) -> Findings:
             message,
             fix=_fix(element, first),
             related=related,
-            alike=f"{element.tag} in {place}",
+            group_key=f"{element.tag} in {place}",
         )
 
 

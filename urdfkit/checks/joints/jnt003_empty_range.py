@@ -74,7 +74,7 @@ def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
         limit.at,
         f"joint '{joint.name}' is {joint.kind} but cannot move: {why}",
         f"set lower and upper, {continuous}or make it fixed",
-        alike="cannot move",
+        group_key="cannot move",
         severity=Severity.INFO if _is_locked(limit) else Severity.WARNING,
     )
 

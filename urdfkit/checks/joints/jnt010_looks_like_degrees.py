@@ -207,5 +207,5 @@ def _speed(joint: Joint, velocity: Placed[float]) -> Finding:
         f"degrees per second ({float(right):.3g} rad/s)",
         fix=fix_value(velocity.at, right),
         confidence=Confidence.INFERRED,
-        alike="velocity",
+        group_key="velocity",
     )

@@ -61,7 +61,7 @@ def check(subject: Subject) -> Findings:
                 "write the same value for both",
                 related=(Related(first.at.span, f"counterpart '{first.name}'"),),
                 confidence=Confidence.INFERRED,
-                alike="counterparts",
+                group_key="counterparts",
             )
     for one, other, reason in misplaced(subject):
         yield Finding(

@@ -52,7 +52,7 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
             dynamics.attributes["friction"],
             f"{who}: friction {friction:g} {of} exceeds the effort limit of {most:g} {of}",
             weight=friction / most,
-            alike="friction",
+            group_key="friction",
         )
     speed = joint.limit.velocity.value if joint.limit and joint.limit.velocity else 0.0
     reached = most / damping if damping > 0 else speed
@@ -62,5 +62,5 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
             f"{who}: with damping {damping:g} {of}·s/{unit(joint)}, the effort limit of {most:g} "
             f"{of} reaches {reached:.2g} {unit(joint)}/s; the velocity limit is {speed:g}",
             weight=speed / reached,
-            alike="damping",
+            group_key="damping",
         )

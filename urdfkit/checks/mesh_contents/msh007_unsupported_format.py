@@ -58,7 +58,7 @@ def check(subject: Subject) -> Findings:
         if mesh.facts and mesh.facts.starts_with_solid:
             message = f"{mesh.who} is a binary STL and begins with 'solid'"
             help = "urdfkit mesh convert FILE NEW.stl"
-            yield Finding(mesh.at, message, help, alike="solid", severity=Severity.INFO)
+            yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
 
 
 def _is_mesh(form: str) -> bool:

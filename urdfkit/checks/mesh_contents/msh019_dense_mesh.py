@@ -62,7 +62,7 @@ def check(subject: Subject) -> Findings:
             f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
             f"checking slow{rejected}",
             weight=number,
-            alike="collision",
+            group_key="collision",
         )
     for use in defects.get(MeshDefect.DENSE_SHARED, ()):
         number = use.measures.triangles
@@ -72,7 +72,7 @@ def check(subject: Subject) -> Findings:
             "consider a simpler one",
             "urdfkit mesh collision suggests a simple shape",
             weight=number,
-            alike="shared",
+            group_key="shared",
             severity=Severity.INFO,
         )
     for use in defects.get(MeshDefect.DENSE_VISUAL, ()):
@@ -82,6 +82,6 @@ def check(subject: Subject) -> Findings:
             f"{use.who} has {number:,} triangles; more than {DENSE_VISUAL:,} make rendering slow",
             "urdfkit mesh simplify FILE",
             weight=number,
-            alike="visual",
+            group_key="visual",
             severity=Severity.INFO,
         )

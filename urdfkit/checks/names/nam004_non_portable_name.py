@@ -64,7 +64,7 @@ def _characters(name: Attribute) -> Findings:
     # Nothing refers to a fixed joint by its name; a namespace for the link as well is on purpose.
     is_harmless = is_fixed_joint or ("/" in text and _has_namespace(name.element, text))
     severity = Severity.INFO if is_harmless else None
-    yield Finding(name, f"{tag} '{text}': {reason}", alike=reason, severity=severity)
+    yield Finding(name, f"{tag} '{text}': {reason}", group_key=reason, severity=severity)
 
 
 def _has_namespace(joint: Element, text: str) -> bool:

@@ -49,7 +49,7 @@ def check(subject: Subject) -> Findings:
         known = subject.resolver.packages.known(subject.source.path)
         alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
         help = finding.help + ("" if severity else did_you_mean(name, alike))
-        yield finding._replace(help=help, alike=name, severity=severity)
+        yield finding._replace(help=help, group_key=name, severity=severity)
     if is_launch(subject.source.path):
         yield from _launched(subject)
         return
@@ -74,7 +74,7 @@ def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
         f"checked; searched {', '.join(first.located.searched)}",
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
-        alike=f"meshes of {name}",
+        group_key=f"meshes of {name}",
         severity=_severity(subject, name, first.at.span) and Severity.INFO,
     )
 
@@ -100,6 +100,6 @@ def _launched(subject: Subject) -> Findings:
             Location(package.span),
             f"package '{name}' is not found{undeclared}{suggested}",
             f"{help}; searched {', '.join(package.searched)}",
-            alike="" if suggested else "not found",
+            group_key="" if suggested else "not found",
             severity=Severity.WARNING if suggested else Severity.INFO,
         )

@@ -55,7 +55,7 @@ def _parameter(who: str, element: Element) -> Findings:
                 element,
                 message,
                 "write a number",
-                alike="not a number",
+                group_key="not a number",
                 severity=Severity.WARNING,
             )
     elif suggested := nearest(name.value, ("initial_value",), _TYPO):

@@ -18,6 +18,7 @@ from urdfkit.text.document import Attribute
 from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.edits import from_macro, insert_after, remove_elements
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
+from urdfkit.workspace.resolve import OUTSIDE
 
 if TYPE_CHECKING:
     from urdfkit.mesh.fitting import Fits
@@ -184,6 +185,9 @@ def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
             lines += _collision(robot, body, fits, needed)
         if taken := next((path for path in needed if _is_other(path, needed[path])), ""):
             left[proposal.link.name] = f"{taken} is there already, and is another mesh"
+            continue
+        if outside := next((path for path in needed if not robot.files.resolver.admits(path)), ""):
+            left[proposal.link.name] = f"{outside} {OUTSIDE}: not written"
             continue
         meshes |= needed
         elements = [body.at for body in proposal.link.collisions]

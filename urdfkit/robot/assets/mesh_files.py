@@ -12,7 +12,8 @@ from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_
 from urdfkit.robot.assets.file_names import is_mistyped, numbers_in, stem, suffix
 from urdfkit.robot.model import Body, Link, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
-from urdfkit.workspace.resolve import ResolvedReference, Resolver
+from urdfkit.workspace.references import ResolvedReference
+from urdfkit.workspace.resolve import Resolver
 
 #: Directories of a package that are searched for a file of the wanted name.
 MAX_DIRECTORIES = 2000
@@ -167,9 +168,9 @@ class MeshFiles:
         """The references to files that git leaves out of the repository that they lie in."""
         if not self.each_file:
             return []
-        from urdfkit.workspace.gitignore import Ignored
+        from urdfkit.workspace.gitignore import GitIgnored
 
-        ignored = Ignored()
+        ignored = GitIgnored()
         return [mesh for mesh in self.each_file if mesh.located.path in ignored]
 
     @cached_property

@@ -25,6 +25,7 @@ from urdfkit.robot.assets.target_bounds import (
     BUILDABLE,
     is_buildable,
 )
+from urdfkit.workspace.resolve import OUTSIDE
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
@@ -216,6 +217,8 @@ def _make(
         return NotGenerated(path, references, defect, reason)
     if located.scheme not in ("package", "model", "absolute", "relative"):
         return NotGenerated(path, references, defect, f"'{located.scheme}://' leads to no file")
+    if not robot.files.resolver.admits(path):
+        return NotGenerated(path, references, defect, f"{OUTSIDE}: not written")
     if "Git LFS" in defect:
         return NotGenerated(
             path, references, defect, "run 'git lfs pull', which fetches the mesh itself"

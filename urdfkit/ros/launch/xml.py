@@ -117,7 +117,7 @@ class _File:
                 # Other values of the arguments may turn it on.
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
-            self._look_at(element)
+            self._check(element)
             if handle := handles.get(element.tag):
                 handle(element)
         self._level -= 1
@@ -134,7 +134,7 @@ class _File:
         manifest = manifest_of(self.collector.resolver, self.source.path)
         return manifest.ros if manifest else None
 
-    def _look_at(self, element: Element) -> None:
+    def _check(self, element: Element) -> None:
         if self._ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
             self.collector.problems += mistakes(element, self._ros, self.frame)
         self._arguments.use(element, element.attributes)
@@ -159,7 +159,7 @@ class _File:
     def _include(self, element: Element) -> None:
         for child in element.children:
             if child.tag in ("arg", "env", "let"):  # roslaunch does not read any other
-                self._look_at(child)
+                self._check(child)
         attribute = element.attributes.get("file")
         path = self._path_in(attribute) if attribute else None
         purpose = "included launch file"

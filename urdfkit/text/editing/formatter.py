@@ -52,7 +52,7 @@ def formatted(source: Source, width: int = WIDTH) -> bytes:
     data = source.data.replace(b"\r\n", b"\n")
     found = list(tokens(data))
     outline = _outline(found, source.path)
-    layout = "\n".join(_Writer(found, data, outline, width).lines()) + "\n"
+    layout = "\n".join(_LineWriter(found, data, outline, width).lines()) + "\n"
     if _meaning(layout.encode()) != _meaning(data):
         raise AssertionError(f"{source.path}: formatting would change the meaning")
     newline = "\r\n" if b"\r\n" in source.data else "\n"
@@ -103,7 +103,7 @@ class _Open(Record):
     is_foreign: bool
 
 
-class _Writer:
+class _LineWriter:
     """Makes lines of tokens."""
 
     def __init__(self, found: list[Token], data: bytes, outline: _Outline, width: int) -> None:
