@@ -108,6 +108,7 @@ SLOW = (
     "tests/test_docs.py",
     "tests/test_endless_text.py",
     "tests/test_fixing_corpus.py",
+    "tests/test_fuzz.py",
     "tests/test_golden",
     "tests/test_models.py",
     "tests/test_pages.py",

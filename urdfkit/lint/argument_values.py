@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.words import few
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.lint.include_graph import INCLUDE
 from urdfkit.ros.launch.robot_arguments import declared, given
@@ -66,10 +67,8 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
 
 def reported(found: ArgumentValues) -> str:
     """ArgumentValues of an argument, and where they are from."""
-    few = ", ".join(value or "''" for value in found.values[:_FEW])
-    more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
     verb = "has" if disk.is_directory(found.origin) else "gives"
-    return f"{shown(found.origin)} {verb} {few}{more}"
+    return f"{shown(found.origin)} {verb} {few([value or "''" for value in found.values], _FEW)}"
 
 
 def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:

@@ -69,6 +69,7 @@ class _File:
         self.outer = outer
         self._ros: int | None = None
         self._level = 0
+        self._unknown_conditions = 0
         self._arguments = ArgumentUses({*arguments, *lent})
         self._is_whole = True
 
@@ -119,7 +120,10 @@ class _File:
                 continue
             self._check(element)
             if handle := handles.get(element.tag):
+                is_unknown = self._is_unknown(element)
+                self._unknown_conditions += is_unknown
                 handle(element)
+                self._unknown_conditions -= is_unknown
         self._level -= 1
 
     def _is_off(self, element: Element) -> bool:
@@ -129,6 +133,11 @@ class _File:
             if attribute and (self.text(attribute) or "").strip().lower() in off:
                 return True
         return False
+
+    def _is_unknown(self, element: Element) -> bool:
+        """True if its condition is known at run time only."""
+        conditions = (element.attributes.get(name) for name in ("if", "unless"))
+        return any(one is not None and self.text(one) is None for one in conditions)
 
     def _ros_of_package(self) -> int | None:
         manifest = manifest_of(self.collector.resolver, self.source.path)
@@ -277,13 +286,16 @@ class _File:
             self._parameters(element),
             element.span,
             self.frame,
+            is_sure=not self._unknown_conditions,
+            is_remapped=element.child("remap") is not None,
         )
         self.collector.started.append(started)
         self._children(element)
 
     def _executable(self, element: Element) -> None:
         words = self._words(element.attributes.get("cmd"))
-        started = StartedProgram("", "", words, frozenset(), element.span, self.frame)
+        is_sure = not self._unknown_conditions
+        started = StartedProgram("", "", words, {}, element.span, self.frame, is_sure)
         self.collector.started.append(started)
 
     def _words(self, attribute: Attribute | None) -> tuple[Word, ...]:
@@ -304,14 +316,19 @@ class _File:
             Word(None if _UNKNOWN_WORD in word else word, attribute.span) for word in words
         )
 
-    def _parameters(self, element: Element) -> frozenset[str] | None:
-        """The names of the parameters that a node is given in ROS 2, if no files give some.
+    def _parameters(self, element: Element) -> dict[str, str | None] | None:
+        """The parameters that a node is given in ROS 2, if no files give some.
 
         In ROS 1 parameters belong to no node.
         """
         if self._ros != 2 or any(child.get("from") for child in element.children):
             return None
-        return frozenset(child.get("name") or "" for child in element.all("param"))
+        given = element.all("param")
+        values = [child.attributes.get("value") for child in given]
+        return {
+            child.get("name") or "": self.text(value) if value else None
+            for child, value in zip(given, values, strict=True)
+        }
 
     def _rosparam(self, element: Element) -> None:
         attribute = element.attributes.get("file")
