@@ -44,10 +44,10 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
 
 
 def _without_common_end(word: str, other: str) -> tuple[str, str]:
-    """Two names without the last word that both have: ``_link`` makes no names alike."""
-    one, end = word[: word.rfind("_") + 1], word[word.rfind("_") + 1 :]
-    if one and end and other.endswith("_" + end):
-        return one[:-1], other[: -len(end) - 1]
+    """Two names without the kind of thing that both end in: ``_link`` makes no names alike."""
+    one, _, end = word.rpartition("_")
+    if one and end in _KINDS and other.endswith("_" + end):
+        return one, other[: -len(end) - 1]
     return word, other
 
 
