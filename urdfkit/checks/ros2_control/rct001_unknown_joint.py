@@ -5,8 +5,8 @@
 - A transmission of ROS 1: the whole hardware of gazebo_ros_control fails, so that no joint moves.
 - A controller in a parameter file: it finds no interface of that name and cannot be activated ("not
   in the list of available interfaces"). A controller none of whose joints is in the robot is taken
-  for one of another variant, if other controllers fit, or if the names differ in a prefix only. The
-  hardware of ROS 1 has names of its own, so that this is a warning there without a plugin of Gazebo.
+  for one of another variant, if other controllers fit, or if the names differ in a prefix only.
+  Hardware of ROS 1 has names of its own: a warning, unless a plugin of Gazebo is the hardware.
 
 Correct the name.
 
