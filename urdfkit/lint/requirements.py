@@ -3,14 +3,9 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.lint.description_file import Unavailable
-
-if TYPE_CHECKING:
-    pass
-
 
 WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
 _WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
