@@ -43,6 +43,10 @@ MAX_BODY = 100_000
 
 _HEADERS = {
     "Cache-Control": "no-store",
+    # What a page loads is in the page itself; these directives only count here.
+    "Content-Security-Policy": "frame-ancestors 'none'; form-action 'none'; base-uri 'none'",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
