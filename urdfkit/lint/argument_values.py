@@ -52,7 +52,7 @@ class ArgumentValues(Record):
 
 
 def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -> Iterator[Problem]:
-    """What reading met; with the values that are found for arguments without one.
+    """The problems of a description, with the values that are found for arguments without one.
 
     Args:
         problems: of a description.

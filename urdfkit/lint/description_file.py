@@ -39,7 +39,7 @@ class Reading(Record):
     Attributes:
         document: after expansion; None of a launch file, or if it could not be read.
         problems: what is wrong with the text.
-        xacro: what the expansion met; None for plain XML.
+        xacro: the expansion; None for plain XML.
     """
 
     document: Document | None
@@ -116,12 +116,12 @@ class DescriptionFile:
         xacro = expand(
             self.source, self.resolver, self.arguments, trust=self.trust, frame=self._frame
         )
-        met = xacro.problems
-        if any(problem.argument for problem in met):
+        found = xacro.problems
+        if any(problem.argument for problem in found):
             from urdfkit.lint.argument_values import with_values
 
-            met = tuple(with_values(met, xacro, self.resolver))
-        return Reading(xacro.document, met, xacro)
+            found = tuple(with_values(found, xacro, self.resolver))
+        return Reading(xacro.document, found, xacro)
 
     @property
     def is_readable(self) -> bool:
@@ -129,12 +129,12 @@ class DescriptionFile:
         return is_launch(self.source.path) or self.reading.document is not None
 
     def problems(self, code: str) -> list[Problem]:
-        """What reading met that a rule explains, in a description or a launch file."""
+        """The problems that a rule explains, in a description or a launch file."""
         return [problem for problem in self.reading.problems if problem.code == code]
 
     @property
     def xacro(self) -> Xacro:
-        """What the expansion met.
+        """The expansion.
 
         Raises:
             NotApplicable: the description is plain XML.
