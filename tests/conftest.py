@@ -82,6 +82,7 @@ SLOW = (
     "tests/false_alarms/",
     "tests/integration/",
     "tests/test_injection.py",
+    "tests/test_kills.py",
     "tests/lint/test_engine.py",
     "tests/lint/test_fix.py",
     "tests/lint/test_formatting.py",

@@ -38,7 +38,7 @@ def codes(checked, path: Path) -> list[str]:
 def test_the_findings_are_those_of_the_command_line() -> None:
     file = Edited(MISSION, MISSION.read_text(encoding="utf-8"))
     checked = file.workspace.check(file.path, thorough=True)
-    assert checked.trouble == ""
+    assert checked.failure == ""
     reported = [(f.code, f.span.start, f.message) for f in checked.diagnostics[file.path]]
     report = urdfkit.check(MISSION)
     assert reported == [(f.code, f.span.start, f.message) for f in report.diagnostics]
@@ -112,7 +112,7 @@ def test_the_configuration_counts_and_its_slips_are_told(tmp_path: Path) -> None
     (tmp_path / "urdfkit.toml").write_text('ignroe = ["TRE001"]\n')
     file.workspace.reload()
     checked = file.workspace.check(file.path)
-    assert "did you mean 'ignore'" in checked.trouble
+    assert "did you mean 'ignore'" in checked.failure
     assert codes(checked, tmp_path / "r.urdf") == ["TRE001"]
 
 
@@ -122,7 +122,7 @@ def test_a_configuration_from_anywhere_gets_no_trust(tmp_path: Path) -> None:
     file = Edited(tmp_path / "r.xacro", text)
     checked = file.workspace.check(file.path)
     assert "XAC009" in codes(checked, tmp_path / "r.xacro")
-    assert "trust" in checked.trouble
+    assert "trust" in checked.failure
     assert not Path("hit").exists()
 
 
@@ -157,7 +157,7 @@ def test_every_prefix_of_a_text_is_checked_without_an_error(thorough: bool) -> N
     for end in range(0, len(text), 1997 if thorough else 397):
         file.type(text[:end])
         checked = file.workspace.check(file.path, thorough=thorough)
-        assert checked.trouble == ""
+        assert checked.failure == ""
         assert checked.diagnostics[file.path]
         assert file.robot.page(file.path).source.data == text[:end].encode()
 

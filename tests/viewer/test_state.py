@@ -61,7 +61,7 @@ def test_a_change_of_any_file_is_seen(directory: Path, mesh: str, changed: str) 
 def test_so_is_one_while_it_is_read(directory: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     robot = directory / "robot.urdf"
     robot.write_text(ROBOT.format("a.obj"))
-    known = read(str(robot), Options()).stamps
+    known = read(str(robot), Options()).versions
 
     def described(*words: Any, **more: Any) -> ReportInput:
         reported = describe(*words, **more)
@@ -71,4 +71,4 @@ def test_so_is_one_while_it_is_read(directory: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(module, "describe", described)
     state = read(str(robot), Options(), [*known, str(directory / "of_an_older_state.stl")])
     assert state.is_stale
-    assert str(directory / "of_an_older_state.stl") not in state.stamps
+    assert str(directory / "of_an_older_state.stl") not in state.versions

@@ -66,6 +66,7 @@ def _leave(code: int) -> NoReturn:
 def _guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
     """Every way in which a command line can end, as an exit code."""
     try:
+        _reject_files_as_options(words)
         return run(words)
     except UrdfkitError as error:
         return fail(2, str(error))
@@ -86,6 +87,13 @@ def _guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
             "This is a bug in urdfkit, not in the robot. Please report it with the file; "
             "URDFKIT_DEBUG=1 prints the traceback.",
         )
+
+
+def _reject_files_as_options(words: list[str]) -> None:
+    """A file may be called ``--config=a.yaml``; where a shell or a hook lists files, it is none."""
+    for word in words[: words.index("--")] if "--" in words else words:
+        if word.startswith("-") and word != "-" and os.path.lexists(word):
+            raise UrdfkitError(f"'{word}' is a file and no option; write ./{word}")
 
 
 def _replay_or_run(words: list[str]) -> int:

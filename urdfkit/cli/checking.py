@@ -156,7 +156,7 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
         return check_with(chosen._replace(progress=progress), sources, spills=True)
     finally:
         if progress is not None:
-            progress.wipe()
+            progress.clear()
 
 
 def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) -> Report:
@@ -196,7 +196,7 @@ def apply_fixes(
         again.write()
     finally:
         if progress is not None:
-            progress.wipe()
+            progress.clear()
     first = {file.path: file for file in fixes.files}
     return again._replace(
         files=tuple({**{file.path: file for file in again.files}, **first}.values()),

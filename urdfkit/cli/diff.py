@@ -83,7 +83,7 @@ def command(
             after,
             check_options(values, last_file(files)),
             tolerances=_tolerances(tolerance),
-            has_pictures=name == "html",
+            has_images=name == "html",
             progress=bar,
         )
     if output_file:

@@ -87,21 +87,26 @@ def command(
             lump=lump,
         )
     chosen = [one for one in proposals if links or one.is_doubtful]
-    left: dict[str, str] = {}
     if write or diff:
-        lines: list[str] = []
-        files, left = rewrites(chosen)
-        if diff:
-            output.write("".join(file.diff() for file in files))
-        else:
-            rewriting.write(files)
-            lines += [f"wrote {shown(file.path)}" for file in files]
-        lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
-        output.page(lines or ["nothing to write"] * (not files))
-    elif form == "json":
+        return _write(chosen, is_diff=diff)
+    if form == "json":
         output.write(dumped(as_json(proposals)))
     else:
         output.page([*table(proposals), *proposed(chosen)])
+    return 0
+
+
+def _write(chosen: Sequence[InertiaProposal], *, is_diff: bool) -> int:
+    """Write suggested values, or show them as a diff; 1 if one cannot be written."""
+    lines: list[str] = []
+    files, left = rewrites(chosen)
+    if is_diff:
+        output.write("".join(file.diff() for file in files))
+    else:
+        rewriting.write(files)
+        lines += [f"wrote {shown(file.path)}" for file in files]
+    lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
+    output.page(lines or ["nothing to write"] * (not files))
     return int(bool(left))
 
 

@@ -1,4 +1,4 @@
-"""``urdfkit render``: a picture of a robot."""
+"""``urdfkit render``: an image of a robot."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
 #: Pixels of an image, of an animation, of two states side by side, and of a thumbnail.
 SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x256"
 
-#: Meshes that are boxes in the picture and named one by one.
+#: Meshes that are boxes in the image and named one by one.
 _NAMED = 5
 
 
@@ -226,7 +226,7 @@ def _nothing(file: str, robot: Subject) -> str:
 
 
 def _print_notes(scene: Scene) -> None:
-    """Say on standard error which meshes are boxes in the picture, and which letters escapes."""
+    """Say on standard error which meshes are boxes in the image, and which letters escapes."""
     from urdfkit import render
 
     for mesh in scene.missing[:_NAMED]:

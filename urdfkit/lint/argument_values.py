@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.words import few
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.lint.include_graph import INCLUDE
 from urdfkit.ros.launch.robot_arguments import declared, given
@@ -51,7 +52,7 @@ class ArgumentValues(Record):
 
 
 def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -> Iterator[Problem]:
-    """What reading met; with the values that are found for arguments without one.
+    """The problems of a description, with the values that are found for arguments without one.
 
     Args:
         problems: of a description.
@@ -66,10 +67,9 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
 
 def reported(found: ArgumentValues) -> str:
     """ArgumentValues of an argument, and where they are from."""
-    few = ", ".join(found.values[:_FEW])
-    more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
     verb = "has" if disk.is_directory(found.origin) else "gives"
-    return f"{shown(found.origin)} {verb} {few}{more}"
+    values = [value or "''" for value in found.values]
+    return f"{shown(found.origin)} {verb} {few(values, _FEW)}"
 
 
 def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:

@@ -67,7 +67,7 @@ class Config(Record):
         min_confidence: findings that are less sure are left out.
         options: values of options of rules, by code and name.
         trust: True if models may run any expression and read any file.
-        width: columns of a line that is laid out; 0 for the usual.
+        width: columns of a formatted line; 0 for the default.
         limits: of the expansion of each description.
         warnings: what is odd about the configuration, and does not change what is checked.
     """

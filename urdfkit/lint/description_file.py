@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from urdfkit.xacro import Xacro
 
 
+#: An argument is used above its default, which is a value all the same.
+_TOO_EARLY = "XAC020"
+
+
 class Unavailable(Exception):
     """A part that a rule needs is not to be had for this description; the text says why."""
 
@@ -35,7 +39,7 @@ class Reading(Record):
     Attributes:
         document: after expansion; None of a launch file, or if it could not be read.
         problems: what is wrong with the text.
-        xacro: what the expansion met; None for plain XML.
+        xacro: the expansion; None for plain XML.
     """
 
     document: Document | None
@@ -45,12 +49,23 @@ class Reading(Record):
     @property
     def missing_arguments(self) -> tuple[str, ...]:
         """The arguments without which a xacro cannot be expanded."""
-        return tuple(dict.fromkeys(one.argument for one in self.problems if one.argument))
+        return tuple(dict.fromkeys(one.argument for one in self.lacking))
+
+    @property
+    def arguments_to_pass(self) -> tuple[str, ...]:
+        """The missing arguments, else those that xacro misses because their default comes later."""
+        early = (one.argument for one in self.problems if one.code == _TOO_EARLY)
+        return self.missing_arguments or tuple(dict.fromkeys(early))
+
+    @property
+    def lacking(self) -> list[Problem]:
+        """The problems that are nothing but arguments without a value."""
+        return [one for one in self.problems if one.argument and one.code != _TOO_EARLY]
 
     @property
     def missing_argument_codes(self) -> frozenset[str]:
         """The codes of the problems that are nothing but arguments without a value."""
-        return frozenset(one.code for one in self.problems if one.argument)
+        return frozenset(one.code for one in self.lacking)
 
     @property
     def is_fragment(self) -> bool:
@@ -101,12 +116,12 @@ class DescriptionFile:
         xacro = expand(
             self.source, self.resolver, self.arguments, trust=self.trust, frame=self._frame
         )
-        met = xacro.problems
-        if any(problem.argument for problem in met):
+        found = xacro.problems
+        if any(problem.argument for problem in found):
             from urdfkit.lint.argument_values import with_values
 
-            met = tuple(with_values(met, xacro, self.resolver))
-        return Reading(xacro.document, met, xacro)
+            found = tuple(with_values(found, xacro, self.resolver))
+        return Reading(xacro.document, found, xacro)
 
     @property
     def is_readable(self) -> bool:
@@ -114,12 +129,12 @@ class DescriptionFile:
         return is_launch(self.source.path) or self.reading.document is not None
 
     def problems(self, code: str) -> list[Problem]:
-        """What reading met that a rule explains, in a description or a launch file."""
+        """The problems that a rule explains, in a description or a launch file."""
         return [problem for problem in self.reading.problems if problem.code == code]
 
     @property
     def xacro(self) -> Xacro:
-        """What the expansion met.
+        """The expansion.
 
         Raises:
             NotApplicable: the description is plain XML.

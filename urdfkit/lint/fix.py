@@ -126,8 +126,8 @@ def _with_meshes(
             found[disk.real(undone.path)] = undone
         for made in generated.made:
             is_outside = not (force or ours.owns(made.path))
-            refusal = NotGenerated(made.path, made.references, made.defect, OUTSIDE)
-            found[disk.real(made.path)] = refusal if is_outside else made
+            not_written = NotGenerated(made.path, made.references, made.defect, OUTSIDE)
+            found[disk.real(made.path)] = not_written if is_outside else made
     meshes = tuple(one for one in found.values() if isinstance(one, GeneratedMesh))
     replaced = {reference.at.span for one in meshes for reference in one.references}
     places = {(real_path(span.source), *span[1:]) for span in replaced}

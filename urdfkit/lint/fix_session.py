@@ -110,7 +110,7 @@ class FixSession:
         self._unsafe = unsafe
         self._force = force
         self._ownership = Ownership((), checker.resolver)
-        self._refusals: dict[Source, str] = {}
+        self._protected: dict[Source, str] = {}
         self._originals: dict[str, Rewrite] = {}
         self._texts: dict[str, bytes] = {}
         self._dropped: dict[Key, str] = {}
@@ -174,22 +174,22 @@ class FixSession:
         """Why the fix of a finding is not applied; empty if it may be, or there is none."""
         if diagnostic.fix is None:
             return ""
-        refusals = (self._refusal(edit.span.source) for edit in diagnostic.fix.edits)
-        if refusal := next(filter(None, refusals), ""):
-            return refusal
+        reasons = (self._why_protected(edit.span.source) for edit in diagnostic.fix.edits)
+        if reason := next(filter(None, reasons), ""):
+            return reason
         if diagnostic.severity is Severity.INFO and diagnostic.code not in self._named:
             return "info"
         if not (diagnostic.fix.safe or self._unsafe):
             return "unsafe"
         return self._dropped.get(key_of(diagnostic), "")
 
-    def _refusal(self, source: Source) -> str:
+    def _why_protected(self, source: Source) -> str:
         """Why a file is not edited; empty if it may be."""
-        if source not in self._refusals:
-            self._refusals[source] = self._judge(source)
-        return self._refusals[source]
+        if source not in self._protected:
+            self._protected[source] = self._find_protection(source)
+        return self._protected[source]
 
-    def _judge(self, source: Source) -> str:
+    def _find_protection(self, source: Source) -> str:
         real = real_path(source)
         if real not in self._originals:
             before = self._checker.resolver.text(source.path)
@@ -203,7 +203,7 @@ class FixSession:
         now = self._texts.get(real, original)
         if _encoded(source.data, source, original) != now:
             return f"its encoding, {source.encoding}, cannot be kept"
-        return "" if self._force else self._ownership.refusal(source)
+        return "" if self._force else self._ownership.why_protected(source)
 
     def _round(self, report: Report, chosen: list[Diagnostic], *, is_careful: bool) -> Report:
         """Apply all fixes without a regression; the report on the texts after them."""

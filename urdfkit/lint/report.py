@@ -100,7 +100,7 @@ class Report(Record):
         launched: the robots that have their arguments from launch files, or from elsewhere.
         unknown_arguments: those given that no description mentions, each with the one that was
             meant, or nothing.
-        fixable: what ``urdfkit fix`` would do; None where nobody asked.
+        fixable: what ``urdfkit fix`` would do; None if it was not computed.
         superseded: what is not reported because its cause is, of each description that has some.
     """
 

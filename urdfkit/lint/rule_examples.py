@@ -2,10 +2,10 @@
 
 A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a fix: robots as
 text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
-beside the robot, by relative path, ``FIXED_FILES`` those of them as fixes leave them; ``DIRECTORY``
-stands for the directory that holds them all. Rules of other packages are tested with the same
-functions. ``NAME`` is the name of the example's file where it is no ``example.urdf``; ``TARGETS``
-are the consumers that it is checked for where it does not give them away.
+next to the robot, by relative path, ``FIXED_FILES`` those of them as fixes leave them;
+``DIRECTORY`` stands for the directory that holds them all. Rules of other packages are tested with
+the same functions. ``NAME`` is the name of the example's file where it is no ``example.urdf``;
+``TARGETS`` are the consumers that it is checked for where they are not detected.
 """
 
 from __future__ import annotations

@@ -97,7 +97,7 @@ Findings = Iterator[Finding]
 
 
 def reported(subject: Subject, code: str) -> Findings:
-    """The findings of a rule that only reports what reading met."""
+    """The findings of a rule that only reports problems of reading."""
     for problem in subject.problems(code):
         at = Location(problem.span, problem.frame)
         yield Finding(

@@ -84,14 +84,14 @@ def run_rules(
         own.remove(rule_index.NOT_CHECKED)
         lacking = subject.reading.missing_argument_codes
         wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
-        is_unexplained = wants_arguments or not run.says_why()
+        is_unexplained = wants_arguments or not run.explains_failure()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
             run.rules([rule_index.NOT_CHECKED])
             subject.run = subject.run._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules(own)
-    return run.verdict()
+    return run.result()
 
 
 class _RuleRun:
@@ -120,7 +120,7 @@ class _RuleRun:
         """Run those of some rules whose family applies to the subject.
 
         Raises:
-            Cancelled: nobody waits for the result any more.
+            Cancelled: the result is not wanted any more.
         """
         families: dict[str, list[str]] = {}
         for code in chosen:
@@ -133,7 +133,7 @@ class _RuleRun:
                 self._rule(rule)
 
     def _is_chosen(self, rule: Rule) -> bool:
-        """False for a preview rule that nobody asked for, and for one that takes too long."""
+        """False for a preview rule that is not selected, and for one that takes too long."""
         if rule.preview and not self.options.previews(rule.code):
             return False
         configured = self.config.severities.get(rule.code)
@@ -208,7 +208,7 @@ class _RuleRun:
         severity = self.config.severities.get(diagnostic.code)
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
-    def says_why(self) -> bool:
+    def explains_failure(self) -> bool:
         """True if an error that nothing suppresses says why the robot is not read."""
         return any(
             found.severity is Severity.ERROR or found.code in rule_index.NOT_EXPANDED
@@ -224,7 +224,7 @@ class _RuleRun:
 
         return apply_suppressions(diagnostics, self.ignores).kept
 
-    def verdict(self) -> FileResult:
+    def result(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
         diagnostics, superseded = _without_consequences(diagnostics, self._asked)
@@ -298,7 +298,7 @@ def _bounded(finding: Finding) -> Finding:
 def diagnose(
     rule: Rule, findings: Iterable[Finding], targets: tuple[str, ...] = ()
 ) -> list[Diagnostic]:
-    """Stamp findings with their rule; what one macro body caused N times becomes one."""
+    """Findings as diagnostics of their rule; what one macro body caused N times becomes one."""
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for number, finding in enumerate(findings):
         span, via = place(finding)

@@ -62,7 +62,7 @@ class Server(LanguageServer):
         self.uris: dict[str, str] = {}
         self.places = PositionEncoding()
         self._waiting: dict[str, asyncio.Task[None]] = {}
-        self._shown_trouble = ""
+        self._shown_failure = ""
 
     async def ask(self, question: Callable[[], Answer], otherwise: Answer) -> Answer:
         """Let the worker answer; ``otherwise`` if it fails."""
@@ -155,10 +155,10 @@ class Server(LanguageServer):
         )
         if checked is None:
             return
-        if checked.trouble != self._shown_trouble:
-            self._shown_trouble = checked.trouble
-            if checked.trouble:
-                params = lsp.ShowMessageParams(lsp.MessageType.Warning, checked.trouble)
+        if checked.failure != self._shown_failure:
+            self._shown_failure = checked.failure
+            if checked.failure:
+                params = lsp.ShowMessageParams(lsp.MessageType.Warning, checked.failure)
                 self.window_show_message(params)
         for file, found in checked.diagnostics.items():
             self.publish(file, found)

@@ -44,11 +44,11 @@ class CheckedFile(Record):
 
     Attributes:
         diagnostics: by real path, of every file in which there are some.
-        trouble: why something could not be checked; empty if all was.
+        failure: why something could not be checked; empty if all was.
     """
 
     diagnostics: dict[str, list[Diagnostic]]
-    trouble: str = ""
+    failure: str = ""
 
 
 class Workspace:
@@ -99,14 +99,14 @@ class Workspace:
         """The configuration for a file, and what is wrong with it; never a trusting one."""
         directory = os.path.dirname(path)
         if directory not in self._configs:
-            trouble, found = "", Config()
+            failure, found = "", Config()
             try:
                 file = nearest(path)
                 found = load(file, trusted=False) if file else found
-                trouble = "; ".join(found.warnings)
+                failure = "; ".join(found.warnings)
             except UrdfkitError as error:
-                trouble = str(error)
-            self._configs[directory] = found, trouble
+                failure = str(error)
+            self._configs[directory] = found, failure
         return self._configs[directory]
 
     def entries(self, path: str) -> tuple[EntryPoint, ...]:
@@ -137,7 +137,7 @@ class Workspace:
             subject = Subject(resolver.given(robot.file), resolver, config.arguments)
         except UrdfkitError:
             return robot
-        if names := subject.reading.missing_arguments:
+        if names := subject.reading.arguments_to_pass:
             for one in given(robot.file, names, resolver)[:1]:
                 self._launched[robot.file] = one.arguments
                 return robot._replace(arguments=one.arguments)
@@ -182,7 +182,7 @@ class Workspace:
         Raises:
             Cancelled: it is true now; the findings stay those of the last whole check.
         """
-        config, trouble = self.config(path)
+        config, failure = self.config(path)
         before = set(self._files())
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
         for root in roots:
@@ -191,14 +191,14 @@ class Workspace:
             except Cancelled:
                 raise
             except UrdfkitError as error:
-                trouble, found = trouble or str(error), []
+                failure, found = failure or str(error), []
             by_file: dict[str, list[Diagnostic]] = {}
             for diagnostic in found:
                 file = os.path.realpath(diagnostic.span.source.path)
                 by_file.setdefault(file, []).append(diagnostic)
             self._found[root] = by_file
         files = before | set(self._files()) | {path}
-        return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, trouble)
+        return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, failure)
 
     def _check_root(
         self, root: str, config: Config, thorough: bool, is_cancelled: Callable[[], bool] | None

@@ -51,22 +51,22 @@ class Ownership:
         self._workspaces = {
             disk.real(resolver.packages.workspace(disk.real(file))) for file in files
         }
-        self._refusals: dict[str, str] = {}
+        self._protected: dict[str, str] = {}
         self._ignored = GitIgnored()
 
-    def refusal(self, source: Source) -> str:
+    def why_protected(self, source: Source) -> str:
         """Why the file of a source is left alone; empty if it need not be."""
         path = disk.real(source.path)
-        if path not in self._refusals:
-            self._refusals[path] = self._judge(source, path)
-        return self._refusals[path]
+        if path not in self._protected:
+            self._protected[path] = self._why_protected(source, path)
+        return self._protected[path]
 
     def owns(self, path: str) -> bool:
         """True if a file lies in one of the workspaces; it need not exist."""
         real = disk.real(path)
         return any(real.startswith(os.path.join(directory, "")) for directory in self._workspaces)
 
-    def _judge(self, source: Source, path: str) -> str:
+    def _why_protected(self, source: Source, path: str) -> str:
         if not self.owns(path):
             return OUTSIDE
         if is_generated(source):

@@ -127,7 +127,7 @@ class XacroEngine:
         dict.__setitem__(symbols["xacro"], "arg", lambda name: self._run.argument(name, symbols))
         if not trust:
             for name in ("type", "vars"):  # they lead from any value to the whole interpreter
-                dict.__setitem__(symbols["python"], name, _refusing(f"python.{name}()"))
+                dict.__setitem__(symbols["python"], name, _rejecting(f"python.{name}()"))
         return symbols
 
     def _exchange_evaluation(self) -> None:
@@ -254,13 +254,13 @@ class XacroEngine:
         xacro.tokenize = patterns.tokenize(xacro.tokenize)
 
 
-def _refusing(what: str) -> Callable[..., Any]:
+def _rejecting(what: str) -> Callable[..., Any]:
     """A function that models may not call."""
 
-    def refuse(*_: Any) -> Any:
+    def reject(*_: Any) -> Any:
         raise UnsafeExpression(f"{what} is not allowed in expressions")
 
-    return refuse
+    return reject
 
 
 def _joined(words: tuple[Any, ...]) -> str:

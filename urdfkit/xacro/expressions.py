@@ -84,7 +84,7 @@ def _sandboxed(tree: ast.Expression) -> ast.Expression:
     """Check an expression and rewrite what the Sandbox has to see; without recursion."""
     nodes = list(ast.walk(tree))
     for node in nodes:
-        _refuse(node)
+        _reject(node)
     for node in reversed(nodes):  # inner ones first
         for field, value in ast.iter_fields(node):
             if isinstance(value, ast.AST):
@@ -94,7 +94,7 @@ def _sandboxed(tree: ast.Expression) -> ast.Expression:
     return tree
 
 
-def _refuse(node: ast.AST) -> None:
+def _reject(node: ast.AST) -> None:
     if not isinstance(node, _ALLOWED):
         raise UnsafeExpression(f"{type(node).__name__} is not allowed in expressions")
     if isinstance(node, ast.Attribute) and node.attr.startswith("__"):

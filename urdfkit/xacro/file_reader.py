@@ -81,10 +81,10 @@ class FileReader:
         if not disk.exists(path):
             path = self._resolver.installed(path) or path
         if disk.has_name(path):  # else opening it will say that there is no such file
-            self._refuse_outside(path)
+            self._reject_outside(path)
         return path
 
-    def _refuse_outside(self, path: str) -> None:
+    def _reject_outside(self, path: str) -> None:
         if self._trust or self._resolver.allows(path, self._near):
             return
         if disk.exists(path) and not disk.is_file(path) and not disk.is_directory(path):
@@ -120,7 +120,7 @@ class FileReader:
         budget.charge(ELEMENT_SIZE)  # it takes as long
         if not disk.is_directory(directory or os.curdir):
             return
-        self._refuse_outside(directory or os.curdir)
+        self._reject_outside(directory or os.curdir)
         try:
             names = disk.names(directory or os.curdir)
         except OSError:

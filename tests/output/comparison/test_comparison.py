@@ -310,9 +310,9 @@ def test_html_is_whole_and_escaped(pair: Path) -> None:
     new = old.replace("tool", evil.replace("<", "&lt;"))
     (pair / "a" / "arm.urdf").write_text(old)
     (pair / "b" / "arm.urdf").write_text(new)
-    found = compare("a/arm.urdf", "b/arm.urdf", has_pictures=True)
-    assert len(found.pictures) == 2
-    assert all(one.startswith("data:image/webp;base64,") for one in found.pictures)
+    found = compare("a/arm.urdf", "b/arm.urdf", has_images=True)
+    assert len(found.images) == 2
+    assert all(one.startswith("data:image/webp;base64,") for one in found.images)
     page = as_html.render(found)
     assert page.count("<script>") == 1
     assert "&lt;/script&gt;&lt;script&gt;alert(1)" in page
@@ -327,9 +327,9 @@ def test_pictures_show_what_is_gone_and_what_is_new(pair: Path) -> None:
     old = ARM.replace('<link name="tool"/>', f'<link name="tool">{BOX}</link>')
     (pair / "a" / "arm.urdf").write_text(old)
     (pair / "b" / "arm.urdf").write_text(old.replace("tool", "hand").replace(BOX, BALL))
-    found = compare("a/arm.urdf", "b/arm.urdf", has_pictures=True)
+    found = compare("a/arm.urdf", "b/arm.urdf", has_images=True)
     shown = []
-    for address in found.pictures:
+    for address in found.images:
         data = base64.b64decode(address.partition(",")[2])
         pixels = np.asarray(image.open(io.BytesIO(data)).convert("RGB"), dtype=int)
         red, green, blue = (pixels[..., i] for i in range(3))

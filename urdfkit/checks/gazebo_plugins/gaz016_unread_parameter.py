@@ -19,6 +19,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import listed
 from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Plugin, renames
@@ -90,10 +91,9 @@ def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParame
     assert other is not None
     title, edits = _rename(use, plugin, [one.item for one in some])
     tags = [f"<{one.item.path.rpartition('/')[2]}>" for one in some]
-    named = [*tags[:_MAX_TAGS], *([f"{len(tags) - _MAX_TAGS} more"] if tags[_MAX_TAGS:] else [])]
     return Finding(
         element,
-        f"{use.title} reads {' and '.join(filter(None, (', '.join(named[:-1]), named[-1])))} in "
+        f"{use.title} reads {listed(tags, _MAX_TAGS)} in "
         f"{_NAMES[other.generation]}, but not in {_NAMES[plugin.generation]}",
         _advice(first.item, plugin),
         Fix.of(title, edits),

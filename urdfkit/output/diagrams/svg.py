@@ -1,4 +1,4 @@
-"""The tree as a picture, drawn here: no other program is needed.
+"""The tree as an image, drawn here: no other program is needed.
 
 Every link has a row, so that a robot of any shape can be read and printed.
 """

@@ -17,8 +17,8 @@ _GONE, _NEW, _CHANGED = (0.86, 0.15, 0.12, 1.0), (0.16, 0.62, 0.3, 1.0), (0.96, 
 _SAME = (0.8, 0.82, 0.85, 1.0)
 
 
-def pictures(before: Subject, after: Subject, found: Comparison) -> tuple[str, ...]:
-    """Addresses of two pictures; none where the libraries or the shapes for them are missing.
+def images(before: Subject, after: Subject, found: Comparison) -> tuple[str, ...]:
+    """Addresses of two images; none where the libraries or the shapes for them are missing.
 
     Links that are gone are red, new ones green, and those that differ or moved amber.
     """
