@@ -1,5 +1,6 @@
 """What the sources of a scan stand for."""
 
+import shutil
 import tarfile
 import zipfile
 from pathlib import Path
@@ -67,6 +68,19 @@ def test_an_archive_is_extracted_when_a_model_is_wanted(zoo: Path, suffix: str) 
         assert path.read_text() == "<robot/>"
         assert path.with_name("mesh.stl").exists()
     assert not path.exists()
+
+
+@pytest.mark.parametrize("suffix", [".zip", ".tar.xz"])
+def test_a_xacro_file_of_an_archive_is_a_robot_if_it_has_a_name(
+    tmp_path: Path, suffix: str
+) -> None:
+    folder = tmp_path / "in"
+    folder.mkdir()
+    (folder / "robot.xacro").write_text('<?xml version="1.0"?>\n<robot\n  name="r"/>')
+    (folder / "macros.xacro").write_text('<robot><link name="a"/></robot>')
+    packing = "zip" if suffix == ".zip" else "xztar"
+    archive = shutil.make_archive(str(tmp_path / "zoo"), packing, folder)
+    assert names(archive, below=tmp_path) == [f"zoo{suffix}/robot.xacro"]
 
 
 def test_an_archive_names_no_file_outside_of_it(tmp_path: Path) -> None:

@@ -9,7 +9,10 @@ import shutil
 import tarfile
 import tempfile
 import zipfile
-from collections.abc import Iterable, Iterator
+import zlib
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from typing import IO
 
 from urdfkit.core.record import Record
 from urdfkit.core.regular_file import opened
@@ -26,6 +29,10 @@ _LISTS = (".txt", ".lst")
 _LONGEST_LINE = 65_536
 _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
+#: What a damaged or encrypted archive raises.
+_UNREADABLE = (
+    OSError, EOFError, RuntimeError, tarfile.TarError, zipfile.BadZipFile, zlib.error,
+)  # fmt: skip
 
 
 class Model(Record):
@@ -58,10 +65,12 @@ def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Itera
     for source in sources:
         name = source.lower()
         if os.path.isdir(source):
-            yield from (Model(path, path) for path in walk(source) if _is_robot(path))
+            found = (
+                path for path in walk(source) if _is_robot(path, partial(read_head, path, _HEAD))
+            )
+            yield from (Model(path, path) for path in found)
         elif os.path.isfile(source) and name.endswith(_ARCHIVES):
-            members = (member for member in _members(source) if _is_model(member))
-            yield from (Model(f"{source}/{member}", "", source) for member in members)
+            yield from (Model(f"{source}/{member}", "", source) for member in _members(source))
         elif os.path.isfile(source) and name.endswith(_LISTS):
             real = os.path.realpath(source)
             if real in lists:
@@ -113,15 +122,12 @@ def _require_readable(path: str) -> None:
         raise UnreadableFile(f"{path}: {why_unreadable(path, error)}") from error
 
 
-def _is_model(path: str) -> bool:
-    return path.lower().endswith(SUFFIXES)  # SolidWorks writes .URDF
-
-
-def _is_robot(path: str) -> bool:
-    if _is_model(path):
+def _is_robot(path: str, head: Callable[[], bytes]) -> bool:
+    """True for a file that is a model by its suffix or, if it is another xacro, by its head."""
+    name = path.lower()  # SolidWorks writes .URDF
+    if name.endswith(SUFFIXES):
         return True
-    is_xacro = path.lower().endswith(".xacro")
-    return is_xacro and _NAMED_ROOT.search(read_head(path, _HEAD)) is not None
+    return name.endswith(".xacro") and _NAMED_ROOT.search(head()) is not None
 
 
 def _listed(path: str) -> Iterator[str]:
@@ -140,21 +146,46 @@ def _listed(path: str) -> Iterator[str]:
 
 
 def _members(archive: str) -> Iterator[str]:
-    """The names of the files in an archive, sorted."""
+    """The names of the models in an archive, sorted."""
+    is_tar = archive.lower().endswith(_TARS)
     try:
-        if archive.lower().endswith(_TARS):
-            with tarfile.open(archive) as tar:
-                names = [member.name for member in tar if member.isfile()]
-        else:
-            with zipfile.ZipFile(archive) as packed:
-                names = packed.namelist()
-    except (OSError, EOFError, tarfile.TarError, zipfile.BadZipFile) as error:
+        names = [
+            name
+            for name, opens in (_in_tar if is_tar else _in_zip)(archive)
+            if _is_robot(name, partial(_head, opens))
+        ]
+    except _UNREADABLE as error:
         raise UnreadableFile(f"{archive}: not a readable archive ({error})") from error
-    plain = (os.path.normpath(name) for name in names if not name.endswith("/"))
+    plain = map(os.path.normpath, names)
     # What lies outside of the archive is not extracted, and a file of that name is another one.
     yield from sorted(
         name for name in plain if not os.path.isabs(name) and name.split(os.sep)[0] != os.pardir
     )
+
+
+def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
+    """The files in an archive, each with what opens it before the next one is asked for."""
+    with tarfile.open(archive) as tar:
+        for member in tar:
+            if member.isfile():
+                yield member.name, partial(tar.extractfile, member)
+
+
+def _in_zip(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
+    """As ``_in_tar``."""
+    with zipfile.ZipFile(archive) as packed:
+        for member in packed.infolist():
+            if not member.is_dir():
+                yield member.filename, partial(packed.open, member)
+
+
+def _head(opens: Callable[[], IO[bytes] | None]) -> bytes:
+    """The first bytes of a member of an archive."""
+    file = opens()
+    if file is None:
+        return b""
+    with file:
+        return file.read(_HEAD)
 
 
 def _extract(archive: str, directory: str) -> None:
@@ -169,7 +200,7 @@ def _extract(archive: str, directory: str) -> None:
             with zipfile.ZipFile(archive) as packed:
                 _check_room(archive, sum(one.file_size for one in packed.infolist()), free)
                 packed.extractall(directory)
-    except (OSError, EOFError, RuntimeError, tarfile.TarError, zipfile.BadZipFile) as error:
+    except _UNREADABLE as error:
         raise UnreadableFile(f"{archive}: cannot be extracted ({error})") from error
 
 

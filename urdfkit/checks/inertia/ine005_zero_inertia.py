@@ -5,7 +5,7 @@ engines divide by zero, and the link spins or vanishes. MuJoCo rejects the robot
 comes from a failed export, or from too few decimal places; compute it from mass and size. A single
 zero moment was rounded away, or a CAD program exported a wire or a surface: give the part its
 thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning unless
-MuJoCo is a target.
+MuJoCo is a target. So is a tensor that is not zero, but less than 1e-15 kg·m².
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -65,7 +65,10 @@ def _zero(masses: Masses) -> Iterator[tuple[LinkInertia, Finding]]:
         assert body.joint is not None
         for link, _ in body.links:
             if one := masses.by_name.get(link.name):
-                yield one, _finding(one, body.joint)
+                found = _finding(one, body.joint)
+                # Not zero: a stand-in of a micrometre, which engines integrate all the same.
+                is_written = masses.moments_of(body)[2] > 0
+                yield one, found._replace(severity=Severity.WARNING) if is_written else found
 
 
 def _finding(one: LinkInertia, joint: Joint) -> Finding:
