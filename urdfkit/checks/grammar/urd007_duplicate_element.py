@@ -37,7 +37,7 @@ def check(subject: Subject) -> Findings:
     for element, *_ in subject.deviations.get("URD007", ()):
         assert element.parent is not None
         first = _first(element, element.parent)
-        is_rejected = "mujoco" in subject.targets.names and _is_read_by_mujoco(element, first)
+        is_rejected = "mujoco" in subject.given_targets and _is_read_by_mujoco(element, first)
         who, place = owner(element.parent), element.parent.tag
         if first.tag == element.tag:
             message = f"{who}: a second <{element.tag}> in <{place}>; parsers read the first"

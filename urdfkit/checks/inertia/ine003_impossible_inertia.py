@@ -50,17 +50,16 @@ def check(subject: Subject) -> Findings:
         for finding in together((one, _finding(one, masses)) for one in links):
             is_balanced = defect is InertiaDefect.TRIANGLE_INEQUALITY and _is_balanced(subject)
             yield finding._replace(severity=Severity.WARNING) if is_balanced else finding
-    fatal = subject.targets.among(("mujoco",))
-    if fatal and not subject.mujoco.balances_inertia:
+    if "mujoco" in subject.given_targets and not subject.mujoco.balances_inertia:
         for one in masses.inertias:
             low, middle, high = one.moments
             if not one.breaks_triangle and high > (low + middle) * (1 + _LEAST_EXCESS):
-                yield _finding(one, masses)._replace(targets=fatal)
+                yield _finding(one, masses)._replace(targets=("mujoco",))
 
 
 def _is_balanced(subject: Subject) -> bool:
     """True if nothing but MuJoCo reads the tensors, and it corrects them."""
-    return subject.targets.are_only("mujoco") and subject.mujoco.balances_inertia
+    return subject.given_targets == ("mujoco",) and subject.mujoco.balances_inertia
 
 
 def _finding(one: LinkInertia, masses: Masses) -> Finding:

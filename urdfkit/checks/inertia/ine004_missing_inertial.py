@@ -53,9 +53,10 @@ _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
     reports_missing=True,
 )
 def check(subject: Subject) -> Findings:
-    if "mujoco" in subject.targets.names and not subject.is_part and not subject.mujoco.least_mass:
+    is_for_mujoco = "mujoco" in subject.given_targets
+    if is_for_mujoco and not subject.is_part and not subject.mujoco.least_mass:
         yield from _in_mujoco(subject)
-    if not subject.targets.are_only("mujoco"):
+    if subject.given_targets != ("mujoco",):
         yield from _in_gazebo(subject)
 
 

@@ -115,7 +115,7 @@ def _thin(subject: Subject) -> Findings:
 
 def _rejected(subject: Subject) -> Findings:
     """The tensors that MuJoCo rejects, of links that joints move or not."""
-    if "mujoco" not in subject.targets.names or subject.mujoco.least_moment:
+    if "mujoco" not in subject.given_targets or subject.mujoco.least_moment:
         return
     for link in subject.model.links:
         tensor = link.inertial.tensor if link.inertial else None

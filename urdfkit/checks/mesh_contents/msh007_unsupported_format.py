@@ -31,6 +31,7 @@ from urdfkit.mesh.io.facts import BY_SUFFIX
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
+from urdfkit.ros.targets import facts_of
 
 BAD = mesh_xml("visual", "forearm.stl")
 GOOD = BAD.replace("forearm.stl", "hand.stl")
@@ -69,7 +70,7 @@ def check(subject: Subject) -> Findings:
 
 def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Findings:
     """A format that a target does not load, of a mesh that it wants."""
-    for target in subject.targets.facts:
+    for target in map(facts_of, subject.given_targets):
         is_wanted = mesh.role == "collision" or subject.loads_visuals
         if target.meshes and form not in target.meshes and is_wanted:
             yield Finding(

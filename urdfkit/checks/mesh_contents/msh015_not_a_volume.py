@@ -53,7 +53,7 @@ _LEAST_VOLUME = 1e-15
 )
 def check(subject: Subject) -> Findings:
     defects = subject.measured.defects
-    fatal = subject.targets.among(("mujoco",))
+    fatal = ("mujoco",) if "mujoco" in subject.given_targets else ()
     severity = Severity.ERROR if fatal else Severity.WARNING
     for use in defects.get(MeshDefect.FLAT, ()):
         x, y, z = use.edges

@@ -60,7 +60,7 @@ def check(subject: Subject) -> Findings:
     for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
         is_rejected = number > _MOST and subject.files.facts(use.path).format == BINARY_STL
-        fatal = subject.targets.among(("mujoco",)) if is_rejected else ()
+        fatal = ("mujoco",) if is_rejected and "mujoco" in subject.given_targets else ()
         rejected = f", and MuJoCo rejects more than {_MOST:,}" if is_rejected else ""
         yield Finding(
             use.at,

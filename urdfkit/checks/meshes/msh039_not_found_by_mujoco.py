@@ -18,7 +18,6 @@ Sources:
 from __future__ import annotations
 
 import os
-from xml.sax.saxutils import quoteattr
 
 from urdfkit.core import disk
 from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
@@ -49,7 +48,7 @@ FILES = {
     help="give MuJoCo a copy of the URDF with names relative to it, as in ../meshes/arm.stl",
 )
 def check(subject: Subject) -> Findings:
-    if "mujoco" not in subject.targets.names or subject.is_part:
+    if "mujoco" not in subject.given_targets or subject.is_part:
         return
     wanted = [
         mesh
@@ -84,7 +83,8 @@ def _directory(subject: Subject, wanted: list[MeshReference]) -> tuple[str, Fix 
         return "", None
     urdf = os.path.dirname(os.path.abspath(subject.source.path))
     directory = os.path.relpath(directories.pop(), urdf).replace(os.sep, "/")
-    element = f'<compiler meshdir={quoteattr(directory)} strippath="true"/>'
+    escaped = directory.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
+    element = f'<compiler meshdir="{escaped}" strippath="true"/>'
     fix = None
     if subject.reading.xacro is None:
         edits = insert_first(root, ("<mujoco>", f"  {element}", "</mujoco>"))
