@@ -1,6 +1,7 @@
 """What `urdfkit check` costs next to stock xacro and other tools, without and with the extras.
 
-Usage: python benchmarks/bench.py [--lean PYTHON] [--all PYTHON] [--rounds N] [--shared FOLDER]
+Usage: python benchmarks/bench.py [--lean PYTHON] [--all PYTHON] [--rounds N] [--corpus-rounds N]
+                                  [--shared DIRECTORY]
 
 CPU time of whole processes, user and system, bytecode compiled. The contestants take turns, so that
 a busy machine slows all of them alike; the least of all rounds is compared. The two installs are
@@ -30,14 +31,14 @@ PLAIN = ROOT / "models" / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 PEER = Path(__file__).with_name("peer.py")
 
 STUB = """\
-FOLDERS = {folders!r}
+DIRECTORIES = {directories!r}
 
 class PackageNotFoundError(KeyError):
     pass
 
 def get_package_share_directory(name):
     try:
-        return FOLDERS[name]
+        return DIRECTORIES[name]
     except KeyError:
         raise PackageNotFoundError(name) from None
 """
@@ -84,17 +85,17 @@ class Bench:
 
     Args:
         lean, full: these.
-        scratch: a folder for what the runs write.
-        folders: of ROS packages by name; stock xacro finds them through ROS, for which this stands.
+        scratch: a directory for what the runs write.
+        directories: of ROS packages by name, from which stock xacro resolves them in place of ROS.
     """
 
-    def __init__(self, lean: Path, full: Path, scratch: Path, folders: dict[str, str]) -> None:
+    def __init__(self, lean: Path, full: Path, scratch: Path, directories: dict[str, str]) -> None:
         self.lean, self.full = lean, full
         self._scratch = scratch
         stub = scratch / "stub" / "ament_index_python"
         stub.mkdir(parents=True)
         (stub / "__init__.py").touch()
-        (stub / "packages.py").write_text(STUB.format(folders=folders), encoding="utf-8")
+        (stub / "packages.py").write_text(STUB.format(directories=directories), encoding="utf-8")
         self._environment = os.environ | {
             "PYTHONPATH": str(stub.parent),
             "URDFKIT_CACHE_DIR": str(scratch / "cache"),
@@ -180,7 +181,7 @@ def row(title: str, reference: str, cost: float, costs: dict[str, float]) -> str
 
 
 def corpus(shared: Path) -> Iterator[Robot]:
-    """The robots of the corpus that expand as their folders lie there."""
+    """The robots of the corpus that expand as their directories lie there."""
     for repository in manifest(shared):
         for model in repository["models"]:
             plain = model["kind"] == "urdf"
@@ -190,12 +191,12 @@ def corpus(shared: Path) -> Iterator[Robot]:
 
 
 def packages(shared: Path) -> dict[str, str]:
-    """The folder of every ROS package at hand."""
-    folders = {"gazebo_pkg": str(ROOT / "models" / "gazebo_pkg")}
+    """The directory of every ROS package at hand."""
+    directories = {"gazebo_pkg": str(ROOT / "models" / "gazebo_pkg")}
     for repository in manifest(shared):
-        for name, folder in repository["packages"].items():
-            folders.setdefault(name, str(shared / "corpus" / repository["dir"] / folder))
-    return folders
+        for name, directory in repository["packages"].items():
+            directories.setdefault(name, str(shared / "corpus" / repository["dir"] / directory))
+    return directories
 
 
 def manifest(shared: Path) -> list[dict[str, Any]]:
@@ -258,10 +259,10 @@ def installed(name: str, what: str) -> Path:
         name: of the environment.
         what: the extras, in brackets.
     """
-    folder = ROOT / "build" / "benchmarks" / name
-    python = folder / "bin" / "python"
+    directory = ROOT / "build" / "benchmarks" / name
+    python = directory / "bin" / "python"
     if not python.exists():
-        venv.create(folder, with_pip=True)
+        venv.create(directory, with_pip=True)
     install = ["-m", "pip", "install", "-q", f"{ROOT}{what}"]
     subprocess.run([str(python), *install], check=True)
     return python
@@ -273,8 +274,8 @@ def main() -> int:
     parser.add_argument("--lean", type=Path, metavar="PYTHON", help="has urdfkit without extras")
     parser.add_argument("--all", type=Path, metavar="PYTHON", help="has urdfkit[all]")
     parser.add_argument("--rounds", type=int, default=15)
-    parser.add_argument("--corpus-rounds", type=int, default=3)
-    parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared", metavar="FOLDER")
+    parser.add_argument("--corpus-rounds", type=int, default=3, help="0 leaves the corpus out")
+    parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared", metavar="DIRECTORY")
     options = parser.parse_args()
     lean = options.lean or installed("lean", "")
     full = options.all or installed("all", "[all]")
@@ -284,7 +285,8 @@ def main() -> int:
         heads = "".join(f"{name:>14}" for name in COLUMNS)
         print(f"{'CPU time of':16}{'reference':16}{'ms':>8}{heads}")
         kept = measure_robots(bench, options.shared, options.rounds)
-        if robots := list(corpus(options.shared)):
+        robots = list(corpus(options.shared))
+        if robots and options.corpus_rounds:
             kept += measure_corpus(bench, robots, options.corpus_rounds)
     print("", *kept, sep="\n")
     return int(any(line.startswith("OVER") for line in kept))

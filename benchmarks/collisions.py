@@ -1,6 +1,6 @@
 """What ``urdfkit collisions`` costs beside a plain loop over Pinocchio's ``computeCollisions``.
 
-Usage: python benchmarks/collisions.py [--shared FOLDER] [--rounds N]
+Usage: python benchmarks/collisions.py [--shared DIRECTORY] [--rounds N]
 
 The loop is what one writes by hand: all pairs that Pinocchio offers, each tested in each sample. It
 is measured in a part of the samples, after its meshes are loaded, and scaled to all of them.
@@ -34,7 +34,7 @@ SAMPLES = 10_000
 #: Of them, those that the loops are measured in.
 PART = 200
 
-#: Folder of the package, its name, and the robot in it.
+#: Directory of the package, its name, and the robot in it.
 ROBOTS = {
     "panda": ("panda_description", "moveit_resources_panda_description", "urdf/panda.urdf"),
     "fanuc": ("fanuc_description", "moveit_resources_fanuc_description", "urdf/fanuc.urdf"),
@@ -111,8 +111,8 @@ def _spent() -> float:
 
 def measure(name: str, shared: Path, scratch: Path, rounds: int) -> float:
     """Print the costs for one robot; how many times faster urdfkit is than the plain loop."""
-    folder, package, file = ROBOTS[name]
-    place = shared / "corpus" / "moveit_resources" / folder
+    directory, package, file = ROBOTS[name]
+    place = shared / "corpus" / "moveit_resources" / directory
     subject = read(place / file)
     plain = loop(subject, place, package, scratch, all_pairs=True)
     same = loop(subject, place, package, scratch, all_pairs=False)
@@ -140,7 +140,7 @@ def main() -> int:
     """Measure, print, and answer 1 if the budget is exceeded."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared", metavar="FOLDER")
+    parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared", metavar="DIRECTORY")
     options = parser.parse_args()
     if not (options.shared / "corpus").is_dir():
         print(f"{options.shared} has no corpus of real robots")

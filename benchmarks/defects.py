@@ -81,14 +81,17 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--peers", default=sys.executable, help="a Python with drake and mujoco")
     python = parser.parse_args().peers
-    programs = {"Drake": [python, "-c", _DRAKE], "MuJoCo": [python, "-c", _MUJOCO]}
+    programs = {}
+    for name, module, program in (("Drake", "pydrake", _DRAKE), ("MuJoCo", "mujoco", _MUJOCO)):
+        if verdict([python, "-c", f"import {module}"]) != "refuses":
+            programs[name] = [python, "-c", program]
     if checker := shutil.which("check_urdf"):
         programs = {"check_urdf": [checker, "{!s}"], **programs}
     print("|", " | ".join(["defect", *programs, "urdfkit"]), "|")
     for name, (code, old, new) in DEFECTS.items():
         assert old in SOUND, name
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder, "robot.urdf")
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "robot.urdf")
             file.write_text(new.join(SOUND.rsplit(old, 1)), encoding="utf-8")
             reported = [
                 verdict([word.format(str(file)) if "{!" in word else word for word in words])

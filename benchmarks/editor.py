@@ -171,8 +171,8 @@ def main() -> int:
     parser.add_argument("--lines", type=int, default=2000)
     options = parser.parse_args()
     text = model(options.lines)
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder, "tower.urdf.xacro")
+    with tempfile.TemporaryDirectory() as directory:
+        file = Path(directory, "tower.urdf.xacro")
         file.write_text(text, encoding="utf-8")
         lines = text.split("\n")
         line = next(n for n, one in enumerate(lines) if n > len(lines) // 2 and "effort" in one)

@@ -23,16 +23,16 @@ from typing import NamedTuple
 OURS = """
 import sys, time, resource
 start = time.perf_counter()
-from urdfkit.loading import read
-from urdfkit.render import build, looking, draw, picture, save
+from urdfkit.lint.loading import read
+from urdfkit.render import build, place_camera, draw, render_image, save
 file, target, quality, size = sys.argv[1:5]
 size = tuple(map(int, size.split("x")))
 scene = build(read(file))
-save(picture(scene, size=size, quality=quality), target)
+save(render_image(scene, size=size, quality=quality), target)
 first = time.perf_counter() - start, time.process_time()
 again = time.perf_counter(), time.process_time()
 if size[0] < 2000:
-    draw(scene, looking(scene.points(), size=size), quality=quality)
+    draw(scene, place_camera(scene.points(), size=size), quality=quality)
 """
 VTK = """
 import sys, time, resource, math
@@ -181,12 +181,12 @@ def run(python: str, program: str, words: list[str], rounds: int) -> Cost | str:
     return Cost(*(min(column) for column in zip(*found, strict=True)))
 
 
-def measure(folder: Path, peers: str, rounds: int) -> list[Budget]:
+def measure(directory: Path, peers: str, rounds: int) -> list[Budget]:
     """Print what pictures cost; answer how that is beside the budgets."""
-    picture = str(folder / "picture.png")
+    picture = str(directory / "picture.png")
     ours: dict[tuple[str, str], Cost] = {}
     for title, count in (("50k", 45_000), ("1M", 995_000)):
-        robot = folder / title / "robot.urdf"
+        robot = directory / title / "robot.urdf"
         robot.parent.mkdir()
         robot.write_text(ROBOT, encoding="utf-8")
         knot(robot.parent / "knot.stl", count)
@@ -202,7 +202,7 @@ def measure(folder: Path, peers: str, rounds: int) -> list[Budget]:
             show(name, cost, ours.get((title, "urdfkit")))
             if isinstance(cost, Cost):
                 ours[title, name] = cost
-    large = [str(folder / "50k" / "robot.urdf"), picture, "default", "3840x2160"]
+    large = [str(directory / "50k" / "robot.urdf"), picture, "default", "3840x2160"]
     huge = run(sys.executable, OURS, large, 1)
     small, million = ours["50k", "urdfkit"], ours["1M", "urdfkit"]
     return [

@@ -2,7 +2,7 @@
 
 Usage: python benchmarks/scan.py CORPUS SCRATCH [--count N] [--kills N] [--jobs N]
 
-CORPUS is a folder of robots; SCRATCH gets N variants of the small ones, and the results. Runs on
+CORPUS is a directory of robots; SCRATCH gets N variants of the small ones, and the results. Runs on
 Linux, in a Python that has urdfkit[scan].
 """
 
@@ -72,7 +72,7 @@ def main() -> int:
     return 0 if same and complete else 1
 
 
-def make(corpus: Path, folder: Path, count: int) -> None:
+def make(corpus: Path, directory: Path, count: int) -> None:
     """Write variants of the small robots of a corpus; the same each time."""
     texts = list(_expanded(corpus))
     for number in range(count):
@@ -81,7 +81,7 @@ def make(corpus: Path, folder: Path, count: int) -> None:
         text = _varied(text, chance)
         if number % BROKEN == BROKEN - 1:
             text = text[: len(text) // 2]
-        place = folder / f"{number // 1000:03}" / f"{number:06}"
+        place = directory / f"{number // 1000:03}" / f"{number:06}"
         place.mkdir(parents=True)
         (place / "robot.urdf").write_text(text, encoding="utf-8")
 

@@ -13,14 +13,14 @@ from itertools import groupby
 from pathlib import Path
 
 from urdfkit.cli.explain import severities
-from urdfkit.lint.rule_examples import FOLDER as FOLDER_OF_EXAMPLES
+from urdfkit.lint.rule_examples import DIRECTORY as DIRECTORY_OF_EXAMPLES
 from urdfkit.lint.rule_examples import diagnose_example
 from urdfkit.lint.rule_index import FAMILIES, all_rules
 from urdfkit.lint.rules import Rule
 
-FOLDER = Path(__file__).resolve().parent / "rules"
+DIRECTORY = Path(__file__).resolve().parent / "rules"
 
-#: The folder in which an example was run.
+#: The directory in which an example was run.
 _SCRATCH = re.compile(re.escape(tempfile.gettempdir()) + r"/tmp\w+")
 
 
@@ -66,7 +66,8 @@ def page(rule: Rule) -> str:
         parts.append(f"What to do: {escape(rule.help, quote=False)}.")
     if bad := rule.example("BAD"):
         said = [
-            _SCRATCH.sub(FOLDER_OF_EXAMPLES, found.message) for found in diagnose_example(rule, bad)
+            _SCRATCH.sub(DIRECTORY_OF_EXAMPLES, found.message)
+            for found in diagnose_example(rule, bad)
         ]
         parts += ["## Reported", block("xml", bad), block("text", "\n".join(said))]
     good, fixed = rule.example("GOOD"), rule.example("FIXED")
@@ -107,13 +108,13 @@ def block(language: str, text: str) -> str:
 
 def main() -> None:
     """Write all pages, and remove those of rules that are no more."""
-    FOLDER.mkdir(exist_ok=True)
+    DIRECTORY.mkdir(exist_ok=True)
     texts = pages()
-    for old in FOLDER.glob("*.md"):
+    for old in DIRECTORY.glob("*.md"):
         if old.name not in texts:
             old.unlink()
     for name, text in texts.items():
-        (FOLDER / name).write_text(text, encoding="utf-8")
+        (DIRECTORY / name).write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""Draw the pictures of the documentation anew, of robots here and of a folder with real ones.
+"""Draw the pictures of the documentation anew, of robots here and of a directory with real ones.
 
-Usage: PYTHONPATH=. python docs/pictures.py --shared FOLDER (as ``benchmarks/bench.py`` has it)
+Usage: PYTHONPATH=. python docs/pictures.py --shared DIRECTORY (as ``benchmarks/bench.py`` has it)
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from urdfkit.cli import main as urdfkit
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "models" / "gazebo_pkg"
-FOLDER = ROOT / "docs" / "pictures"
+DIRECTORY = ROOT / "docs" / "pictures"
 
 UR5E = "Universal_Robots_ROS2_Description/urdf/ur.urdf.xacro"
 POSE = ["shoulder_lift_joint=-1.9", "elbow_joint=1.9", "wrist_1_joint=-1.6", "wrist_2_joint=-1.6"]
@@ -27,15 +27,15 @@ def drawn(name: str, robot: Path, *words: str, size: list[str] = SMALL) -> None:
     if not robot.is_file():
         print(f"{name}: {robot} is not here", file=sys.stderr)
         return
-    code = urdfkit(["render", str(robot), *words, *size, "-o", str(FOLDER / f"{name}.webp")])
+    code = urdfkit(["render", str(robot), *words, *size, "-o", str(DIRECTORY / f"{name}.webp")])
     assert code == 0, name
 
 
-def mended(folder: Path) -> Path:
+def mended(directory: Path) -> Path:
     """The robot of the quick start, after what the quick start does."""
-    shutil.copytree(PACKAGE, folder / "mine")
-    robot = folder / "mine" / "urdf" / "waking_robot_new.xacro"
-    urdfkit(["fix", str(folder / "mine"), "--unsafe-fixes", "--generate-meshes"])
+    shutil.copytree(PACKAGE, directory / "mine")
+    robot = directory / "mine" / "urdf" / "waking_robot_new.xacro"
+    urdfkit(["fix", str(directory / "mine"), "--unsafe-fixes", "--generate-meshes"])
     return robot
 
 

@@ -41,10 +41,10 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Take out the links that lead out of the documentation."""
     if page.file.src_uri == "api.md":
         markdown += _not_described(markdown)
-    folder = Path(page.file.abs_src_path).parent
+    directory = Path(page.file.abs_src_path).parent
 
     def shown(link: re.Match[str]) -> str:
-        target = (folder / link[2]).resolve()
+        target = (directory / link[2]).resolve()
         return link[0] if target.is_relative_to(DOCS) and target.is_file() else link[1]
 
     return _LINK.sub(shown, markdown)

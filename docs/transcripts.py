@@ -1,8 +1,8 @@
 """Run the commands that README and ``docs`` show, and write below them what they print.
 
-In a block of the kind ``console`` a line that begins with ``$`` is run by a shell in the folder
+In a block of the kind ``console`` a line that begins with ``$`` is run by a shell in the directory
 of the project; what follows is its output. A page that says "commands run beside a copy of ..."
-tells one story: its commands run one after the other in a folder with that copy.
+tells one story: its commands run one after the other in a directory with that copy.
 
 Usage: python docs/transcripts.py
 """
@@ -20,14 +20,14 @@ from importlib.metadata import entry_points
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-FOLDER = ROOT / "docs" / "commands"
+DIRECTORY = ROOT / "docs" / "commands"
 README = ROOT / "README.md"
 CHINESE = ROOT / "README.zh.md"
 #: All pages but those of the rules, which ``generate.py`` writes.
-PAGES = [README, CHINESE, *sorted(FOLDER.glob("*.md")), *sorted(FOLDER.parent.glob("*.md"))]
+PAGES = [README, CHINESE, *sorted(DIRECTORY.glob("*.md")), *sorted(DIRECTORY.parent.glob("*.md"))]
 
 _BLOCK = re.compile(r"(?<=^```console\n).*?(?=^```$)", re.DOTALL | re.MULTILINE)
-#: All commands of such a page run in one folder, which holds a copy of a package.
+#: All commands of such a page run in one directory, which holds a copy of a package.
 _COPY = re.compile(r"<!-- commands run beside a copy of (\S+) -->")
 
 
@@ -57,9 +57,9 @@ def with_output(page: str) -> str:
 
 
 def _run_block(block: str) -> str:
-    """One shell runs all commands of a block: a folder that is entered stays.
+    """One shell runs all commands of a block: a directory that is entered stays.
 
-    Where it says /tmp, it is a folder of its own: several blocks may be run at a time.
+    Where it says /tmp, it is a directory of its own: several blocks may be run at a time.
     """
     with tempfile.TemporaryDirectory() as scratch:
         commands = {one: one.replace("/tmp/", f"{scratch}/") for one in _commands(block)}
@@ -71,17 +71,17 @@ def _commands(block: str) -> dict[str, str]:
     return {line[2:]: line[2:] for line in block.splitlines() if line.startswith("$ ")}
 
 
-def _run_lines(commands: dict[str, str], folder: str) -> str:
+def _run_lines(commands: dict[str, str], directory: str) -> str:
     lines = [f"printf '$ %s\\n' {shlex.quote(shown)}; {run}" for shown, run in commands.items()]
-    return _run("; ".join(lines), folder)
+    return _run("; ".join(lines), directory)
 
 
-def _run(command: str, folder: str) -> str:
+def _run(command: str, directory: str) -> str:
     environment = {key: value for key, value in os.environ.items() if key != "FORCE_COLOR"}
     done = subprocess.run(
         ["sh", "-c", _PRELUDE + command],
         check=False,
-        cwd=folder,
+        cwd=directory,
         env=environment,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,

@@ -43,7 +43,7 @@ needs_seed = pytest.mark.skipif(
 
 
 def manifest() -> Iterator[tuple[Path, dict[str, Any]]]:
-    """The folder of its repository and the facts of every model of the corpus.
+    """The directory of its repository and the facts of every model of the corpus.
 
     Nothing where the corpus is absent: a test parametrised with it is then skipped.
     """
@@ -59,11 +59,11 @@ def model_id(entry: object) -> str | None:
     """A readable name for a manifest entry in a parametrised test."""
     if not isinstance(entry, tuple):
         return None
-    folder, model = entry
-    return " ".join([f"{folder.name}/{model['path']}", *model["xacro_args"]])
+    directory, model = entry
+    return " ".join([f"{directory.name}/{model['path']}", *model["xacro_args"]])
 
 
-#: Folders and files of tests that check whole robots, write documents or start other programs:
+#: Directories and files of tests that check whole robots, write documents or start other programs:
 #: minutes, where the rest takes seconds. ``pytest -m "not slow"`` leaves them out.
 SLOW = (
     "tests/checks/checking/test_cfg003_robot_not_checked.py::test_the_gate_fails_for_an_arm",
@@ -75,12 +75,15 @@ SLOW = (
     "tests/cli/test_pages.py",
     "tests/cli/test_project.py",
     "tests/cli/test_render.py",
+    "tests/cli/test_special_files.py",
     "tests/cli/test_report.py",
     "tests/cli/test_result_cache.py",
     "tests/consumers/test_corpus.py",
     "tests/core/test_disk.py::test_nothing_is_read_past",
     "tests/false_alarms/",
     "tests/integration/",
+    "tests/test_injection.py",
+    "tests/test_kills.py",
     "tests/lint/test_engine.py",
     "tests/lint/test_fix.py",
     "tests/lint/test_formatting.py",
@@ -107,6 +110,7 @@ SLOW = (
     "tests/test_docs.py",
     "tests/test_endless_text.py",
     "tests/test_fixing_corpus.py",
+    "tests/test_fuzz.py",
     "tests/test_golden",
     "tests/test_models.py",
     "tests/test_pages.py",
@@ -210,7 +214,7 @@ def _one_of(item: pytest.Item) -> int:
 
 @pytest.fixture
 def corpus() -> Path:
-    """The folder of real robots; the test is skipped where it is absent."""
+    """The directory of real robots; the test is skipped where it is absent."""
     if not CORPUS.is_dir():
         pytest.skip("the corpus of real robots is not beside this checkout")
     return CORPUS
@@ -240,7 +244,7 @@ def small_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(scope="session", autouse=True)
 def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """A missing package is looked for in the folders above: here, in those of all other tests.
+    """A missing package is looked for in the directories above: here, in those of all other tests.
 
     They would answer for one another, and the search would take longer with every test.
     """

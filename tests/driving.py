@@ -24,12 +24,12 @@ drive:
 """
 
 
-def reported(folder: Path, code: str, text: str, robot: str = WHEELS) -> list[Diagnostic]:
+def reported(directory: Path, code: str, text: str, robot: str = WHEELS) -> list[Diagnostic]:
     """What a rule says about a robot with these controllers."""
-    (folder / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
-    (folder / "r.urdf").write_text(whole_robot(robot + names))
-    report = check(folder / "r.urdf", select=[code])
+    (directory / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
+    (directory / "r.urdf").write_text(whole_robot(robot + names))
+    report = check(directory / "r.urdf", select=[code])
     assert report.crashed == ()
     return list(report.diagnostics)
 

@@ -11,9 +11,9 @@ from urdfkit.lint.rules import Rule
 def run_only(monkeypatch: pytest.MonkeyPatch, made: Iterable[Rule]) -> None:
     """Let checks run these rules and no others."""
 
-    def run(self: runner._Run, chosen: Iterable[str]) -> None:
-        is_first = self.subject.outcome.chosen is None  # the rules about the checking come later
+    def run(self: runner._RuleRun, chosen: Iterable[str]) -> None:
+        is_first = self.subject.run.chosen is None  # the rules about the checking come later
         for rule in made if is_first else ():
             self._rule(rule)
 
-    monkeypatch.setattr(runner._Run, "rules", run)
+    monkeypatch.setattr(runner._RuleRun, "rules", run)

@@ -19,26 +19,26 @@ MANIFEST = """<?xml version="1.0"?>
 
 
 def reported(
-    folder: Path, code: str, name: str, text: str, files: Mapping[str, str] | None = None
+    directory: Path, code: str, name: str, text: str, files: Mapping[str, str] | None = None
 ) -> list[Diagnostic]:
     """What a rule says of ``launch/<name>``.
 
     Args:
-        folder: becomes the package ``arm``.
+        directory: becomes the package ``arm``.
         code: of the rule.
         name: of the launch file.
         text: of it; what stands in ``<launch>``, or the program.
         files: further ones, by path.
     """
-    folder.mkdir(exist_ok=True)
-    (folder / "package.xml").write_text(MANIFEST)
-    (folder / "launch").mkdir(exist_ok=True)
+    directory.mkdir(exist_ok=True)
+    (directory / "package.xml").write_text(MANIFEST)
+    (directory / "launch").mkdir(exist_ok=True)
     for path, content in (files or {}).items():
-        file = folder / path
+        file = directory / path
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(content)
-    (folder / "launch" / name).write_text(text if name.endswith(".py") else launch(text))
-    report = check(folder / "launch" / name, select=[code])
+    (directory / "launch" / name).write_text(text if name.endswith(".py") else launch(text))
+    report = check(directory / "launch" / name, select=[code])
     assert report.crashed == ()
     return list(report.diagnostics)
 

@@ -1,4 +1,4 @@
-"""Robots with meshes, in a folder of their own, for tests of the rules about meshes."""
+"""Robots with meshes, in a directory of their own, for tests of the rules about meshes."""
 
 from __future__ import annotations
 
@@ -28,34 +28,34 @@ def link(*parts: str, name: str = "arm") -> str:
 
 
 def reported(
-    folder: Path,
+    directory: Path,
     code: str,
     robot: str,
     files: Mapping[str, bytes],
     targets: tuple[str, ...] = (),
 ) -> list[Diagnostic]:
-    """What a rule says about the inside of a robot that lies in a folder with some files."""
+    """What a rule says about the inside of a robot that lies in a directory with some files."""
     for name, data in files.items():
-        path = folder / name
+        path = directory / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
-    (folder / "robot.urdf").write_text(whole_robot(robot), encoding="utf-8")
+    (directory / "robot.urdf").write_text(whole_robot(robot), encoding="utf-8")
     options = Options(select=[code], targets=tuple(targets), cache=False)
-    report = engine.check(folder / "robot.urdf", options=options)
+    report = engine.check(directory / "robot.urdf", options=options)
     assert report.crashed == ()
     assert report.skipped == ()
     return list(report.diagnostics)
 
 
-def messages(folder: Path, code: str, robot: str, files: Mapping[str, bytes]) -> list[str]:
+def messages(directory: Path, code: str, robot: str, files: Mapping[str, bytes]) -> list[str]:
     """The messages of a rule, in the order of the file."""
-    return [found.message for found in reported(folder, code, robot, files)]
+    return [found.message for found in reported(directory, code, robot, files)]
 
 
-def reasons(folder: Path, code: str, name: str, data: bytes) -> list[tuple[str, str]]:
+def reasons(directory: Path, code: str, name: str, data: bytes) -> list[tuple[str, str]]:
     """What a rule says of the file of the mesh of a link, as an error, and the help."""
-    add_file(folder / name, data)
-    found = one_text.reported(code, mesh_link(name), str(folder / "arm.urdf"))
+    add_file(directory / name, data)
+    found = one_text.reported(code, mesh_link(name), str(directory / "arm.urdf"))
     assert all(diagnostic.severity is Severity.ERROR for diagnostic in found)
     start = f"link 'arm': the visual mesh '{name}' "
     return [(diagnostic.message.removeprefix(start), diagnostic.help) for diagnostic in found]

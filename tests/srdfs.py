@@ -21,15 +21,15 @@ ROBOT = """<robot name="r">
 """
 
 
-def findings(folder: Path, body: str, code: str, name: str = "r") -> list[Diagnostic]:
+def findings(directory: Path, body: str, code: str, name: str = "r") -> list[Diagnostic]:
     """What one rule says about an SRDF; its first line is line 2 of the file."""
-    (folder / "r.urdf").write_text(ROBOT)
-    (folder / "r.srdf").write_text(f'<robot name="{name}">\n{body}\n</robot>\n')
-    return list(check(folder / "r.urdf", select=[code]).diagnostics)
+    (directory / "r.urdf").write_text(ROBOT)
+    (directory / "r.srdf").write_text(f'<robot name="{name}">\n{body}\n</robot>\n')
+    return list(check(directory / "r.urdf", select=[code]).diagnostics)
 
 
-def message_of(folder: Path, body: str, code: str) -> str:
+def message_of(directory: Path, body: str, code: str) -> str:
     """The message of the one finding of a rule, which is on the line of the body."""
-    (found,) = findings(folder, body, code)
-    assert (found.span.source.path, found.span.line) == (str(folder / "r.srdf"), 2)
+    (found,) = findings(directory, body, code)
+    assert (found.span.source.path, found.span.line) == (str(directory / "r.srdf"), 2)
     return found.message

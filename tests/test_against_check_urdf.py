@@ -222,9 +222,9 @@ MILDER = {
 }
 
 
-def urdfdom_objects(text: str, folder: Path) -> bool:
+def urdfdom_objects(text: str, directory: Path) -> bool:
     """True if urdfdom refuses the robot, logs an error about a part of it, or does not end."""
-    code, words = urdfdom(text, folder)
+    code, words = urdfdom(text, directory)
     return code != 0 or "Error:" in words
 
 
@@ -261,8 +261,8 @@ PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
 @needs_corpus
 @pytest.mark.parametrize("entry", PLAIN, ids=model_id)
 def test_the_corpus_has_errors_where_urdfdom_objects(entry: tuple[Path, dict[str, Any]]) -> None:
-    folder, model = entry
-    path = str(folder / model["path"])
+    directory, model = entry
+    path = str(directory / model["path"])
     subject = Subject(Source.read(path), Resolver())
     if subject.reading.document and subject.is_part:
         pytest.skip("made for another file to include, and no robot by itself")

@@ -50,8 +50,8 @@ def _only_the_corpus(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("entry", READABLE, ids=model_id)
 def test_the_model_is_as_independent_tools_measured_it(entry: tuple[Path, dict[str, Any]]) -> None:
-    folder, model = entry
-    source = Source.read(folder / model["path"])
+    directory, model = entry
+    source = Source.read(directory / model["path"])
     subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
     robot, expected = subject.model, model["expect"]
     masses = [
@@ -71,8 +71,8 @@ def test_the_model_is_as_independent_tools_measured_it(entry: tuple[Path, dict[s
 
 @pytest.mark.parametrize("entry", REFUSED, ids=model_id)
 def test_the_reason_why_xacro_refuses_a_model_is_told(entry: tuple[Path, dict[str, Any]]) -> None:
-    folder, model = entry  # a check takes values for arguments from around the file
-    source = Source.read(folder / model["path"])
+    directory, model = entry  # a check takes values for arguments from around the file
+    source = Source.read(directory / model["path"])
     subject = Subject(source, Resolver(), corpus_findings.arguments_of(model))
     found = {problem.code for problem in subject.reading.problems}
     assert REASONS[model["expand_error_class"]] in found
@@ -117,7 +117,7 @@ def test_every_model_has_its_findings() -> None:
 
 
 FILES = sorted(path for path in CORPUS.rglob("*") if path.suffix in (".urdf", ".xacro"))
-MODELS = {folder / model["path"] for folder, model in ENTRIES}
+MODELS = {directory / model["path"] for directory, model in ENTRIES}
 
 
 @cache

@@ -19,7 +19,7 @@ from urdfkit.lint.context import Subject
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
-#: Its package.xml exports the folder to Gazebo's model path.
+#: Its package.xml exports the directory to Gazebo's model path.
 ON_THE_MODEL_PATH = "model://mid360.stl"
 
 #: The corpus lists no more missing references of a model than these.
@@ -100,13 +100,13 @@ def test_models_that_only_an_installed_layout_makes_whole(tmp_path: Path) -> Non
     """ros2_control_demos with the CMake files that the corpus leaves out."""
     name = "ros2_control_demos"
     copy = shutil.copytree(CORPUS / name, tmp_path / "src" / name)
-    for folder, layout in layouts():
+    for directory, layout in layouts():
         rows = "".join(
             f"install(DIRECTORY {source}\n  DESTINATION {target})\n"
             for source, target in layout["install_directory"]
         )
         text = f"project({layout['project']})\n{rows}"
-        package = tmp_path / "src" / folder
+        package = tmp_path / "src" / directory
         if package.is_dir():
             package.chmod(0o755)
             (package / "CMakeLists.txt").write_text(text, encoding="utf-8")

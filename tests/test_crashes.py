@@ -150,7 +150,7 @@ def test_a_process_that_dies_costs_its_robot_alone(
     assert calls == [(n, 4) for n in range(1, 5)]
 
 
-def test_a_folder_that_cannot_be_searched_costs_no_other_file(
+def test_a_directory_that_cannot_be_searched_costs_no_other_file(
     robots: list[Path], tmp_path: Path, monkeypatch
 ) -> None:
     before = reported(check(*robots))

@@ -99,8 +99,8 @@ def test_the_rules_that_are_named_exist(document: Path) -> None:
 
 
 def test_the_architecture_names_every_package() -> None:
-    folder = ROOT / "urdfkit"
-    packages = {f"{path.parent.name}/" for path in folder.glob("*/__init__.py")}
+    directory = ROOT / "urdfkit"
+    packages = {f"{path.parent.name}/" for path in directory.glob("*/__init__.py")}
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     named = set(re.findall(r"`([a-z_]+/)`", text.partition("\n## ")[0]))
     assert packages <= named

@@ -84,10 +84,10 @@ def test_a_setup_file(tmp_path: Path):
     robot = f"<robot name='arm'>{mesh_link('package://arm/arm.stl')}</robot>"
 
     def reading(many: int) -> Callable[[], object]:
-        folder = tmp_path / str(many)
-        add_file(folder / "package.xml", b"<package><name>arm</name></package>")
-        add_file(folder / "setup.py", b"\n" * many + b"package_name = 'leg'\n")
-        path = add_file(folder / "arm.urdf", robot.encode())
+        directory = tmp_path / str(many)
+        add_file(directory / "package.xml", b"<package><name>arm</name></package>")
+        add_file(directory / "setup.py", b"\n" * many + b"package_name = 'leg'\n")
+        path = add_file(directory / "arm.urdf", robot.encode())
         assert "PKG005" in [found.code for found in check(path, select=["PKG"]).diagnostics]
         return lambda: check(path, select=["PKG"])
 
@@ -120,13 +120,13 @@ def test_many_ignore_comments():
 
 
 @pytest.mark.parametrize("piece", [b"<!-- ", b"<xacro:macro ", b"<xacro:include "])
-def test_a_folder(piece: bytes, tmp_path: Path):
+def test_a_directory(piece: bytes, tmp_path: Path):
     def reading(many: int) -> Callable[[], object]:
-        folder = tmp_path / str(many)
-        robot = add_file(folder / "arm.urdf", b"<robot name='arm'><link name='a'/></robot>")
-        add_file(folder / "macros.xacro", b"<robot>" + piece * many)
-        found = discover(str(folder), Config(), Resolver())
+        directory = tmp_path / str(many)
+        robot = add_file(directory / "arm.urdf", b"<robot name='arm'><link name='a'/></robot>")
+        add_file(directory / "macros.xacro", b"<robot>" + piece * many)
+        found = discover(str(directory), Config(), Resolver())
         assert str(robot) in [one.file for one in found.robots]
-        return lambda: discover(str(folder), Config(), Resolver())
+        return lambda: discover(str(directory), Config(), Resolver())
 
     assert_linear(reading, MANY)

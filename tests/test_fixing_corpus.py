@@ -21,7 +21,9 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 
 #: One entry of each file: with other arguments the same text is fixed.
-ENTRIES = list({(folder, model["path"]): (folder, model) for folder, model in manifest()}.values())
+ENTRIES = list(
+    {(directory, model["path"]): (directory, model) for directory, model in manifest()}.values()
+)
 
 
 @pytest.fixture(autouse=True)
@@ -33,16 +35,16 @@ def _only_the_corpus(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of all real robots."""
-    folder = tmp_path_factory.mktemp("corpus") / "corpus"
-    shutil.copytree(CORPUS, folder, symlinks=True)
-    return folder
+    directory = tmp_path_factory.mktemp("corpus") / "corpus"
+    shutil.copytree(CORPUS, directory, symlinks=True)
+    return directory
 
 
 @needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
 def test_safe_fixes_leave_nothing_new(copy: Path, entry: tuple[Path, dict[str, Any]]) -> None:
-    folder, model = entry
-    file, arguments = copy / folder.name / model["path"], corpus_findings.arguments_of(model)
+    directory, model = entry
+    file, arguments = copy / directory.name / model["path"], corpus_findings.arguments_of(model)
     fixes = fix(file, arguments=arguments, force=True)
     assert [one for one in fixes.left if one.diagnostic.fix and not one.reason] == []
     if not fixes.files:
@@ -62,8 +64,8 @@ SOME = [entry for entry in ENTRIES[::2] if "pr2" not in entry[1]["path"]]
 @needs_corpus
 @pytest.mark.parametrize("entry", SOME, ids=model_id)
 def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: tuple[Path, dict[str, Any]]) -> None:
-    folder, model = entry
-    file, arguments = folder / model["path"], corpus_findings.arguments_of(model)
+    directory, model = entry
+    file, arguments = directory / model["path"], corpus_findings.arguments_of(model)
     fixes = fix(file, arguments=arguments, force=True, unsafe=True)
     texts = {rewrite.path: rewrite.after for rewrite in fixes.files}
     if texts:
@@ -132,7 +134,7 @@ SLIPS = (
 
 
 def _robots() -> list[Path]:
-    real = (folder / model["path"] for folder, model in ENTRIES)
+    real = (directory / model["path"] for directory, model in ENTRIES)
     small = [file for file in real if file.is_file() and file.stat().st_size < 30_000]
     return [
         *sorted(MODELS.rglob("*.urdf")),
@@ -152,8 +154,8 @@ def test_a_damaged_robot_is_mended_once_and_for_all(data: st.DataObject) -> None
         if places:
             text = _replaced(text, old, new, data.draw(st.integers(0, min(places, 20) - 1)))
     unsafe = data.draw(st.booleans())
-    with tempfile.TemporaryDirectory() as folder:
-        robot = Path(folder) / file.name
+    with tempfile.TemporaryDirectory() as directory:
+        robot = Path(directory) / file.name
         robot.write_bytes(text)
         before = check(robot)
         once = fix(robot, unsafe=unsafe, force=True)

@@ -93,7 +93,7 @@ def test_every_finding_is_at_its_place_and_there_is_no_other(report: Report) -> 
     assert {d.span.source.path for d in report.diagnostics} == {str(MODEL)}
 
 
-def test_the_missing_mesh_is_told_with_the_folders_searched(report: Report) -> None:
+def test_the_missing_mesh_is_told_with_the_directories_searched(report: Report) -> None:
     (mesh,) = found(report, "MSH001")
     assert "package://gazebo_pkg/meshes/hokuyo.dae" in mesh.message
     assert os.path.relpath(PACKAGE / "meshes" / "hokuyo.dae") in mesh.message

@@ -80,9 +80,9 @@ def test_errors_on_real_robots_are_those_that_were_looked_at() -> None:
     if not robots:
         pytest.skip(f"{SHARED} is not beside this checkout")
     errors: Counter[tuple[str, str]] = Counter()
-    for folder, model in robots:
+    for directory, model in robots:
         arguments = dict(argument.split(":=", 1) for argument in model["xacro_args"])
-        report = engine.check(str(folder / model["path"]), arguments=arguments, select=FAMILY)
+        report = engine.check(str(directory / model["path"]), arguments=arguments, select=FAMILY)
         assert report.crashed == ()
         errors.update(
             (one.code, one.message.partition(":")[0])

@@ -41,7 +41,7 @@ def loaded(*words: str, cache: Path | None = None) -> set[str]:
     return set(done.stderr.split())
 
 
-def foreign(modules: set[str]) -> set[str]:
+def external(modules: set[str]) -> set[str]:
     """The packages among them that belong neither to Python nor to urdfkit."""
     packages = {module.partition(".")[0] for module in modules}
     return packages - sys.stdlib_module_names - {"urdfkit"}
@@ -54,7 +54,7 @@ def slow(modules: set[str]) -> set[str]:
 
 def test_a_plain_robot_needs_nothing_but_python() -> None:
     modules = loaded("check", str(PLAIN))
-    assert foreign(modules) == set()
+    assert external(modules) == set()
     assert slow(modules) == set()
 
 
@@ -64,7 +64,7 @@ def test_findings_and_statistics_load_no_more(tmp_path: Path) -> None:
     bad.write_text(f'<robot name="r"><link name="a"/>{joint}</robot>', encoding="utf-8")
     for words in ([], ["--statistics"], ["--select", "TRE", "--color", "always"]):
         modules = loaded("check", str(bad), *words)
-        assert foreign(modules) == set()
+        assert external(modules) == set()
         assert slow(modules) == set()
 
 
@@ -73,13 +73,13 @@ def test_meshes_that_were_measured_before_need_nothing_but_python(tmp_path: Path
         pytest.importorskip(library)
     assert "numpy" in loaded("check", str(WITH_MESHES), cache=tmp_path)
     modules = loaded("check", str(WITH_MESHES), cache=tmp_path)
-    assert foreign(modules) == set()
+    assert external(modules) == set()
     assert slow(modules) == set()
 
 
 def test_a_xacro_loads_a_private_copy_of_xacro_and_nothing_else_foreign() -> None:
     modules = loaded("check", str(XACRO), "--ignore", "COL")  # which have something to say
-    assert foreign(modules) == {"_urdfkit_xacro"}
+    assert external(modules) == {"_urdfkit_xacro"}
     assert slow(modules) == set()
 
 
@@ -87,12 +87,12 @@ def test_a_xacro_loads_a_private_copy_of_xacro_and_nothing_else_foreign() -> Non
 def test_broken_xml_needs_nothing_but_python(data: bytes, tmp_path: Path) -> None:
     broken = tmp_path / "broken.urdf"
     broken.write_bytes(data)
-    assert foreign(loaded("check", str(broken))) == set()
+    assert external(loaded("check", str(broken))) == set()
 
 
 @pytest.mark.parametrize("words", [["--version"], ["rules"], ["explain", "XML001"]])
 def test_other_commands_load_click_and_nothing_heavy(words: list[str]) -> None:
-    assert foreign(loaded(*words)) == {"click"}
+    assert external(loaded(*words)) == {"click"}
 
 
 def test_only_the_families_that_apply_are_loaded(tmp_path: Path) -> None:

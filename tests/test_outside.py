@@ -165,12 +165,12 @@ def opened() -> list[str]:
 @pytest.fixture
 def workspace(tmp_path: Path) -> Path:
     """An empty one, next to which lies what is none of its business."""
-    folder = tmp_path / "ws"
-    folder.mkdir()
-    (folder / "LICENSE").touch()
-    (folder / "package.xml").write_text("<package><name>r</name></package>")
+    directory = tmp_path / "ws"
+    directory.mkdir()
+    (directory / "LICENSE").touch()
+    (directory / "package.xml").write_text("<package><name>r</name></package>")
     (tmp_path / "outside").mkdir()
-    return folder
+    return directory
 
 
 def secret(workspace: Path, suffix: str) -> Path:

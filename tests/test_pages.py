@@ -51,13 +51,13 @@ def test_links_of_the_examples_lead_to_files_that_exist(page: Path) -> None:
 
 @pytest.fixture
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The folders and files that the example of a configuration names."""
-    folder = tmp_path / "project"
-    (folder / "urdf").mkdir(parents=True)
+    """The directories and files that the example of a configuration names."""
+    directory = tmp_path / "project"
+    (directory / "urdf").mkdir(parents=True)
     (tmp_path / "gripper" / "gripper_description").mkdir(parents=True)
-    (folder / "urdf" / "arm.urdf.xacro").write_text("<robot/>")
-    monkeypatch.chdir(folder)
-    return folder
+    (directory / "urdf" / "arm.urdf.xacro").write_text("<robot/>")
+    monkeypatch.chdir(directory)
+    return directory
 
 
 def test_the_example_of_a_configuration_is_one(project: Path) -> None:
@@ -75,13 +75,13 @@ def test_the_example_of_a_configuration_is_one(project: Path) -> None:
 def test_every_setting_is_documented(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Those that the reader takes, at the top and in tables."""
     taken: set[str] = set()
-    take = config_reader._Reader.take
+    take = config_reader._SettingsReader.take
 
     def recorded(self: Any, key: str, kind: type, default: Any) -> Any:
         taken.add(key)
         return take(self, key, kind, default)
 
-    monkeypatch.setattr(config_reader._Reader, "take", recorded)
+    monkeypatch.setattr(config_reader._SettingsReader, "take", recorded)
     (example,) = blocks("configuration.md", "toml")
     (project / "urdfkit.toml").write_text(example)
     config_reader.load("urdfkit.toml")

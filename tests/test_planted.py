@@ -19,7 +19,7 @@ from urdfkit.core.record import Record
 HERE = Path(__file__).parent
 CARRIERS = HERE / "carriers"
 
-#: Of each carrier its folder and the files that are checked.
+#: Of each carrier its directory and the files that are checked.
 ROBOTS: dict[str, tuple[Path, tuple[str, ...]]] = {
     "rover": (CARRIERS / "rover", ("urdf/rover.urdf.xacro", "launch/simulation.launch.py")),
     "crawler": (CARRIERS / "crawler", ("urdf/crawler.xacro", "launch/gazebo.launch")),
@@ -80,14 +80,14 @@ def _libraries() -> None:
 
 def copied(robot: str, to: Path) -> list[Path]:
     """A copy of a carrier, and the files of it that are checked."""
-    folder, files = ROBOTS[robot]
-    shutil.copytree(folder, to, dirs_exist_ok=True)
+    directory, files = ROBOTS[robot]
+    shutil.copytree(directory, to, dirs_exist_ok=True)
     return [to / file for file in files]
 
 
-def planted(plant: Plant, folder: Path) -> set[tuple[str, int]]:
+def planted(plant: Plant, directory: Path) -> set[tuple[str, int]]:
     """Plant a defect; files and lines where it may be told."""
-    path = folder / plant.file
+    path = directory / plant.file
     before = path.read_text(encoding="utf-8")
     start = -1
     for _ in range(plant.nth):
@@ -96,15 +96,15 @@ def planted(plant: Plant, folder: Path) -> set[tuple[str, int]]:
     path.write_text(after, encoding="utf-8")
     file, line = plant.at
     if file:
-        lines = (folder / file).read_text(encoding="utf-8").split("\n")
+        lines = (directory / file).read_text(encoding="utf-8").split("\n")
         return {(file, n) for n, text in enumerate(lines, 1) if text.strip() == line}
     same = difflib.SequenceMatcher(None, before.split("\n"), after.split("\n"), autojunk=False)
     changed = (op for op in same.get_opcodes() if op[0] != "equal")
     return {(plant.file, n + 1) for _, _, _, j, k in changed for n in range(j, max(k, j + 1))}
 
 
-def place(found: Diagnostic, folder: Path) -> tuple[str, int]:
-    path = Path(found.span.source.path).resolve().relative_to(folder.resolve())
+def place(found: Diagnostic, directory: Path) -> tuple[str, int]:
+    path = Path(found.span.source.path).resolve().relative_to(directory.resolve())
     return path.as_posix(), found.span.line
 
 

@@ -39,8 +39,8 @@ SPELLINGS = (
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A workspace that is the current folder."""
+def directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A workspace that is the current directory."""
     top = tmp_path.resolve() / "ws"
     for name, text in PARTS.items():
         path = top / name
@@ -51,12 +51,12 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return top
 
 
-def test_how_a_path_is_shown(folder: Path) -> None:
-    inside = folder / "arm" / "package.xml"
+def test_how_a_path_is_shown(directory: Path) -> None:
+    inside = directory / "arm" / "package.xml"
     assert {shown(str(inside)), shown("./arm/package.xml"), shown("arm/urdf/../package.xml")} == {
         os.path.join("arm", "package.xml")
     }
-    outside = folder.parent / "other.urdf"
+    outside = directory.parent / "other.urdf"
     assert shown("../other.urdf") == shown(str(outside)) == str(outside)
     assert shown("..odd.urdf") == "..odd.urdf"
     assert shown_text(f"tried {inside} and {outside}") == (
@@ -65,18 +65,18 @@ def test_how_a_path_is_shown(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("name", formats.names())
-def test_every_format_names_files_alike(name: str, folder: Path) -> None:
-    spellings = (*SPELLINGS, str(folder / SPELLINGS[0]))
+def test_every_format_names_files_alike(name: str, directory: Path) -> None:
+    spellings = (*SPELLINGS, str(directory / SPELLINGS[0]))
     texts = {formats.get(name)(check(one, select=["NAM001", "MSH001"])) for one in spellings}
     (text,) = texts
-    assert str(folder) not in text
+    assert str(directory) not in text
     if name != "statistics":
         for part in ("arm/urdf/arm.urdf.xacro", "arm/urdf/far.xacro", "arm/urdf/near.xacro"):
             assert part in text
 
 
-def test_findings_are_sorted_by_the_names_that_are_shown(folder: Path) -> None:
-    for spelling in (*SPELLINGS, str(folder / SPELLINGS[0])):
+def test_findings_are_sorted_by_the_names_that_are_shown(directory: Path) -> None:
+    for spelling in (*SPELLINGS, str(directory / SPELLINGS[0])):
         report = check(spelling, select=["NAM001"])
         paths = [shown(one.span.source.path) for one in report.diagnostics]
         assert paths == [
@@ -84,8 +84,8 @@ def test_findings_are_sorted_by_the_names_that_are_shown(folder: Path) -> None:
         ]
 
 
-def test_fix_names_files_alike(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    main(["fix", str(folder / SPELLINGS[0]), "--select", "NAM001"])
+def test_fix_names_files_alike(directory: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["fix", str(directory / SPELLINGS[0]), "--select", "NAM001"])
     out = capsys.readouterr().out
     assert re.findall(r"left in (.*):", out) == [
         f"arm/urdf/{name}" for name in ("arm.urdf.xacro", "far.xacro", "near.xacro")
@@ -94,17 +94,17 @@ def test_fix_names_files_alike(folder: Path, capsys: pytest.CaptureFixture[str])
 
 @pytest.mark.parametrize("form", ["html", "md", "json", "csv"])
 @pytest.mark.parametrize("inside", [True, False])
-def test_a_report_has_no_folder_of_its_author(
-    form: str, inside: bool, folder: Path, monkeypatch: pytest.MonkeyPatch
+def test_a_report_has_no_directory_of_its_author(
+    form: str, inside: bool, directory: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if not inside:
-        (folder.parent / "elsewhere").mkdir()
-        monkeypatch.chdir(folder.parent / "elsewhere")
-    out = folder.parent / f"report.{form}"
-    file = str(folder / SPELLINGS[0])
+        (directory.parent / "elsewhere").mkdir()
+        monkeypatch.chdir(directory.parent / "elsewhere")
+    out = directory.parent / f"report.{form}"
+    file = str(directory / SPELLINGS[0])
     assert main(["report", file, "-o", str(out), "--quick"]) == 0
     text = out.read_text(encoding="utf-8").replace("\\_", "_")
-    assert str(folder) not in text
+    assert str(directory) not in text
     assert "arm/urdf/far.xacro" in text
     if form == "json":
         assert json.loads(text)["file"] == "arm/urdf/arm.urdf.xacro"

@@ -31,10 +31,10 @@ def build(project: Path, site: Path) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("site")
-    done = build(ROOT, folder)
+    directory = tmp_path_factory.mktemp("site")
+    done = build(ROOT, directory)
     assert done.returncode == 0, done.stderr
-    return folder
+    return directory
 
 
 class Text(HTMLParser):

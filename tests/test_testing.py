@@ -46,10 +46,10 @@ ARM = """\
 SETTINGS = 'select = ["REF", "TRE", "URD", "XAC"]\n'
 
 
-def described(folder: Path, text: str = ARM, name: str = "arm.urdf") -> Description:
-    (folder / "urdfkit.toml").write_text(SETTINGS)
-    (folder / name).write_text(text)
-    return Description(str(folder / name))
+def described(directory: Path, text: str = ARM, name: str = "arm.urdf") -> Description:
+    (directory / "urdfkit.toml").write_text(SETTINGS)
+    (directory / name).write_text(text)
+    return Description(str(directory / name))
 
 
 def failure(call, *args, **kwargs) -> str:
@@ -176,8 +176,8 @@ ROBOT = """\
 class Repository:
     """A git repository with two packages: a robot, and the parts that it is made of."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
+    def __init__(self, directory: Path) -> None:
+        self.directory = directory
         self.git("init", "-q", "-b", "main")
         for name in ("parts", "robot"):
             self.write(f"{name}/package.xml", f"<package><name>{name}</name></package>")
@@ -189,11 +189,15 @@ class Repository:
     def git(self, *words: str) -> str:
         identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
         return subprocess.run(
-            ["git", *identity, *words], cwd=self.folder, check=True, capture_output=True, text=True
+            ["git", *identity, *words],
+            cwd=self.directory,
+            check=True,
+            capture_output=True,
+            text=True,
         ).stdout
 
     def write(self, name: str, text: str) -> None:
-        path = self.folder / name
+        path = self.directory / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
 
@@ -203,14 +207,14 @@ class Repository:
         self.git("tag", tag)
 
     def robot(self, **arguments: str) -> Description:
-        return Description(str(self.folder / "robot" / "urdf" / "robot.urdf.xacro"), arguments)
+        return Description(str(self.directory / "robot" / "urdf" / "robot.urdf.xacro"), arguments)
 
 
 @pytest.fixture
 def repository(tmp_path: Path) -> Repository:
-    folder = tmp_path / "repository"
-    folder.mkdir()
-    return Repository(folder)
+    directory = tmp_path / "repository"
+    directory.mkdir()
+    return Repository(directory)
 
 
 def test_nothing_has_changed_although_the_text_has(repository):
@@ -236,8 +240,8 @@ def test_what_changed_in_an_included_file_of_another_package_is_told(repository)
 
 def test_packages_outside_the_repository_are_taken_as_they_are(repository, tmp_path):
     outside = tmp_path / "outside"
-    (repository.folder / "parts").rename(outside)
-    (repository.folder / "urdfkit.toml").write_text('[packages]\nparts = "../outside"\n')
+    (repository.directory / "parts").rename(outside)
+    (repository.directory / "urdfkit.toml").write_text('[packages]\nparts = "../outside"\n')
     repository.commit("v2")
     assert_unchanged_since(repository.robot(), "v2")
 
@@ -255,12 +259,12 @@ def test_the_repository_is_not_touched(repository, monkeypatch):
     repository.git("add", "robot/urdf/new.xacro")
     before = (
         repository.git("status", "--porcelain", "--ignored", "-uall"),
-        os.listdir(repository.folder / ".git"),
+        os.listdir(repository.directory / ".git"),
     )
     assert_unchanged_since(repository.robot(), "v1")
     after = (
         repository.git("status", "--porcelain", "--ignored", "-uall"),
-        os.listdir(repository.folder / ".git"),
+        os.listdir(repository.directory / ".git"),
     )
     assert before == after
 
@@ -275,11 +279,11 @@ def test_a_hook_of_another_repository_does_not_matter(repository, monkeypatch, t
 def test_an_unknown_revision_is_an_error(repository, revision):
     with pytest.raises(UrdfkitError) as error:
         assert_unchanged_since(repository.robot(), revision)
-    assert str(error.value) == f"no git revision '{revision}' in {repository.folder}"
+    assert str(error.value) == f"no git revision '{revision}' in {repository.directory}"
 
 
 def test_a_file_that_was_not_there_yet_is_an_error(repository):
-    path = repository.folder / "robot" / "urdf" / "new.urdf"
+    path = repository.directory / "robot" / "urdf" / "new.urdf"
     path.write_text(ARM)
     with pytest.raises(UrdfkitError, match=r"new\.urdf is not in revision v1$"):
         assert_unchanged_since(Description(str(path)), "v1")
@@ -300,7 +304,7 @@ def test_outside_of_git_it_is_an_error(tmp_path):
 
 
 def test_without_git_it_is_an_error(repository, monkeypatch):
-    monkeypatch.setenv("PATH", str(repository.folder))
+    monkeypatch.setenv("PATH", str(repository.directory))
     with pytest.raises(UrdfkitError, match=r"^git is not installed$"):
         assert_unchanged_since(repository.robot(), "v1")
 
@@ -321,12 +325,12 @@ BENT = """\
 """
 
 
-def bent(folder: Path, limit: float = 3) -> Description:
+def bent(directory: Path, limit: float = 3) -> Description:
     """A robot whose tip hits its base when the elbow is bent by more than 2.5 rad."""
-    (folder / "bent.urdf").write_text(
+    (directory / "bent.urdf").write_text(
         BENT.replace('upper="3"', f'upper="{limit}"').replace('lower="-3"', f'lower="-{limit}"')
     )
-    return Description(str(folder / "bent.urdf"))
+    return Description(str(directory / "bent.urdf"))
 
 
 def test_self_collisions(tmp_path: Path) -> None:

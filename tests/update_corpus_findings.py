@@ -39,8 +39,8 @@ def arguments_of(model: dict[str, Any]) -> dict[str, str]:
 
 def report_on(entry: Entry) -> Report:
     """All rules on one model."""
-    folder, model = entry
-    return engine.check(folder / model["path"], arguments=arguments_of(model))
+    directory, model = entry
+    return engine.check(directory / model["path"], arguments=arguments_of(model))
 
 
 def counts(report: Report) -> dict[str, int]:

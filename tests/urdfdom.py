@@ -17,15 +17,15 @@ needs_check_urdf = pytest.mark.skipif(CHECK_URDF is None, reason="check_urdf is 
 ENOUGH = 100_000
 
 
-def urdfdom(text: str, folder: Path) -> tuple[int, str]:
+def urdfdom(text: str, directory: Path) -> tuple[int, str]:
     """Exit code and words about a robot, or the inside of one; what does not end is refused."""
     import resource  # there is none on Windows, nor a check_urdf
 
     assert CHECK_URDF is not None
-    (folder / "robot.urdf").write_bytes(whole_robot(text).encode())
-    with open(folder / "answer.txt", "w+", encoding="utf-8") as answer:
+    (directory / "robot.urdf").write_bytes(whole_robot(text).encode())
+    with open(directory / "answer.txt", "w+", encoding="utf-8") as answer:
         done = subprocess.run(
-            [CHECK_URDF, folder / "robot.urdf"],
+            [CHECK_URDF, directory / "robot.urdf"],
             check=False,
             stdout=answer,
             stderr=subprocess.STDOUT,
@@ -36,6 +36,6 @@ def urdfdom(text: str, folder: Path) -> tuple[int, str]:
         return done.returncode, answer.read()
 
 
-def urdfdom_reads(text: str, folder: Path) -> bool:
+def urdfdom_reads(text: str, directory: Path) -> bool:
     """True if urdfdom takes the robot."""
-    return urdfdom(text, folder)[0] == 0
+    return urdfdom(text, directory)[0] == 0

@@ -9,23 +9,23 @@ from typing import Any
 import pytest
 
 
-def add_package(folder: Path, name: str) -> Path:
-    """Make a ROS package and return its folder."""
-    folder.mkdir(parents=True, exist_ok=True)
+def add_package(directory: Path, name: str) -> Path:
+    """Make a ROS package and return its directory."""
+    directory.mkdir(parents=True, exist_ok=True)
     text = f"<package>\n  <!-- <name>wrong</name> -->\n  <name> {name} </name>\n</package>\n"
-    (folder / "package.xml").write_text(text, encoding="utf-8")
-    return folder
+    (directory / "package.xml").write_text(text, encoding="utf-8")
+    return directory
 
 
 def add_file(path: Path, data: bytes = b"") -> Path:
-    """Make a file, with the folders around it."""
+    """Make a file, with the directories around it."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(data)
     return path
 
 
 def record_listings(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """The folders that are listed from now on."""
+    """The directories that are listed from now on."""
     listed: list[str] = []
     scandir = os.scandir
 

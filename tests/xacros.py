@@ -32,11 +32,11 @@ def codes(body: str, **arguments: str) -> list[str]:
     return [one.code for one in report.diagnostics]
 
 
-def write(folder: Path, **bodies: str) -> None:
+def write(directory: Path, **bodies: str) -> None:
     """xacro files ``<name>.xacro``; one called ``robot`` has a name, the others have none."""
     for name, body in bodies.items():
         text = xacro(body) if name == "robot" else xacro(body, "")
-        (folder / f"{name}.xacro").write_text(text, encoding="utf-8")
+        (directory / f"{name}.xacro").write_text(text, encoding="utf-8")
 
 
 def told_of(code: str, file: Path, **arguments: str) -> list[Diagnostic]:

@@ -39,6 +39,7 @@ __all__ = [
     "UrdfkitError",
     "Xacro",
     "all_rules",
+    "bundle",
     "check",
     "collisions",
     "compare",
@@ -65,13 +66,15 @@ if TYPE_CHECKING:
     from urdfkit.errors import UnreadableRobot, UrdfkitError
     from urdfkit.lint.context import Subject
     from urdfkit.lint.engine import check
-    from urdfkit.lint.fix import Fixes, fix
+    from urdfkit.lint.fix import fix
+    from urdfkit.lint.fix_session import Fixes
     from urdfkit.lint.formatting import Formatted, format_files
     from urdfkit.lint.loading import expand, load, read
     from urdfkit.lint.options import Options
     from urdfkit.lint.report import Report
     from urdfkit.lint.rule_index import all_rules, find_rule
     from urdfkit.lint.rules import Rule
+    from urdfkit.output.bundle.writing import bundle
     from urdfkit.output.comparison import Comparison, compare
     from urdfkit.output.comparison.differences import Tolerances
     from urdfkit.output.exchange import to_yourdfpy
@@ -91,6 +94,7 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "physics.collision.sampling": "collisions",
+    "output.bundle.writing": "bundle",
     "output.comparison": "Comparison compare",
     "text.diagnostic": "Call Confidence Diagnostic Edit Fix Related Severity",
     "output.comparison.differences": "Tolerances",
@@ -100,7 +104,8 @@ _HOMES = {
     "errors": "UnreadableRobot UrdfkitError",
     "output.exchange": "to_yourdfpy",
     "xacro": "Xacro",
-    "lint.fix": "Fixes fix",
+    "lint.fix": "fix",
+    "lint.fix_session": "Fixes",
     "lint.formatting": "Formatted format_files",
     "lint.loading": "expand load read",
     "output.mass_table": "mass_properties",

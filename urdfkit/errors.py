@@ -12,7 +12,7 @@ class Cancelled(UrdfkitError):
 
 
 class UnreadableFile(UrdfkitError):
-    """A file named by the user does not exist, is a folder, or may not be opened."""
+    """A file named by the user does not exist, is a directory, or may not be opened."""
 
 
 class UnwritableFile(UrdfkitError):
@@ -48,7 +48,7 @@ class UnreadableRobot(UrdfkitError):
 
 
 class PackageNotFound(UrdfkitError):
-    """No folder is known for a ROS package.
+    """No directory is known for a ROS package.
 
     Attributes:
         name: the package that was asked for.

@@ -2,6 +2,8 @@
 
 import re
 import sys
+from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -57,6 +59,13 @@ def example(rule: Rule, which: str) -> str:
     return text
 
 
+@cache
+def of_bad(code: str) -> tuple[Diagnostic, ...]:
+    """What a rule says about its BAD; three tests look at it."""
+    rule = rule_index.get(code)
+    return tuple(rule_examples.diagnose_example(rule, example(rule, "BAD")))
+
+
 def test_the_file_is_named_after_the_rule_and_has_tests(code: str) -> None:
     rule = rule_index.get(code)
     assert rule.code == code
@@ -81,8 +90,7 @@ def test_the_explanation_begins_with_one_sentence_and_names_its_sources(code: st
 
 def test_bad_is_found(code: str) -> None:
     """By the rule alone, and among all others."""
-    rule = rule_index.get(code)
-    alone = rule_examples.diagnose_example(rule, example(rule, "BAD"))
+    rule, alone = rule_index.get(code), of_bad(code)
     assert alone
     assert {(one.code, one.name) for one in alone} == {(code, rule.name)}
     assert all(one.message and one.help for one in alone), "a message and what to do"
@@ -105,8 +113,7 @@ def test_good_is_good(code: str) -> None:
 def test_the_fix_gives_fixed(code: str) -> None:
     rule = rule_index.get(code)
     if not rule.fixable:
-        found = rule_examples.diagnose_example(rule, example(rule, "BAD"))
-        assert [one.fix for one in found] == [None] * len(found)
+        assert not any(one.fix for one in of_bad(code))
         assert rule.example("FIXED") is None
         return
     fixed = rule.example("FIXED")
@@ -123,7 +130,7 @@ def test_the_rule_needs_no_more_than_it_declares(
     code: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     rule = rule_index.get(code)
-    honest = places(rule_examples.diagnose_example(rule, example(rule, "BAD")))
+    honest = places(of_bad(code))
     allowed = {part for need in rule.needs for part in PARTS[need]}
     allowed |= OPTIONAL.get(code, OPTIONAL.get(code[:3], set()))
     for part in {part for parts in PARTS.values() for part in parts} - allowed:
@@ -131,7 +138,7 @@ def test_the_rule_needs_no_more_than_it_declares(
     assert places(rule_examples.diagnose_example(rule, example(rule, "BAD"))) == honest
 
 
-def places(diagnostics: list[Diagnostic]) -> list[tuple[int, int]]:
+def places(diagnostics: Iterable[Diagnostic]) -> list[tuple[int, int]]:
     return [(found.span.start, found.span.end) for found in diagnostics]
 
 

@@ -136,9 +136,9 @@ def test_several_formats(check: Screen, bad: str, tmp_path: Path) -> None:
 
 
 def test_nothing_is_printed_if_a_file_cannot_be_written(check: Screen, bad: str) -> None:
-    code, out, err = check(bad, "--format", "text", "--format", "json:/no/such/folder/r.json")
+    code, out, err = check(bad, "--format", "text", "--format", "json:/no/such/directory/r.json")
     assert (code, out) == (2, "")
-    assert err.startswith("error: /no/such/folder/r.json: ")
+    assert err.startswith("error: /no/such/directory/r.json: ")
 
 
 def test_statistics(check: Screen, bad: str) -> None:

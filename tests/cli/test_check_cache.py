@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.meshed import SOUND, link, mesh
-from urdfkit.core import cache_folder
+from urdfkit.core import cache_directory
 from urdfkit.core.libraries import why_unmeasured
 from urdfkit.lint.rule_examples import whole_robot
 
@@ -24,11 +24,11 @@ def entries(
     robot: Path, monkeypatch: pytest.MonkeyPatch, *words: str, command: str = "check"
 ) -> int:
     """How many measures a command has kept."""
-    folder = robot.parent / "cache"
-    monkeypatch.setenv(cache_folder.VARIABLE, str(folder))
+    directory = robot.parent / "cache"
+    monkeypatch.setenv(cache_directory.VARIABLE, str(directory))
     line = [sys.executable, "-m", "urdfkit", command, str(robot), "--select", "MSH", *words]
     subprocess.run(line, check=True, capture_output=True)
-    return sum(path.is_file() for path in (folder / "meshes").rglob("*"))
+    return sum(path.is_file() for path in (directory / "meshes").rglob("*"))
 
 
 def test_what_was_measured_is_kept(robot: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -7,18 +7,18 @@ from pathlib import Path
 import pytest
 
 from urdfkit.cli import main
-from urdfkit.core.cache_folder import VARIABLE, cache_folder
+from urdfkit.core.cache_directory import VARIABLE, cache_directory
 
 
 @pytest.fixture
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A cache of two entries, next to which somebody else keeps a file."""
-    folder = tmp_path / "cache"
-    monkeypatch.setenv(VARIABLE, str(folder))
+    directory = tmp_path / "cache"
+    monkeypatch.setenv(VARIABLE, str(directory))
     for name in ("results/0", "meshes/v9/ab/cd.json", "notes.txt"):
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_bytes(bytes(300_000))
-    return folder
+        (directory / name).parent.mkdir(parents=True, exist_ok=True)
+        (directory / name).write_bytes(bytes(300_000))
+    return directory
 
 
 def test_clean_removes_entries_and_nothing_else(
@@ -45,7 +45,7 @@ def test_no_cache(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.Monkey
 
 
 @pytest.mark.parametrize(
-    ("platform", "variables", "folder"),
+    ("platform", "variables", "directory"),
     [
         ("linux", {}, "/home/a/.cache/urdfkit"),
         ("linux", {"XDG_CACHE_HOME": "/c"}, "/c/urdfkit"),
@@ -57,11 +57,11 @@ def test_no_cache(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.Monkey
     ],
 )
 def test_where_the_cache_is(
-    platform: str, variables: dict[str, str], folder: str | None, monkeypatch: pytest.MonkeyPatch
+    platform: str, variables: dict[str, str], directory: str | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name in ("XDG_CACHE_HOME", "LOCALAPPDATA", VARIABLE):
         monkeypatch.delenv(name, raising=False)
     for name, value in ({"HOME": "/home/a"} | variables).items():
         monkeypatch.setenv(name, value)
     monkeypatch.setattr("sys.platform", platform)
-    assert cache_folder() == folder
+    assert cache_directory() == directory

@@ -92,7 +92,7 @@ def test_an_srdf_is_written_compared_and_brought_up_to_date(
     ("words", "reason"),
     [
         (["--compare", "no.srdf"], "no.srdf"),
-        (["--srdf", "no/such/folder/r.srdf"], "no such directory"),
+        (["--srdf", "no/such/directory/r.srdf"], "no such directory"),
         (["--samples", "-1"], "--samples"),
         (["--joint", "none=1"], "no joint 'none'"),
     ],

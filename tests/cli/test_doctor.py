@@ -146,7 +146,7 @@ def test_rules_that_do_not_run_are_told_with_the_reason(doctor: Doctor, tmp_path
     assert int(out.rpartition("  rules: ")[2].split()[0]) > 0
 
 
-def test_a_folder_is_told_by_its_robots(doctor: Doctor, tmp_path: Path) -> None:
+def test_a_directory_is_told_by_its_robots(doctor: Doctor, tmp_path: Path) -> None:
     (tmp_path / "a.urdf").write_text('<robot name="r"><link name="a"/></robot>')
     (tmp_path / "lib.xacro").write_text(
         f'{HEAD}<xacro:macro name="m"><link/></xacro:macro></robot>'

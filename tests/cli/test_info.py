@@ -129,7 +129,7 @@ def test_the_first_error_is_told_not_a_warning_before_it(
     assert "more" not in reported
 
 
-def test_instead_of_a_folder_its_robots_are_named(
+def test_instead_of_a_directory_its_robots_are_named(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["info", str(MODELS / "good" / "two_link_arm")]) == 2
@@ -165,3 +165,9 @@ def test_an_argument_that_nothing_reads_is_told(
     out = capsys.readouterr().out
     assert note in out
     assert bool(note) == ("No robot here has an argument" in out)
+
+
+def test_another_format_is_no_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "world.sdf").write_text('<sdf version="1.8"><world name="w"/></sdf>')
+    assert main(["info", str(tmp_path / "world.sdf")]) == 2
+    assert "the root element is <sdf>, not <robot>" in capsys.readouterr().err

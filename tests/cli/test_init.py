@@ -102,7 +102,7 @@ def test_a_configuration_that_exists_is_left_alone(
     )
     assert (project / name).read_text() == text
     assert main(["init", "--print"]) == 0
-    assert main(["init", "urdf"]) == 0, "another folder has none"
+    assert main(["init", "urdf"]) == 0, "another directory has none"
 
 
 def test_another_tools_pyproject_is_no_configuration(project: Path) -> None:
@@ -110,7 +110,7 @@ def test_another_tools_pyproject_is_no_configuration(project: Path) -> None:
     assert main(["init"]) == 0
 
 
-def test_a_folder_without_robots(project: Path, capsys) -> None:
+def test_a_directory_without_robots(project: Path, capsys) -> None:
     (project / "empty").mkdir()
     assert main(["init", "empty"]) == 2
     assert "no .urdf, no .xacro" in capsys.readouterr().err

@@ -114,7 +114,7 @@ def test_to_ignore_a_rule_that_is_none_is_warned_of(capsys: pytest.CaptureFixtur
         (["check", "no_such.urdf"], "no_such.urdf: file not found"),
         (["check", GOOD, "no_such.urdf"], "no_such.urdf: file not found"),
         (["check", GOOD.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),
-        (["check", "/no/such/folder/robot.urdf"], "no such directory '/no/such/folder'"),
+        (["check", "/no/such/directory/robot.urdf"], "no such directory '/no/such/directory'"),
         (["check", GOOD, "--format", "json:/no/such/r.json"], "no such directory '/no/such'"),
         (["explain"], "RULE"),
         (["explain", "XML0001"], "did you mean 'XML001'?"),
@@ -358,7 +358,7 @@ def test_a_machine_that_is_full_is_no_bug(
     assert capsys.readouterr().err == message
 
 
-def test_expand_makes_the_folder_of_its_output_unless_a_file_is_in_the_way(
+def test_expand_makes_the_directory_of_its_output_unless_a_file_is_in_the_way(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["expand", GOOD, "-o", str(tmp_path / "new" / "r.urdf")]) == 0

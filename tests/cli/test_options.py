@@ -8,7 +8,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from urdfkit.cli import options, quick
+from urdfkit.cli import main, options, quick
 from urdfkit.cli.check import command
 from urdfkit.cli.options import CHECK, Option, UsageError
 
@@ -169,3 +169,17 @@ def test_a_file_may_have_an_equals_sign_in_its_name(tmp_path: Path) -> None:
     file = tmp_path / "a=b.urdf"
     file.write_bytes(b"")
     assert options.files(values(str(file))) == [str(file)]
+
+
+@pytest.mark.parametrize("word", ["--config=a.yaml", "--trust", "-v.urdf"])
+def test_a_file_is_no_option(
+    word: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """pre-commit lists the files of a pull request behind the options."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.yaml").write_text("trust = true")
+    (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    (tmp_path / word).write_text("")
+    assert main(["check", "r.urdf", word]) == 2
+    assert capsys.readouterr().err == f"error: '{word}' is a file and no option; write ./{word}\n"
+    assert main(["check", "--", "r.urdf"]) == 0

@@ -36,7 +36,7 @@ def all_commands(inside: LazyGroup, prefix: str = "") -> dict[str, click.Command
 
 assert isinstance(group, LazyGroup)
 COMMANDS = all_commands(group)
-PAGES = sorted(transcripts.FOLDER.glob("*.md"))
+PAGES = sorted(transcripts.DIRECTORY.glob("*.md"))
 
 
 def option_names(command: str) -> set[str]:
@@ -61,7 +61,7 @@ def test_every_command_has_a_page() -> None:
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_the_page_names_every_option_of_its_command_and_no_other(command: str) -> None:
-    text = (transcripts.FOLDER / f"{command.replace(' ', '-')}.md").read_text(encoding="utf-8")
+    text = (transcripts.DIRECTORY / f"{command.replace(' ', '-')}.md").read_text(encoding="utf-8")
     assert text.startswith(f"# urdfkit {command}\n")
     named = set(re.findall(r"(?<=[`\[])--?[a-z][a-z-]*", text))
     others = set().union(*map(option_names, COMMANDS)) - option_names(command)
@@ -113,21 +113,21 @@ def without_output() -> list[tuple[str, str]]:
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A repository with the files and the revision that the pages name."""
-    folder: Path = tmp_path_factory.mktemp("project") / "two_link_arm"
-    shutil.copytree(MODELS / "good" / "two_link_arm", folder)
-    arm = folder / "urdf" / "two_link_arm.urdf"
+    directory: Path = tmp_path_factory.mktemp("project") / "two_link_arm"
+    shutil.copytree(MODELS / "good" / "two_link_arm", directory)
+    arm = directory / "urdf" / "two_link_arm.urdf"
     for name in ("robot.urdf", "robot.urdf.xacro", "panda.urdf", "urdf/robot.urdf.xacro"):
-        shutil.copy(arm, folder / name)
-    arm.rename(folder / "urdf" / "arm.urdf.xacro")
+        shutil.copy(arm, directory / name)
+    arm.rename(directory / "urdf" / "arm.urdf.xacro")
     state = '<group_state name="ready" group="arm"><joint name="elbow" value="0.5"/></group_state>'
-    (folder / "panda.srdf").write_text(f'<robot name="two_link_arm">{state}</robot>')
+    (directory / "panda.srdf").write_text(f'<robot name="two_link_arm">{state}</robot>')
     who = ("-c", "user.name=a", "-c", "user.email=a@b.c")
     for words in (("init", "-q"), ("add", "-A"), ("commit", "-qm", "1"), ("tag", "v1.2.0")):
-        subprocess.run(["git", *who, *words], cwd=folder, check=True)
+        subprocess.run(["git", *who, *words], cwd=directory, check=True)
     subprocess.run(
-        ["git", *who, "commit", "-q", "--allow-empty", "-m", "2"], cwd=folder, check=True
+        ["git", *who, "commit", "-q", "--allow-empty", "-m", "2"], cwd=directory, check=True
     )
-    return folder
+    return directory
 
 
 @pytest.mark.parametrize(("page", "line"), without_output(), ids=lambda words: words[:60])

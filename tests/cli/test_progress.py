@@ -28,13 +28,13 @@ def test_it_appears_after_a_second_and_is_wiped(monkeypatch: pytest.MonkeyPatch)
     bar = Progress(stream)
     clock.now += 0.9
     bar(1, 4)
-    bar.wipe()
+    bar.clear()
     assert stream.getvalue() == ""
     clock.now += 0.2
     bar(2, 4)
     bar(4, 4)
-    bar.wipe()
-    bar.wipe()
+    bar.clear()
+    bar.clear()
     assert stream.getvalue() == (f"\r[{'#' * 15}{' ' * 15}] 2 of 4\r[{'#' * 30}] 4 of 4\r\x1b[K")
 
 
@@ -48,7 +48,7 @@ def test_a_terminal_that_is_gone_does_not_stop_the_check(monkeypatch: pytest.Mon
     bar = Progress(Gone())
     clock.now += 2
     bar(1, 2)
-    bar.wipe()
+    bar.clear()
 
 
 @pytest.mark.parametrize(
@@ -102,7 +102,7 @@ def on_a_terminal(*words: str | Path, command: str = "check") -> tuple[str, str]
 
 
 @UNIX
-def test_a_folder_on_a_terminal() -> None:
+def test_a_directory_on_a_terminal() -> None:
     out, reported = on_a_terminal(MODELS / "good", "--exit-zero")
     assert reported.startswith("\r[")
     assert "] 3 of 3" in reported
@@ -143,7 +143,7 @@ def test_it_appears_though_the_first_thing_takes_long(monkeypatch: pytest.Monkey
     deadline = time.monotonic() + 5
     while not stream.getvalue() and time.monotonic() < deadline:
         time.sleep(0.01)
-    bar.wipe()
+    bar.clear()
     assert stream.getvalue() == f"\r[{' ' * 30}] 0 of 2 things\r\x1b[K"
 
 
@@ -152,7 +152,7 @@ def test_no_line_is_drawn_after_the_end(monkeypatch: pytest.MonkeyPatch) -> None
     stream = io.StringIO()
     bar = Progress(stream)
     bar(1, 2)
-    bar.wipe()
+    bar.clear()
     time.sleep(0.1)
     assert stream.getvalue() == ""
 

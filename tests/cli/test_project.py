@@ -1,4 +1,4 @@
-"""``urdfkit check`` in a project: folders, configuration, baseline, changed files, processes."""
+"""``urdfkit check`` in a project: directories, configuration, baseline, changes, processes."""
 
 import json
 from pathlib import Path
@@ -13,17 +13,17 @@ SETTINGS = 'select = ["XML", "TRE003", "CFG"]\n'
 
 
 class Project:
-    """A folder with a robot in order, and one with a joint from a link to itself."""
+    """A directory with a robot in order, and one with a joint from a link to itself."""
 
-    def __init__(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-        self.folder = folder
+    def __init__(self, directory: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        self.directory = directory
         self.capsys = capsys
         self.write("urdfkit.toml", SETTINGS)
         self.robot("good.urdf")
         self.robot("bad.urdf", "one")
 
     def write(self, name: str, text: str) -> None:
-        path = self.folder / name
+        path = self.directory / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
 
@@ -51,17 +51,17 @@ def project(
     return Project(tmp_path, capsys)
 
 
-def test_a_folder(project: Project) -> None:
+def test_a_directory(project: Project) -> None:
     code, out, _ = project.check(".")
     assert code == 1
     assert out.startswith("bad.urdf:3:")
     assert out.endswith("1 error in 2 files\n")
-    (project.folder / "bad.urdf").unlink()
+    (project.directory / "bad.urdf").unlink()
     assert project.summary(".") == (0, "no findings in 1 file")
 
 
-def test_a_folder_without_robots_cannot_be_checked(project: Project) -> None:
-    (project.folder / "empty").mkdir()
+def test_a_directory_without_robots_cannot_be_checked(project: Project) -> None:
+    (project.directory / "empty").mkdir()
     code, out, err = project.check("empty")
     assert (code, out) == (2, "")
     assert err == "error: empty: contains no .urdf, no .xacro with a <robot> and no launch file\n"
@@ -135,10 +135,10 @@ def test_a_baseline_that_is_missing_is_told_before_the_check(
     assert reported in err
 
 
-def test_a_baseline_works_from_every_folder(project: Project, monkeypatch) -> None:
+def test_a_baseline_works_from_every_directory(project: Project, monkeypatch) -> None:
     project.check(".", "--baseline", "known.json", "--write-baseline")
     project.write("inner/x", "")
-    monkeypatch.chdir(project.folder / "inner")
+    monkeypatch.chdir(project.directory / "inner")
     assert project.summary("..", "--baseline", "../known.json") == (
         0,
         "no findings in 2 files (1 finding in the baseline)",
@@ -180,7 +180,7 @@ def test_changed_files(project: Project) -> None:
     assert out.startswith("part.xacro:3:")
     assert "included at robot.xacro:2:1" in out
     assert out.endswith("1 error in 1 file\n")
-    (project.folder / ".git").mkdir()
+    (project.directory / ".git").mkdir()
     project.write("docs/notes.txt", "")
     assert project.summary("--changed", "docs/notes.txt") == (0, "no findings in 0 files")
 

@@ -15,8 +15,8 @@ import pytest
 
 from tests.conftest import ROOT
 from urdfkit.cli import result_cache, result_entry, result_recording
-from urdfkit.cli.result_entry import Entry, decode, encode
-from urdfkit.core.cache_folder import VARIABLE
+from urdfkit.cli.result_entry import ResultEntry, decode, encode
+from urdfkit.core.cache_directory import VARIABLE
 from urdfkit.core.file_log import FileLog, answer_again
 from urdfkit.output import formats
 
@@ -123,15 +123,15 @@ CHANGES = {
 
 
 def run(
-    folder: Path, *words: str, variables: Mapping[str, str] | None = None
+    directory: Path, *words: str, variables: Mapping[str, str] | None = None
 ) -> subprocess.CompletedProcess[bytes]:
-    cache = folder.parent / "cache"
+    cache = directory.parent / "cache"
     # What lies in the directory of temporary files and above is no part of a workspace.
-    environment = os.environ | {VARIABLE: str(cache), "TMPDIR": str(folder.parent)}
+    environment = os.environ | {VARIABLE: str(cache), "TMPDIR": str(directory.parent)}
     return subprocess.run(
         [sys.executable, "-c", PROGRAM, *words],
         check=False,
-        cwd=folder,
+        cwd=directory,
         capture_output=True,
         env=environment | dict(variables or {}),
     )
@@ -145,13 +145,13 @@ def is_repeated(done: subprocess.CompletedProcess[bytes]) -> bool:
 @pytest.fixture(scope="module")
 def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A workspace whose robots have been checked; each test leaves its result behind."""
-    folder = tmp_path_factory.mktemp("cached") / "ws"
+    directory = tmp_path_factory.mktemp("cached") / "ws"
     for name, text in FILES.items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text)
-    (folder / "arm/meshes/deep").mkdir()
-    assert not is_repeated(run(folder, *CHECK))
-    return folder
+        (directory / name).parent.mkdir(parents=True, exist_ok=True)
+        (directory / name).write_text(text)
+    (directory / "arm/meshes/deep").mkdir()
+    assert not is_repeated(run(directory, *CHECK))
+    return directory
 
 
 CHECK = ("check", ".", "--baseline", "baseline.json")
@@ -290,15 +290,15 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def entry(cache: Path, tmp_path: Path) -> Entry:
+def entry(cache: Path, tmp_path: Path) -> ResultEntry:
     """One that holds, of a command line that is never checked."""
     asked = result_cache.question(["check", "a.urdf"])
     assert asked is not None
     out = (str(tmp_path / "out\n.txt"), b"a\0b\n")
-    return Entry(asked, 5, [("k", str(tmp_path / "none"), "-")], 1, [out])
+    return ResultEntry(asked, 5, [("k", str(tmp_path / "none"), "-")], 1, [out])
 
 
-def test_an_entry_is_repeated(entry: Entry) -> None:
+def test_an_entry_is_repeated(entry: ResultEntry) -> None:
     assert result_cache.replay(["check", "a.urdf"]) is None
     result_recording.store(entry)
     assert decode(encode(entry)) == entry
@@ -306,7 +306,7 @@ def test_an_entry_is_repeated(entry: Entry) -> None:
     assert Path(entry.outputs[0][0]).read_bytes() == b"a\0b\n"
 
 
-def test_a_damaged_entry_is_none(entry: Entry) -> None:
+def test_a_damaged_entry_is_none(entry: ResultEntry) -> None:
     data = encode(entry)
     path = Path(result_entry.path_of(entry.question))
     path.parent.mkdir(parents=True)
@@ -317,7 +317,7 @@ def test_a_damaged_entry_is_none(entry: Entry) -> None:
         assert result_cache.replay(["check", "a.urdf"]) is None
 
 
-def test_an_entry_answers_one_question(entry: Entry) -> None:
+def test_an_entry_answers_one_question(entry: ResultEntry) -> None:
     other = entry._replace(question=entry.question + b"x")
     path = Path(result_entry.path_of(entry.question))
     path.parent.mkdir(parents=True)
@@ -343,14 +343,14 @@ def test_another_version_asks_something_else(
 
 @pytest.mark.parametrize("place", ["/dev/full", "/dev/null/cache"])
 def test_where_nothing_can_be_written_nothing_is_kept(
-    entry: Entry, monkeypatch: pytest.MonkeyPatch, place: str
+    entry: ResultEntry, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
     monkeypatch.setattr(result_entry, "path_of", lambda _: f"{place}/entry")
     result_recording.store(entry)
 
 
 def test_a_full_disk_leaves_nothing_behind(
-    entry: Entry, cache: Path, monkeypatch: pytest.MonkeyPatch
+    entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
@@ -360,7 +360,9 @@ def test_a_full_disk_leaves_nothing_behind(
     assert list((cache / "results").iterdir()) == []
 
 
-def test_the_older_half_goes(entry: Entry, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_older_half_goes(
+    entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(result_recording, "MAX_BYTES", 50)
     (cache / "results").mkdir(parents=True)
     for number in range(10):

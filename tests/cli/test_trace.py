@@ -17,9 +17,9 @@ ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 
 
 def trace(
-    folder: Path, capsys: pytest.CaptureFixture[str], address: str, note: str = ""
+    directory: Path, capsys: pytest.CaptureFixture[str], address: str, note: str = ""
 ) -> list[str]:
-    file = folder / "r.xacro"
+    file = directory / "r.xacro"
     file.write_text(ROBOT % note, encoding="utf-8")
     assert main(["trace", str(file), address]) == 0
     return capsys.readouterr().out.replace(str(file), "FILE").splitlines()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -28,6 +29,7 @@ WITHOUT_GATE = {
     "core/disk.py": "the gate",
     "core/file_log.py": "the gate, asked again",
     "core/atomic.py": "writes",
+    "core/regular_file.py": "what the gate opens",
     "cli": "files that the user names on the command line",
     "lint/discovery.py": "os.access of launch files",
     "lint/rule_examples.py": "writes examples",
@@ -46,6 +48,7 @@ WITHOUT_GATE = {
     "viewer/state.py": "times of files that were read",
     "workspace/revisions.py": "git",
     "workspace/snapshots.py": "git",
+    "xacro/watchdog.py": "the size of this process",
 }
 
 
@@ -89,7 +92,11 @@ def test_what_is_asked_for_is_noted(
     with pytest.raises(FileNotFoundError):
         disk.read("b.stl")
     assert disk.state("to").st_size == 5
-    assert (disk.exists("a.stl"), disk.is_file("b.stl"), disk.is_folder(".")) == (True, False, True)
+    assert (disk.exists("a.stl"), disk.is_file("b.stl"), disk.is_directory(".")) == (
+        True,
+        False,
+        True,
+    )
     assert (disk.is_link("to"), disk.has_name("b.stl")) == (True, False)
     assert sorted(disk.names(".")) == ["a.stl", "to"]
     assert [sorted(inside) for _, _, inside in disk.walk(".")] == [["a.stl", "to"]]
@@ -119,6 +126,33 @@ def test_a_name_with_a_nul_is_no_file(log: FileLog) -> None:
     with pytest.raises(ValueError, match="null"):
         disk.read("a\0b")
     assert log.answers == {}
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+def test_only_regular_files_are_opened(log: FileLog, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "device").symlink_to("/dev/zero")
+    for name, reason in (("pipe", "is a pipe"), ("device", "is a device"), ("", "directory")):
+        with pytest.raises(OSError, match=reason):
+            disk.read(tmp_path / name)
+        assert log.answers["r-1", str(tmp_path / name)] == file_log.NOTHING
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/fd"), reason="needs /dev/fd")
+def test_a_pipe_of_the_shell_is_read_to_its_end() -> None:
+    reading, writing = os.pipe()
+    with open(writing, "wb") as file:
+        file.write(b"data")
+    assert disk.read(f"/dev/fd/{reading}") == b"data"
+    os.close(reading)
+
+
+def test_a_whole_file_is_no_longer_than_the_limit(tmp_path: Path) -> None:
+    with (tmp_path / "long").open("wb") as file:
+        file.truncate(disk.MAX_BYTES + 1)
+    with pytest.raises(OSError, match="larger than 128 MiB"):
+        disk.read(tmp_path / "long")
+    assert disk.read(tmp_path / "long", 3) == bytes(3)
 
 
 def test_another_process_may_have_noted_more(log: FileLog) -> None:

@@ -16,11 +16,11 @@ from urdfkit.lint.rule_examples import whole_robot
 TURN = revolute(-3, 3, "0 1 0")
 
 
-def messages(folder: Path, robot: str, *disabled: tuple[str, str]) -> list[str]:
+def messages(directory: Path, robot: str, *disabled: tuple[str, str]) -> list[str]:
     pairs = [f'<disable_collisions link1="{a}" link2="{b}" reason="Never"/>' for a, b in disabled]
-    (folder / "r.urdf").write_text(whole_robot(robot))
-    (folder / "r.srdf").write_text(f'<robot name="example">{"".join(pairs)}</robot>')
-    found = check(folder / "r.urdf", select=["SRD009"], options=Options(cache=False))
+    (directory / "r.urdf").write_text(whole_robot(robot))
+    (directory / "r.srdf").write_text(f'<robot name="example">{"".join(pairs)}</robot>')
+    found = check(directory / "r.urdf", select=["SRD009"], options=Options(cache=False))
     assert found.crashed == ()
     return [one.message.partition(" overlap")[0] for one in found.diagnostics]
 
@@ -69,9 +69,9 @@ def test_a_robot_for_tests_has_no_srdf_of_the_package(tmp_path: Path) -> None:
     (tmp_path / "srdf").mkdir()
     (tmp_path / "srdf" / "r.srdf").write_text('<robot name="r"><group_state name="s"/></robot>')
     counts = []
-    for folder in ("urdf", "test/calibration"):
-        (tmp_path / folder).mkdir(parents=True)
-        file = tmp_path / folder / "r.urdf"
+    for directory in ("urdf", "test/calibration"):
+        (tmp_path / directory).mkdir(parents=True)
+        file = tmp_path / directory / "r.urdf"
         file.write_text('<robot name="r"><link name="a"/></robot>')
         counts.append(len(check(file, select=["SRD"]).diagnostics))
     assert counts[0] > 0 == counts[1]

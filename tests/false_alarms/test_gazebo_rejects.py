@@ -32,9 +32,9 @@ READ = {
 }
 
 
-def rejected(text: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> list[str]:
-    (folder / "r.urdf").write_text(whole_robot(text), encoding="utf-8")
-    assert main(["gazebo", "--format", "json", str(folder / "r.urdf")]) == 0
+def rejected(text: str, directory: Path, capsys: pytest.CaptureFixture[str]) -> list[str]:
+    (directory / "r.urdf").write_text(whole_robot(text), encoding="utf-8")
+    assert main(["gazebo", "--format", "json", str(directory / "r.urdf")]) == 0
     return [one["code"] for one in json.loads(capsys.readouterr().out)["rejected"]]
 
 

@@ -27,8 +27,8 @@ ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 """
 
 
-def codes(folder: Path, call: str, ignore: tuple[str, ...] = ()) -> set[str]:
-    robot = folder / "r.urdf.xacro"
+def codes(directory: Path, call: str, ignore: tuple[str, ...] = ()) -> set[str]:
+    robot = directory / "r.urdf.xacro"
     robot.write_text(ROBOT.format(call=call))
     report = check(robot, targets=["gz-harmonic"], ignore=ignore)
     return {one.code for one in report.diagnostics}

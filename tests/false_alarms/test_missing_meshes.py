@@ -17,16 +17,16 @@ URDF = """\
 """
 
 
-def package(folder: Path, name: str, *meshes: str) -> None:
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
-    put(folder, *meshes)
+def package(directory: Path, name: str, *meshes: str) -> None:
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    put(directory, *meshes)
 
 
-def put(folder: Path, *meshes: str) -> None:
+def put(directory: Path, *meshes: str) -> None:
     for mesh in meshes:
-        (folder / mesh).parent.mkdir(parents=True, exist_ok=True)
-        (folder / mesh).write_bytes(SOUND)
+        (directory / mesh).parent.mkdir(parents=True, exist_ok=True)
+        (directory / mesh).write_bytes(SOUND)
 
 
 def robot(path: Path, file: str) -> tuple[Diagnostic, ...]:
@@ -66,8 +66,8 @@ def test_a_package_that_the_build_copies_from_several_directories(tmp_path: Path
     package(tmp_path / "arm_manual", "arm", "meshes/a.stl")
     put(tmp_path / "arm", "meshes/b.stl")
     put(tmp_path / "arm_made", "meshes_made/c.stl")
-    for folder in ("arm_made", "arm_manual"):
-        assert robot(tmp_path / folder / "robots" / "r.urdf", "package://arm/meshes/b.stl") == ()
+    for directory in ("arm_made", "arm_manual"):
+        assert robot(tmp_path / directory / "robots" / "r.urdf", "package://arm/meshes/b.stl") == ()
     assert robot(tmp_path / "arm_made/robots/r.urdf", "package://arm/meshes_made/c.stl") == ()
     assert robot(tmp_path / "arm_made/robots/r.urdf", "package://arm/meshes_made/d.stl")
     # Another package that lacks the file is not that build.

@@ -36,8 +36,8 @@ CASES = {
 }
 
 
-def errors(text: str, folder: Path, *targets: str) -> set[str]:
-    file = folder / "r.urdf"
+def errors(text: str, directory: Path, *targets: str) -> set[str]:
+    file = directory / "r.urdf"
     file.write_text(text)
     found = check(file, targets=targets).diagnostics
     return {one.code for one in found if one.severity.value == "error"}

@@ -30,20 +30,20 @@ PLAIN = b"""<robot name="p">
 LAUNCH = b'<launch><include file="$(find gazebo_ros)/launch/empty_world.launch"/></launch>'
 
 
-def _package(folder: Path, name: str, more: str = "") -> Path:
+def _package(directory: Path, name: str, more: str = "") -> Path:
     text = f'<package format="2"><name>{name}</name>{more}</package>'
-    add_file(folder / "package.xml", text.encode())
-    return folder
+    add_file(directory / "package.xml", text.encode())
+    return directory
 
 
-def _repository(folder: Path, mark: str) -> None:
-    package = folder if mark == "package" else folder / "arm_description"
+def _repository(directory: Path, mark: str) -> None:
+    package = directory if mark == "package" else directory / "arm_description"
     _package(package, "arm_description")
     add_file(package / "urdf" / "r.urdf.xacro", ROBOT)
     add_file(package / "urdf" / "p.urdf", PLAIN)
     add_file(package / "launch" / "gazebo.launch", LAUNCH)
     if mark != "package":
-        add_file(folder / mark)
+        add_file(directory / mark)
 
 
 def _neighbours(around: Path) -> None:

@@ -35,8 +35,8 @@ ROBOT = """<robot name="r">
 CODES = ["RCT005", "GAZ012", "GAZ040"]
 
 
-def codes(folder: Path, hardware: str, plugins: str = "") -> list[str]:
-    robot = folder / "r.urdf"
+def codes(directory: Path, hardware: str, plugins: str = "") -> list[str]:
+    robot = directory / "r.urdf"
     robot.write_text(ROBOT.format(hardware=hardware, plugins=plugins))
     return [one.code for one in check(robot, select=CODES).diagnostics]
 

@@ -34,7 +34,7 @@ def step(name: str) -> dict[str, Any]:
 
 
 class Runner:
-    """Runs shell steps of the action in a folder of robots."""
+    """Runs shell steps of the action in a directory of robots."""
 
     def __init__(self, workspace: Path, temporary: Path) -> None:
         self.workspace = workspace

@@ -24,7 +24,7 @@ vim.cmd("edit " .. vim.env.ROBOT)
 local buffer = vim.api.nvim_get_current_buf()
 local command = { vim.env.PYTHON, "-m", "urdfkit", "lsp" }
 local start = vim.lsp.start or vim.lsp.start_client -- the latter before 0.8
-local id = start({ name = "urdfkit", cmd = command, root_dir = vim.env.FOLDER })
+local id = start({ name = "urdfkit", cmd = command, root_dir = vim.env.DIRECTORY })
 vim.lsp.buf_attach_client(buffer, id)
 local function wait(done) return vim.wait(30000, done, 20) end
 local seen = {}
@@ -82,29 +82,29 @@ file:close()
 
 @pytest.fixture(scope="module")
 def seen(tmp_path_factory: pytest.TempPathFactory) -> Any:
-    folder = tmp_path_factory.mktemp("neovim")
-    shutil.copytree(MODELS / "gazebo_pkg", folder / "gazebo_pkg")
-    script = folder / "session.lua"
+    directory = tmp_path_factory.mktemp("neovim")
+    shutil.copytree(MODELS / "gazebo_pkg", directory / "gazebo_pkg")
+    script = directory / "session.lua"
     script.write_text(SESSION)
     done = subprocess.run(
         ["nvim", "--headless", "-u", "NONE", "-c", f"luafile {script}", "-c", "qa!"],
         check=False,
-        cwd=folder,
+        cwd=directory,
         env={
             **os.environ,
             "PYTHONPATH": str(ROOT),
             "PYTHON": sys.executable,
-            "FOLDER": str(folder),
+            "DIRECTORY": str(directory),
             "ROBOT": "gazebo_pkg/urdf/waking_robot_new.xacro",
-            "SEEN": str(folder / "seen.json"),
-            "XDG_STATE_HOME": str(folder),
+            "SEEN": str(directory / "seen.json"),
+            "XDG_STATE_HOME": str(directory),
         },
         capture_output=True,
         text=True,
         timeout=120,
     )
-    assert (folder / "seen.json").exists(), done.stderr
-    return json.loads((folder / "seen.json").read_text())
+    assert (directory / "seen.json").exists(), done.stderr
+    return json.loads((directory / "seen.json").read_text())
 
 
 def test_it_shows_what_the_command_line_finds(seen: Any) -> None:

@@ -36,8 +36,8 @@ ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 class Repository:
     """A git repository."""
 
-    def __init__(self, folder: Path, home: Path) -> None:
-        self.folder = folder
+    def __init__(self, directory: Path, home: Path) -> None:
+        self.directory = directory
         self.environment = {
             **os.environ,
             "PRE_COMMIT_HOME": str(home),
@@ -53,7 +53,7 @@ class Repository:
         return subprocess.run(
             words,
             check=False,
-            cwd=self.folder,
+            cwd=self.directory,
             env=self.environment,
             capture_output=True,
             text=True,
@@ -67,8 +67,8 @@ class Repository:
         """Let a hook run at every commit."""
         head = hooks.run("git", "rev-parse", "HEAD").stdout.strip()
         hook = f"{{id: {name}, args: [{options}]}}"
-        (self.folder / ".pre-commit-config.yaml").write_text(
-            f"repos:\n- {{repo: {hooks.folder}, rev: {head}, hooks: [{hook}]}}\n"
+        (self.directory / ".pre-commit-config.yaml").write_text(
+            f"repos:\n- {{repo: {hooks.directory}, rev: {head}, hooks: [{hook}]}}\n"
         )
         installed = self.run("pre-commit", "install", "--install-hooks")
         assert installed.returncode == 0, installed.stdout + installed.stderr
@@ -83,13 +83,13 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def hooks(tmp_path_factory: pytest.TempPathFactory, home: Path) -> Repository:
     """This checkout, in a repository of its own."""
-    folder = tmp_path_factory.mktemp("hooks")
+    directory = tmp_path_factory.mktemp("hooks")
     for name in ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml", ".gitignore"):
-        shutil.copy(ROOT / name, folder)
+        shutil.copy(ROOT / name, directory)
     shutil.copytree(
-        ROOT / "urdfkit", folder / "urdfkit", ignore=shutil.ignore_patterns("__pycache__")
+        ROOT / "urdfkit", directory / "urdfkit", ignore=shutil.ignore_patterns("__pycache__")
     )
-    repository = Repository(folder, home)
+    repository = Repository(directory, home)
     assert repository.commit().returncode == 0
     return repository
 
@@ -109,7 +109,7 @@ def repository(tmp_path: Path, hooks: Repository, home: Path) -> Repository:
 
 
 def test_commits_pass_are_refused_and_pass_again_once_mended(repository: Repository) -> None:
-    macros = repository.folder / "two" / "macros.xacro"
+    macros = repository.directory / "two" / "macros.xacro"
     macros.write_text(MACROS.replace("${name}", "${nam}"))
     refused = repository.commit()
     assert refused.returncode == 1
@@ -123,7 +123,7 @@ def test_commits_pass_are_refused_and_pass_again_once_mended(repository: Reposit
 
 
 def test_other_files_do_not_start_the_hook(repository: Repository) -> None:
-    (repository.folder / "notes.txt").write_text("nothing")
+    (repository.directory / "notes.txt").write_text("nothing")
     done = repository.commit()
     assert done.returncode == 0
     assert "(no files to check)Skipped" in done.stderr
@@ -131,7 +131,7 @@ def test_other_files_do_not_start_the_hook(repository: Repository) -> None:
 
 def test_files_of_no_robot_pass(repository: Repository) -> None:
     for name in (".github/workflows/ci.yml", "site/settings.yaml"):
-        path = repository.folder / name
+        path = repository.directory / name
         path.parent.mkdir(parents=True)
         path.write_text("a: 1\n")
     done = repository.commit()
@@ -142,13 +142,13 @@ def test_files_of_no_robot_pass(repository: Repository) -> None:
 
 
 def test_the_configuration_of_the_project_counts(repository: Repository) -> None:
-    macros = repository.folder / "two" / "macros.xacro"
+    macros = repository.directory / "two" / "macros.xacro"
     macros.write_text(MACROS.replace("<link", "<lnik"))
-    (repository.folder / "urdfkit.toml").write_text("")
+    (repository.directory / "urdfkit.toml").write_text("")
     refused = repository.commit()
     assert refused.returncode == 1
     assert "URD001" in refused.stderr
-    (repository.folder / "urdfkit.toml").write_text(
+    (repository.directory / "urdfkit.toml").write_text(
         '[[per-file-ignores]]\nfiles = ["two"]\ncodes = ["URD", "TRE"]\nreason = "a test"\n'
     )
     passed = repository.commit()

@@ -54,20 +54,22 @@ def address(tmp_path: Path) -> Iterator[str]:
     """VS Code with nothing but the extension."""
     assert CODE_SERVER
     home = tmp_path / "home"
-    folders = ["--user-data-dir", str(home), "--extensions-dir", str(home / "extensions")]
+    directories = ["--user-data-dir", str(home), "--extensions-dir", str(home / "extensions")]
     (home / "User").mkdir(parents=True)
     settings = {
         "urdfkit.path": str(Path(sys.executable).with_name("urdfkit")),
         "workbench.startupEditor": "none",
     }
     (home / "User" / "settings.json").write_text(json.dumps(settings))
-    subprocess.run([CODE_SERVER, *folders, "--install-extension", VSIX], check=True, timeout=120)
+    subprocess.run(
+        [CODE_SERVER, *directories, "--install-extension", VSIX], check=True, timeout=120
+    )
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         place = f"127.0.0.1:{free.getsockname()[1]}"
     options = ["--auth", "none", "--bind-addr", place, "--disable-telemetry"]
     options += ["--disable-update-check", "--disable-workspace-trust"]
-    with subprocess.Popen([CODE_SERVER, *folders, *options]) as server:
+    with subprocess.Popen([CODE_SERVER, *directories, *options]) as server:
         try:
             until(lambda: answers(f"http://{place}/healthz"))
             yield place
@@ -103,7 +105,7 @@ def look_at(page: Page, address: str, package: Path) -> None:
     reported = Counter(one.severity for one in check(package / ROBOT).diagnostics)
     wanted = [str(reported[one]) for one in (Severity.ERROR, Severity.WARNING, Severity.INFO)]
     payload = quote(json.dumps([["openFile", f"vscode-remote://{address}{package / ROBOT}"]]))
-    page.driver.get(f"http://{address}/?folder={package}&payload={payload}")
+    page.driver.get(f"http://{address}/?directory={package}&payload={payload}")
     until(lambda: shown(page, "#status\\.problems").split()[:3] == wanted)
     assert mode(page) == "URDF"
 

@@ -5,13 +5,13 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
+from urdfkit.lint.argument_sets import MAX_GIVEN
 from urdfkit.lint.fix import fix
-from urdfkit.lint.plan import MAX_GIVEN
 from urdfkit.lint.report import Report
 
 HEAD = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 #: A link whose mass is read from a file of the model.
-BY_FOLDER = f"""{HEAD}
+BY_DIRECTORY = f"""{HEAD}
   <xacro:arg name="kind" default="none_such"/>
   <xacro:arg name="file" default="$(find arms)/config/$(arg kind)/data.yaml"/>
   <xacro:property name="data" value="${{xacro.load_yaml('$(arg file)')}}"/>
@@ -35,10 +35,10 @@ def package(tmp_path: Path) -> Path:
     return make_package(tmp_path / "arms")
 
 
-def make_package(folder: Path) -> Path:
-    folder.mkdir()
-    (folder / "package.xml").write_text(f"<package><name>{folder.name}</name></package>")
-    return folder
+def make_package(directory: Path) -> Path:
+    directory.mkdir()
+    (directory / "package.xml").write_text(f"<package><name>{directory.name}</name></package>")
+    return directory
 
 
 def write(path: Path, text: str) -> Path:
@@ -58,10 +58,10 @@ def codes(report: Report) -> list[str]:
 def kinds(package: Path, **masses: float) -> Path:
     for kind, mass in masses.items():
         write(package / "config" / kind / "data.yaml", f"mass: {mass}\n")
-    return write(package / "arm.xacro", BY_FOLDER)
+    return write(package / "arm.xacro", BY_DIRECTORY)
 
 
-def test_the_folders_that_a_path_may_lead_to(package: Path) -> None:
+def test_the_directories_that_a_path_may_lead_to(package: Path) -> None:
     robot = kinds(package, big=2, small=-1)
     write(package / "config" / "common" / "limits.yaml", "")  # which lacks the file
     for what in (package, robot):
@@ -71,7 +71,7 @@ def test_the_folders_that_a_path_may_lead_to(package: Path) -> None:
         assert not {"XAC001", "XAC010", "CFG003"} & set(codes(report))
 
 
-def test_a_folder_with_which_the_robot_does_not_expand_is_no_value(package: Path) -> None:
+def test_a_directory_with_which_the_robot_does_not_expand_is_no_value(package: Path) -> None:
     kinds(package, big=2)
     write(package / "config" / "odd" / "data.yaml", "weight: 1\n")
     report = check(package)
@@ -103,7 +103,7 @@ def test_a_parameter_of_a_macro_that_is_called_like_the_argument(package: Path) 
     ]
 
 
-def test_no_more_folders_than_a_bound(package: Path) -> None:
+def test_no_more_directories_than_a_bound(package: Path) -> None:
     kinds(package, **{f"kind{number:02}": 1 for number in range(MAX_GIVEN + 2)})
     report = check(package, select=["XAC"])
     assert len(report.launched) == MAX_GIVEN
@@ -178,7 +178,7 @@ def test_the_default_of_an_include_that_is_not_reached(package: Path) -> None:
 def test_arguments_from_different_places(package: Path) -> None:
     kinds(package, big=2, small=3)
     robot = package / "arm.xacro"
-    robot.write_text(BY_FOLDER.replace('"base"', '"$(arg side)_base"'))
+    robot.write_text(BY_DIRECTORY.replace('"base"', '"$(arg side)_base"'))
     write(package / "arm.launch", '<launch><arg name="side" default="left"/></launch>')
     assert taken(check(robot)) == [
         ({"side": "left"}, "arm.launch"),
@@ -195,7 +195,7 @@ def test_arguments_from_different_places(package: Path) -> None:
 def test_fixes_hold_for_all_values(package: Path) -> None:
     kinds(package, big=2, small=3)
     robot = package / "arm.xacro"
-    robot.write_text(BY_FOLDER.replace("<robot", "<!-- a -->\n<robot"))
+    robot.write_text(BY_DIRECTORY.replace("<robot", "<!-- a -->\n<robot"))
     fixes = fix(robot, unsafe=True)
     assert [one.arguments["kind"] for one in fixes.report.launched] == ["big", "small"]
     assert fixes.report.crashed == ()

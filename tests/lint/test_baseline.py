@@ -8,7 +8,14 @@ import pytest
 
 from urdfkit import check
 from urdfkit.lint import rule_index
-from urdfkit.lint.baseline import BaselineError, Fingerprint, dump, fingerprints, load, sift
+from urdfkit.lint.baseline import (
+    BaselineError,
+    Fingerprint,
+    apply_baseline,
+    dump,
+    fingerprints,
+    load,
+)
 from urdfkit.lint.report import Report
 
 AXIS = '    <axis xyz="1 0 0"/>\n'
@@ -20,22 +27,22 @@ JOINT = """  <joint name="{name}" type="fixed">
 """
 
 
-def robot(folder: Path, *joints: str, comment: str = "") -> Report:
+def robot(directory: Path, *joints: str, comment: str = "") -> Report:
     body = "".join(JOINT.format(name=name, parent="base", axis=AXIS) for name in joints)
-    path = folder / "r.urdf"
+    path = directory / "r.urdf"
     path.write_text(f'<robot name="r">\n{comment}  <link name="base"/>\n{body}</robot>\n')
     return check(path, select=["JNT020"])
 
 
-def save(folder: Path, report: Report) -> str:
-    path = folder / "baseline.json"
-    path.write_text(dump(report, str(folder)))
+def save(directory: Path, report: Report) -> str:
+    path = directory / "baseline.json"
+    path.write_text(dump(report, str(directory)))
     return str(path)
 
 
-def sifted(report: Report, known: Counter[Fingerprint], folder: Path) -> tuple[list[str], int]:
+def sifted(report: Report, known: Counter[Fingerprint], directory: Path) -> tuple[list[str], int]:
     """The elements of what is new, and how much is tolerated."""
-    now = sift(report, known, str(folder))
+    now = apply_baseline(report, known, str(directory))
     return [found.element for found in now.diagnostics], now.tolerated
 
 
@@ -139,9 +146,9 @@ def test_a_tolerated_cause_silences_nothing(tmp_path: Path) -> None:
     report = check(path, select=["XAC002", "REF001"])
     assert [found.code for found in report.diagnostics] == ["XAC002"]
     known = load(save(tmp_path, report))
-    assert sift(report, known, str(tmp_path)).diagnostics == ()
+    assert apply_baseline(report, known, str(tmp_path)).diagnostics == ()
     path.write_text(UNDEFINED.format(more=MORE))
     now = check(path, select=["XAC002", "REF001"])
     assert [found.code for found in now.diagnostics] == ["XAC002"]
-    (new,) = sift(now, known, str(tmp_path)).diagnostics
+    (new,) = apply_baseline(now, known, str(tmp_path)).diagnostics
     assert (new.code, new.span.line) == ("REF001", 5)

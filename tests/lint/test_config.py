@@ -28,8 +28,8 @@ ARGUED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 """
 
 
-def write(folder: Path, text: str, name: str = "urdfkit.toml") -> str:
-    path = folder / name
+def write(directory: Path, text: str, name: str = "urdfkit.toml") -> str:
+    path = directory / name
     path.write_text(text)
     return str(path)
 
@@ -172,6 +172,8 @@ def test_everything_that_can_be_set(tmp_path):
         ('[[robot]]\nfile = "nowhere.urdf"', ["robot[1]", "nowhere.urdf"]),
         ("[[per-file-ignores]]\nfiles = ['a']", ["per-file-ignores[1]", "'codes'"]),
         ("trust = 1", ["'trust'", "true or false"]),
+        ("xacro-seconds = 0", ["'xacro-seconds'", "from 1"]),
+        ("xacro-megabytes = true", ["'xacro-megabytes'", "from 1"]),
         ("[per-file-ignores]\n'vendor/*' = ['URD']", ["written [[per-file-ignores]]"]),
         ("a = ", ["not TOML"]),
     ],
@@ -270,3 +272,12 @@ def test_what_is_selected_by_hand_runs_although_the_configuration_ignores_it(tmp
 )
 def test_patterns(path, pattern, expected):
     assert matches(path, (pattern,)) is expected
+
+
+def test_limits_of_an_expansion_are_raised_by_the_user_alone(tmp_path):
+    path = write(tmp_path, "xacro-seconds = 2\nxacro-megabytes = 100")
+    assert load(path, trusted=False).limits == (2, 100)
+    path = write(tmp_path, "xacro-seconds = 60")
+    assert load(path).limits == (60, 512)
+    with pytest.raises(ConfigError, match="'xacro-seconds' above 5 must be confirmed"):
+        load(path, trusted=False)

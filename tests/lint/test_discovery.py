@@ -1,5 +1,6 @@
 """Entry points by the include graph, and the robots that a changed file is part of."""
 
+import tracemalloc
 from pathlib import Path
 
 import pytest
@@ -9,13 +10,14 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.discovery import affected, discover
 from urdfkit.lint.options import Options
+from urdfkit.text import source
 from urdfkit.workspace.resolve import Resolver
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
 
-def write(folder: Path, name: str, body: str) -> str:
-    path = folder / name
+def write(directory: Path, name: str, body: str) -> str:
+    path = directory / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"{HEAD}\n{body}\n</robot>\n")
     return str(path)
@@ -109,7 +111,7 @@ def repository(tmp_path: Path) -> Path:
         ("robot/config/new.yaml", ["robot.xacro"]),  # of the same package
         ("settings/config/limits.yaml", []),  # of a package without robots
         ("notes/new.yaml", []),  # of none
-        ("gone/with/its/folder.xacro", []),
+        ("gone/with/its/directory.xacro", []),
         (".github/workflows/ci.yml", []),
         ("robot/.vscode/settings.yaml", []),
         ("other/urdf/other.urdf", ["other.urdf"]),
@@ -192,7 +194,7 @@ def test_a_dangling_link_hides_no_robot(tmp_path):
     assert check(tmp_path).files == (str(tmp_path / "b.urdf"),)
 
 
-def test_robots_of_a_folder_are_spelt_as_the_folder_was(tmp_path, monkeypatch):
+def test_robots_of_a_directory_are_spelt_as_the_directory_was(tmp_path, monkeypatch):
     (tmp_path / "robots").mkdir()
     (tmp_path / "elsewhere").mkdir()
     (tmp_path / "robots" / "b.urdf").write_text('<robot name="b"><link name="a"/></robot>')
@@ -227,12 +229,12 @@ def test_excluded_files_are_passed_over(package):
 
 
 @pytest.mark.parametrize("name", ["", "missing"])
-def test_a_folder_without_robots_is_an_error(tmp_path, name):
+def test_a_directory_without_robots_is_an_error(tmp_path, name):
     with pytest.raises(UnreadableFile):
         discover(str(tmp_path / name), Config(), Resolver())
 
 
-def test_a_folder_is_checked_and_the_library_is_told(package):
+def test_a_directory_is_checked_and_the_library_is_told(package):
     report = check(package)
     assert len(report.files) == 2
     assert [(Path(skip.path).name, skip.code) for skip in report.skipped] == [("lonely.xacro", "")]
@@ -245,7 +247,7 @@ def test_a_folder_is_checked_and_the_library_is_told(package):
         ("macros.xacro", "<robot><xacro:macro name='m'><link name='a'/></xacro:macro></robot>"),
     ],
 )
-def test_a_folder_without_a_robot_is_not_green(tmp_path: Path, file: str, text: str) -> None:
+def test_a_directory_without_a_robot_is_not_green(tmp_path: Path, file: str, text: str) -> None:
     (tmp_path / file).write_text(text)
     (found,) = [d for d in check(tmp_path).diagnostics if d.code == "CFG003"]
     assert found.message.startswith("no robot checked in ")
@@ -253,6 +255,21 @@ def test_a_folder_without_a_robot_is_not_green(tmp_path: Path, file: str, text: 
     assert "CFG003" not in {d.code for d in check(tmp_path, ignore=["CFG003"]).diagnostics}
     write(tmp_path, "r.urdf", '<link name="a"/>')
     assert "CFG003" not in {d.code for d in check(tmp_path).diagnostics}
+
+
+def test_the_texts_of_many_robots_are_not_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(source, "MAX_BYTES", 100_000)  # so much is reserved to read a file
+    text = '<!-- made by xacro --><robot name="r"><link name="a"/></robot>' + 50_000 * " "
+    for number in range(100):
+        (tmp_path / f"{number}.urdf").write_text(text, encoding="utf-8")
+    resolver = Resolver()
+    tracemalloc.start()
+    try:
+        assert len(discover(str(tmp_path), Config(), resolver).robots) == 100
+        most = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert most < 20 * len(text)
 
 
 def test_processes_give_the_same_report(package):
@@ -308,7 +325,7 @@ def test_a_name_that_no_file_can_have_includes_nothing(tmp_path):
     assert [Path(robot.file).name for robot in found.robots] == ["r.xacro"]
 
 
-def test_the_launch_files_of_a_folder_are_checked(package):
+def test_the_launch_files_of_a_directory_are_checked(package):
     (package / "launch").mkdir()
     (package / "launch" / "a.launch").write_text("<launch><group></launch>")
     (package / "launch" / "gone.launch").symlink_to("nowhere")
@@ -334,7 +351,7 @@ def test_the_controllers_that_launch_files_load_are_compared_with_the_robots(pac
     assert [Path(file).name for file in report.files].count("cart.xacro") == 1
 
 
-def test_a_folder_of_launch_files_alone_is_checked(tmp_path):
+def test_a_directory_of_launch_files_alone_is_checked(tmp_path):
     (tmp_path / "a.launch").write_text("<launch><group></launch>")
     report = check(tmp_path, select=["LAU"])
     assert [found.code for found in report.diagnostics] == ["CFG003", "LAU001"]

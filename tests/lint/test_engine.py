@@ -8,20 +8,21 @@ import pytest
 
 from urdfkit import Source, check
 from urdfkit.errors import UnknownRule, UnreadableFile
-from urdfkit.lint import engine
+from urdfkit.lint import check_job, engine
 from urdfkit.lint.config import Config, ConfigError, RobotEntry
 from urdfkit.lint.context import Subject
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.lint.runner import FileResult
 from urdfkit.ros.targets import Targets, UnknownTarget
+from urdfkit.text.document import Element
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 LOOP = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'
 
 
-def write(folder: Path, name: str, body: str) -> Path:
-    path = folder / name
+def write(directory: Path, name: str, body: str) -> Path:
+    path = directory / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"{HEAD}\n{body}\n</robot>\n")
     return path
@@ -63,7 +64,7 @@ def test_a_shared_file_is_known_by_whatever_name(robots: Path) -> None:
     assert found(report) == [("shared.xacro", "TRE003", 2)]
 
 
-def test_a_folder_is_its_entry_points(robots: Path) -> None:
+def test_a_directory_is_its_entry_points(robots: Path) -> None:
     report = check(robots, select=SELECT)
     assert [os.path.basename(file) for file in report.files] == ["one.xacro", "two.xacro"]
     assert len(report.diagnostics) == 3
@@ -183,7 +184,7 @@ def test_targets_go_before_those_of_the_configuration(tmp_path: Path) -> None:
         assert report.targets == ((str(file), Targets((expected,))),)
 
 
-def test_changed_files_of_several_folders(robots: Path, tmp_path_factory) -> None:
+def test_changed_files_of_several_directories(robots: Path, tmp_path_factory) -> None:
     other = tmp_path_factory.mktemp("other")
     write(other, "four.xacro", '<link name="a"/>')
     changed = [robots / "shared.xacro", robots / "one.xacro", other / "four.xacro"]
@@ -225,11 +226,11 @@ def test_of_a_robot_that_was_checked_nothing_heavy_stays(
     pytest.importorskip("numpy")
     alive: list[int] = []
 
-    def count(*arguments: object, run=engine._check_job) -> FileResult:
-        alive.append(sum(isinstance(one, Subject) for one in gc.get_objects()))
+    def count(*arguments: object, run=check_job.check_job) -> FileResult:
+        alive.append(sum(isinstance(one, (Subject, Element)) for one in gc.get_objects()))
         return run(*arguments)
 
-    monkeypatch.setattr(engine, "_check_job", count)
+    monkeypatch.setattr(check_job, "check_job", count)
     gc.collect()
     gc.disable()  # as good as it is for a few objects with large meshes
     try:

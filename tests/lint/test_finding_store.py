@@ -29,9 +29,9 @@ def robots(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def spilled(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Report:
+def spilled(directory: Path, monkeypatch: pytest.MonkeyPatch) -> Report:
     monkeypatch.setattr(finding_store, "IN_MEMORY", 2)
-    return check_with(Options(), [str(folder)], spills=True)
+    return check_with(Options(), [str(directory)], spills=True)
 
 
 def test_they_are_the_same_in_the_same_order(robots: Path, monkeypatch: pytest.MonkeyPatch) -> None:

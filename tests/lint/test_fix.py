@@ -41,8 +41,8 @@ SWAPPED = """\
 """
 
 
-def write(folder: Path, name: str, body: str, attributes: str = "") -> Path:
-    path = folder / name
+def write(directory: Path, name: str, body: str, attributes: str = "") -> Path:
+    path = directory / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f'<?xml version="1.0"?>\n<robot name="r" {attributes}>\n{body}</robot>\n')
     return path
@@ -250,11 +250,13 @@ def test_a_comment_on_an_element_makes_no_generated_file(tmp_path: Path) -> None
 
 def test_ignored_files_and_those_outside_are_refused(tmp_path: Path) -> None:
     repository, outside = tmp_path / "here", tmp_path / "there"
-    for folder in (repository, outside):
-        write(folder, "part.xacro", FIXED_JOINT, XACRO)
+    for directory in (repository, outside):
+        write(directory, "part.xacro", FIXED_JOINT, XACRO)
         needs = "<depend>there</depend>"
-        (folder / "package.xml").write_text(f"<package><name>{folder.name}</name>{needs}</package>")
-        subprocess.run(["git", "init", "-q", str(folder)], check=True)
+        (directory / "package.xml").write_text(
+            f"<package><name>{directory.name}</name>{needs}</package>"
+        )
+        subprocess.run(["git", "init", "-q", str(directory)], check=True)
     file = write(
         repository, "r.xacro", '<xacro:include filename="$(find there)/part.xacro"/>', XACRO
     )

@@ -3,8 +3,8 @@
 import pytest
 
 from urdfkit.lint.context import Subject
-from urdfkit.lint.fix_consistency import without_disputed_fixes
-from urdfkit.lint.fix_guard import _is_used, regression, useless
+from urdfkit.lint.fix_consistency import without_inconsistent_fixes
+from urdfkit.lint.fix_guard import _is_used, ineffective, regression
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Finding
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Edit, Fix, Severity
@@ -36,8 +36,12 @@ def report(
     )
 
 
-def judged(before: Report, after: Report, old: str = ONE_LINK, new: str = TWO_LINKS) -> str:
-    def robots(body: str) -> list[Subject]:
+def judged(
+    before: Report, after: Report, old: str | None = ONE_LINK, new: str | None = TWO_LINKS
+) -> str:
+    def robots(body: str | None) -> list[Subject | None]:
+        if body is None:
+            return [None]
         source = Source("r.urdf", f'<robot name="r">{body}</robot>'.encode())
         return [Subject(source, Resolver(environment={}))]
 
@@ -85,6 +89,24 @@ def test_an_element_with_another_name_was_not_hidden() -> None:
     assert judged(report(), after, new='<link name="b"/>') == "skipped: it would add ABC001"
 
 
+@pytest.mark.parametrize(("old", "new"), [(None, TWO_LINKS), (ONE_LINK, None), (None, None)])
+def test_nothing_was_hidden_in_a_robot_that_cannot_be_read(
+    old: str | None, new: str | None
+) -> None:
+    after = report(found("ABC001", "link/b"))
+    assert judged(report(), after, old, new) == "skipped: it would add ABC001"
+
+
+def test_only_robots_with_a_new_error_are_compared() -> None:
+    """The others may hide nothing: it takes reading both versions to know."""
+
+    def unread() -> list[Subject]:
+        raise AssertionError("nothing is new")
+
+    one = report(found("ABC001", "link/a"))
+    assert regression(one, one, unread, unread) == ""
+
+
 def test_one_more_error_of_a_code_forbids_a_fix() -> None:
     one, two = report(found("ABC001", "link/a")), report(*[found("ABC001", "link/a")] * 2)
     assert judged(one, two) == "skipped: it would add ABC001"
@@ -93,9 +115,9 @@ def test_one_more_error_of_a_code_forbids_a_fix() -> None:
 
 def test_a_fix_that_leaves_its_finding_is_useless() -> None:
     one = found("ABC001", "link/a")
-    assert useless(report(one), report(one), [one]) == "skipped: it does not remove the finding"
-    assert useless(report(one), report(), [one]) == ""
-    assert useless(report(one, one), report(one), [one]) == ""
+    assert ineffective(report(one), report(one), [one]) == "skipped: it does not remove the finding"
+    assert ineffective(report(one), report(), [one]) == ""
+    assert ineffective(report(one, one), report(one), [one]) == ""
 
 
 @pytest.mark.parametrize(
@@ -118,5 +140,5 @@ def test_every_use_of_a_text_must_ask_for_the_fix_and_other_findings_need_none(
     _, link, other, *_ = Subject(source, Resolver(environment={})).document.root.walk()
     fix = Fix("remove it", (Edit(Span(source, *link.span[1:]), ""),))
     asks, only_tells = Finding(link, "message", fix=fix), Finding(other, "message")
-    found = without_disputed_fixes([asks, only_tells], {link.tag_at: uses, other.tag_at: 1})
+    found = without_inconsistent_fixes([asks, only_tells], {link.tag_at: uses, other.tag_at: 1})
     assert found == [asks if is_fixed else asks._replace(fix=None), only_tells]

@@ -22,7 +22,7 @@ UGLY = '<robot  name="r"><link name="a"></link></robot>'
 NEAT = '<robot name="r">\n  <link name="a"/>\n</robot>\n'
 
 
-def test_files_and_folders(tmp_path: Path) -> None:
+def test_files_and_directories(tmp_path: Path) -> None:
     (tmp_path / "ugly.urdf").write_text(UGLY)
     (tmp_path / "neat.urdf").write_text(NEAT)
     (tmp_path / "sub").mkdir()
@@ -99,10 +99,10 @@ def test_real_robots_expand_to_the_same(
 ) -> None:
     for variable in corpus_findings.SEARCH_PATHS:
         monkeypatch.delenv(variable, raising=False)
-    folder, model = entry
+    directory, model = entry
     arguments = corpus_findings.arguments_of(model)
-    before = expanded(folder / model["path"], arguments)
-    after = expanded(laid_out / folder.name / model["path"], arguments)
+    before = expanded(directory / model["path"], arguments)
+    after = expanded(laid_out / directory.name / model["path"], arguments)
 
     def moved(text: str) -> str:
         return text.replace(str(CORPUS), str(laid_out))
@@ -124,7 +124,7 @@ def content(element: Element) -> tuple[str, dict[str, str], str]:
     return (element.tag, values, element.text.strip())
 
 
-def test_a_folder_without_descriptions_is_an_error(tmp_path: Path) -> None:
+def test_a_directory_without_descriptions_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text("<package/>")
     with pytest.raises(UnreadableFile, match=r"no \.urdf and no \.xacro with a <robot>"):
         format_files(tmp_path)

@@ -30,11 +30,11 @@ FOUND = "r.urdf:7:55: warning ACM001 joint 'shoulder': 6 rad/s is over 3.14 rad/
 
 
 class Place:
-    """A project with a robot, and a folder from which Python imports."""
+    """A project with a robot, and a directory from which Python imports."""
 
-    def __init__(self, folder: Path) -> None:
-        self.project = folder / "project"
-        self.site = folder / "site"
+    def __init__(self, directory: Path) -> None:
+        self.project = directory / "project"
+        self.site = directory / "site"
         self.project.mkdir()
         self.site.mkdir()
         self.write("r.urdf", ROBOT)
@@ -57,7 +57,7 @@ class Place:
     def run(self, *words: str) -> subprocess.CompletedProcess[str]:
         """A command line in the project, as an installed urdfkit runs it.
 
-        Unlike ``python -m urdfkit``, it does not import what lies in the current folder.
+        Unlike ``python -m urdfkit``, it does not import what lies in the current directory.
         """
         program = "import sys; from urdfkit.cli import main; sys.exit(main())"
         safe = ["-P"] if sys.version_info >= (3, 11) else []
@@ -247,13 +247,13 @@ assert "ACM001" in urdfkit.check(robot, select=["ACM"]).rules
 
 
 def test_the_tests_of_the_example_pass(tmp_path: Path) -> None:
-    folder = tmp_path / "own_rule"
-    shutil.copytree(OWN_RULE, folder, ignore=shutil.ignore_patterns(".*", "__pycache__"))
+    directory = tmp_path / "own_rule"
+    shutil.copytree(OWN_RULE, directory, ignore=shutil.ignore_patterns(".*", "__pycache__"))
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"],
         check=False,
-        cwd=folder,
+        cwd=directory,
         env=environment,
         capture_output=True,
         text=True,

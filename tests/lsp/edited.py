@@ -7,7 +7,8 @@ from pathlib import Path
 
 from tests.conftest import MODELS
 from urdfkit.lsp.markup import Page
-from urdfkit.lsp.workspace import OpenRobot, Workspace
+from urdfkit.lsp.open_robot import OpenRobot
+from urdfkit.lsp.workspace import Workspace
 
 MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}\n</robot>\n'

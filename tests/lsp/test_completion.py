@@ -197,7 +197,7 @@ def test_no_file_outside_is_offered(arm: Path) -> None:
     text = '<robot><link name="a"><visual><geometry><mesh filename="{}|"/>'
     for typed in ("/", "../../", "package://two_link_arm/../", "/etc/"):
         found = offers(arm, text.format(typed))
-        assert {offer.kind for offer in found.values()} <= {"folder"}
+        assert {offer.kind for offer in found.values()} <= {"directory"}
         assert all(name.startswith("package://") for name in found)
 
 

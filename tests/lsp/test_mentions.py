@@ -71,15 +71,15 @@ Node(executable="spawner", arguments=["left", "base_link"], parameters=[{"frame"
 }
 
 
-def package(folder: Path) -> Path:
+def package(directory: Path) -> Path:
     """A package with everything; the path of its robot."""
     for place, files in (("config", YAML), ("launch", LAUNCH)):
-        (folder / place).mkdir()
+        (directory / place).mkdir()
         for name, (before, _) in files.items():
-            (folder / place / name).write_text(before, encoding="utf-8")
-    (folder / "package.xml").write_text("<package><name>p</name></package>")
-    (folder / "urdf").mkdir()
-    path = folder / "urdf" / "r.xacro"
+            (directory / place / name).write_text(before, encoding="utf-8")
+    (directory / "package.xml").write_text("<package><name>p</name></package>")
+    (directory / "urdf").mkdir()
+    path = directory / "urdf" / "r.xacro"
     path.write_text(ROBOT)
     return path
 

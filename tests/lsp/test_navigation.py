@@ -182,9 +182,9 @@ def test_renaming_changes_no_robot(tmp_path: Path, before: str, after: str, new:
     )
 
 
-def _expanded(folder: Path, text: str) -> str:
-    (folder / "x.xacro").write_text(text)
-    return urdfkit.expand(folder / "x.xacro").text().replace("x.xacro", "")
+def _expanded(directory: Path, text: str) -> str:
+    (directory / "x.xacro").write_text(text)
+    return urdfkit.expand(directory / "x.xacro").text().replace("x.xacro", "")
 
 
 def test_renaming_a_link_of_the_mission_renames_it_everywhere() -> None:

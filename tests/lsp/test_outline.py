@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tests.lsp.edited import MISSION, XACRO, Edited
 from tests.lsp.test_navigation import MACRO
-from urdfkit.lsp.outline import MAX_DEPTH, Entry, outline
+from urdfkit.lsp.outline import MAX_DEPTH, OutlineEntry, outline
 
 
 def shape(file: Edited) -> list[tuple[int, str, str, str]]:
@@ -88,7 +88,7 @@ def test_loops_and_two_parents_are_told_once(tmp_path: Path) -> None:
     assert sorted(names) == ["a", "a-b", "b", "b-c", "c", "c-b", "x", "x-x"]
 
 
-def depth(entry: Entry) -> int:
+def depth(entry: OutlineEntry) -> int:
     deepest, level = 0, [entry]
     while level:
         deepest += 1

@@ -306,8 +306,8 @@ def test_without_pygls_it_says_what_to_install(tmp_path: Path) -> None:
     assert done == (2, "error: urdfkit lsp needs pygls: pip install 'urdfkit[lsp]'\n")
 
 
-async def _run(folder: Path) -> tuple[int | None, str]:
-    environment = {**os.environ, "PYTHONPATH": f"{folder}{os.pathsep}{ROOT}"}
+async def _run(directory: Path) -> tuple[int | None, str]:
+    environment = {**os.environ, "PYTHONPATH": f"{directory}{os.pathsep}{ROOT}"}
     process = await asyncio.create_subprocess_exec(
         *(sys.executable, "-m", "urdfkit", "lsp"),
         env=environment,

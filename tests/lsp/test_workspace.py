@@ -21,14 +21,14 @@ LEG = XACRO.format(
 ).replace("{}", "%s")
 
 
-def robots(folder: Path) -> Path:
+def robots(directory: Path) -> Path:
     """Two robots that share a file of macros."""
-    (folder / "legs.xacro").write_text(LEG % "")
+    (directory / "legs.xacro").write_text(LEG % "")
     for name in ("one", "two"):
-        (folder / f"{name}.xacro").write_text(
+        (directory / f"{name}.xacro").write_text(
             XACRO.format(f'<xacro:include filename="legs.xacro"/>\n<xacro:leg p="{name}"/>')
         )
-    return folder / "legs.xacro"
+    return directory / "legs.xacro"
 
 
 def codes(checked, path: Path) -> list[str]:
@@ -38,7 +38,7 @@ def codes(checked, path: Path) -> list[str]:
 def test_the_findings_are_those_of_the_command_line() -> None:
     file = Edited(MISSION, MISSION.read_text(encoding="utf-8"))
     checked = file.workspace.check(file.path, thorough=True)
-    assert checked.trouble == ""
+    assert checked.failure == ""
     reported = [(f.code, f.span.start, f.message) for f in checked.diagnostics[file.path]]
     report = urdfkit.check(MISSION)
     assert reported == [(f.code, f.span.start, f.message) for f in report.diagnostics]
@@ -112,7 +112,7 @@ def test_the_configuration_counts_and_its_slips_are_told(tmp_path: Path) -> None
     (tmp_path / "urdfkit.toml").write_text('ignroe = ["TRE001"]\n')
     file.workspace.reload()
     checked = file.workspace.check(file.path)
-    assert "did you mean 'ignore'" in checked.trouble
+    assert "did you mean 'ignore'" in checked.failure
     assert codes(checked, tmp_path / "r.urdf") == ["TRE001"]
 
 
@@ -122,7 +122,7 @@ def test_a_configuration_from_anywhere_gets_no_trust(tmp_path: Path) -> None:
     file = Edited(tmp_path / "r.xacro", text)
     checked = file.workspace.check(file.path)
     assert "XAC009" in codes(checked, tmp_path / "r.xacro")
-    assert "trust" in checked.trouble
+    assert "trust" in checked.failure
     assert not Path("hit").exists()
 
 
@@ -138,7 +138,7 @@ def test_the_arguments_of_the_configuration_are_given(tmp_path: Path) -> None:
     assert [link.name for link in file.robot.model.links] == ["a"]
 
 
-def test_a_folder_that_goes_away_is_no_end(tmp_path: Path) -> None:
+def test_a_directory_that_goes_away_is_no_end(tmp_path: Path) -> None:
     shutil.copytree(MODELS / "good" / "mobile_base", tmp_path / "mobile_base")
     path = tmp_path / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
     file = Edited(path, path.read_text())
@@ -157,16 +157,16 @@ def test_every_prefix_of_a_text_is_checked_without_an_error(thorough: bool) -> N
     for end in range(0, len(text), 1997 if thorough else 397):
         file.type(text[:end])
         checked = file.workspace.check(file.path, thorough=thorough)
-        assert checked.trouble == ""
+        assert checked.failure == ""
         assert checked.diagnostics[file.path]
         assert file.robot.page(file.path).source.data == text[:end].encode()
 
 
-def test_folders_are_listed_once_until_files_on_disk_change(
+def test_directories_are_listed_once_until_files_on_disk_change(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A package that is nowhere is looked for in the whole workspace."""
-    nowhere = f"p{uuid4().hex}"  # folders of other tests are neighbours of this one
+    nowhere = f"p{uuid4().hex}"  # directories of other tests are neighbours of this one
     (tmp_path / "package.xml").write_text("<package><name>own</name></package>")
     mesh = '<mesh filename="package://{}/x.stl"/>'
     text = '<robot name="r"><link name="a"><visual><geometry>{}</geometry></visual></link></robot>'

@@ -12,7 +12,7 @@ import trimesh
 from scipy.spatial import ConvexHull
 
 from tests.mesh.shapes_made import as_mesh
-from urdfkit.mesh.containment import grown, missing, protrusion
+from urdfkit.mesh.containment import _halved, grown, missing, protrusion
 from urdfkit.mesh.convex_decomposition import decompose
 from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.fitting import fit
@@ -75,6 +75,25 @@ def test_pieces_that_contain_it_do_not_grow() -> None:
     found = grown(halves, np.asarray(shape.vertices), np.asarray(shape.faces, dtype=np.int64))
     for before, after in zip(halves, found, strict=True):
         assert ConvexHull(after).volume == pytest.approx(ConvexHull(before).volume, rel=0.02)
+
+
+def test_a_sliver_in_two_pieces_is_cut_where_they_meet() -> None:
+    """As long as the longest edge is; its shortest one is below what is cut."""
+    halves: list[Floats] = [
+        np.asarray(trimesh.creation.box((1, 1, 1)).apply_translation((x, 0, 0)).vertices)
+        for x in (-0.5, 0.5)
+    ]
+    sliver = np.array([(-0.9, 0, 0), (0.9, 0, 0), (0.9, 0.01, 0)])
+    for before, after in zip(halves, grown(halves, sliver, np.array([(0, 1, 2)])), strict=True):
+        assert ConvexHull(after).volume == pytest.approx(ConvexHull(before).volume, rel=0.02)
+
+
+def test_each_triangle_is_cut_into_four() -> None:
+    triangles = np.array([[(0, 0, 0), (4, 0, 0), (0, 4, 0)], [(9, 0, 1), (9, 8, 1), (5, 0, 1)]])
+    points, faces = _halved(triangles.astype(np.float64))
+    areas = trimesh.triangles.area(points[faces])
+    assert sorted(areas) == pytest.approx([2.0] * 4 + [4.0] * 4)
+    assert len(points) == 12
 
 
 def test_both_distances_are_told() -> None:

@@ -25,11 +25,12 @@ def from_to(one: trimesh.Trimesh, other: trimesh.Trimesh) -> float:
 BALL = trimesh.creation.icosphere(4, 1.0)
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1e5])
-def test_concentric_balls(scale: float) -> None:
+@pytest.mark.usefixtures("rough_meshes")
+@pytest.mark.parametrize(("scale", "away"), [(1e-6, 0.0), (1e-6, 0.1), (1e5, 0.0)])
+def test_concentric_balls(scale: float, away: float) -> None:
     small, large = BALL.copy(), BALL.copy()
-    small.apply_scale(scale)
-    large.apply_scale(1.25 * scale)
+    small.apply_scale(scale).apply_translation((away, 0, 0))
+    large.apply_scale(1.25 * scale).apply_translation((away, 0, 0))
     assert apart(small, large) == pytest.approx(0.25 * scale, rel=2e-3)
 
 

@@ -26,8 +26,8 @@ SUFFIXES = {".stl", ".dae", ".obj", ".ply", ".glb"}
 def files() -> Iterator[Path]:
     """One of every content."""
     seen = set()
-    for folder, _, names in sorted(os.walk(CORPUS)):
-        for path in (Path(folder, name) for name in sorted(names)):
+    for directory, _, names in sorted(os.walk(CORPUS)):
+        for path in (Path(directory, name) for name in sorted(names)):
             if path.suffix.lower() in SUFFIXES:
                 digest = hashlib.sha256(path.read_bytes()).digest()
                 if digest not in seen:

@@ -16,7 +16,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.mesh import made
-from urdfkit.core import cache_folder
+from urdfkit.core import cache_directory
 from urdfkit.mesh import measure_cache, samples
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.measure_cache import Store
@@ -103,26 +103,26 @@ def test_a_broken_entry_is_measured_again(mesh: Path, cache: Path, content: byte
     assert json.loads(entry.read_bytes())["triangles"] == 4
 
 
-def test_a_folder_that_cannot_be_written(mesh: Path, cache: Path) -> None:
+def test_a_directory_that_cannot_be_written(mesh: Path, cache: Path) -> None:
     cache.write_text("a file in the way")
     assert isinstance(measured(cache, mesh), Measures)
 
 
-def test_without_a_folder_nothing_is_written(
+def test_without_a_directory_nothing_is_written(
     mesh: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = entries(tmp_path)
     assert isinstance(measured(None, mesh), Measures)
     assert entries(tmp_path) == before
-    monkeypatch.setenv(cache_folder.VARIABLE, "")
+    monkeypatch.setenv(cache_directory.VARIABLE, "")
     assert measure_cache.default_directory() is None
-    monkeypatch.setenv(cache_folder.VARIABLE, "/somewhere")
+    monkeypatch.setenv(cache_directory.VARIABLE, "/somewhere")
     assert measure_cache.default_directory() == "/somewhere/meshes"
-    monkeypatch.delenv(cache_folder.VARIABLE)
+    monkeypatch.delenv(cache_directory.VARIABLE)
     assert "urdfkit" in str(measure_cache.default_directory())
 
 
-def test_a_full_folder_loses_its_older_half(
+def test_a_full_directory_loses_its_older_half(
     mesh: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     measured(cache, mesh)

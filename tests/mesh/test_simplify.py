@@ -14,6 +14,7 @@ import trimesh
 
 from tests.conftest import CORPUS, needs_corpus
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
+from urdfkit.mesh import simplify as module
 from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.parts import PARTS
@@ -69,6 +70,25 @@ def test_an_error_is_kept(error: float) -> None:
 
 def test_a_looser_bound_takes_fewer_triangles() -> None:
     assert len(within(0.1).mesh.faces) < len(within(0.01).mesh.faces) / 3
+
+
+def test_the_search_goes_down_to_an_eighth_in_five_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    wanted: list[int] = []
+
+    def with_fewer(mesh: Mesh, triangles: int) -> Mesh:
+        wanted.append(triangles)
+        return mesh._replace(parts=(mesh.parts[0]._replace(faces=mesh.parts[0].faces[:triangles]),))
+
+    for name, stub in (
+        ("within_tolerances", lambda *_: ()),
+        ("with_fewer", with_fewer),
+        ("one_way", lambda *_: 0.0),
+    ):
+        monkeypatch.setattr(module, name, stub)
+    found = to_error(BALL, 0.1)
+    parts = [8 ** -(1 - 2.0**-step) for step in range(1, 6)]
+    assert wanted == [len(BALL.faces) // 2, *(round(len(BALL.faces) * part) for part in parts)]
+    assert len(found.mesh.faces) == wanted[-1]
 
 
 @pytest.mark.usefixtures("rough_meshes")

@@ -57,9 +57,9 @@ def is_one_tree(robot: Subject) -> bool:
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
 def test_yourdfpy_agrees_about_every_frame(entry: corpus_findings.Entry) -> None:
-    folder, model = entry
+    directory, model = entry
     try:
-        robot = read(folder / model["path"], arguments=corpus_findings.arguments_of(model))
+        robot = read(directory / model["path"], arguments=corpus_findings.arguments_of(model))
     except UnreadableRobot:
         pytest.skip("it cannot be read")
     if not is_one_tree(robot):

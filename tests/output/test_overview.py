@@ -153,8 +153,8 @@ ENTRIES = [
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
 def test_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
     """Masses and joints as other tools measured them, Pinocchio's nq and nv among them."""
-    folder, model = entry
-    source = Source.read(folder / model["path"])
+    directory, model = entry
+    source = Source.read(directory / model["path"])
     subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
     vars(subject)["meshes"] = _NoMeshes()
     found, expected = summarise(subject), model["expect"]

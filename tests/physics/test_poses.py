@@ -129,7 +129,7 @@ def test_a_file_that_is_no_pose_is_told(
     assert reported in str(error.value)
 
 
-def test_a_folder_is_no_file(robot: Subject, tmp_path: Path) -> None:
+def test_a_directory_is_no_file(robot: Subject, tmp_path: Path) -> None:
     with pytest.raises(UnreadableFile):
         pose(robot, name=str(tmp_path))
 

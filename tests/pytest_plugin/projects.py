@@ -52,13 +52,13 @@ class Project:
 
     def __init__(self, pytester: pytest.Pytester) -> None:
         self.pytester = pytester
-        self.folder = pytester.path
+        self.directory = pytester.path
         self.write("urdfkit.toml", SETTINGS)
         self.write("urdf/arm.urdf.xacro", ARM)
         self.write("urdf/broken.urdf", BROKEN)
 
     def write(self, name: str, text: str) -> None:
-        path = self.folder / name
+        path = self.directory / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
 

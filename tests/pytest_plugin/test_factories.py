@@ -47,7 +47,7 @@ def test_an_unknown_path_is_told_without_a_traceback(project: Project, fixture: 
     text = outcome(
         project.test(f"def test_it({fixture}):\n    {fixture}('urdf/arn.xacro')"), failed=1
     )
-    assert f"no such model {project.folder / 'urdf' / 'arn.xacro'}\n" in text
+    assert f"no such model {project.directory / 'urdf' / 'arn.xacro'}\n" in text
     assert "pytest_plugin/__init__.py" not in text
 
 
@@ -55,7 +55,7 @@ def test_an_unknown_path_in_a_marker_is_told_without_a_traceback(project: Projec
     text = outcome(
         project.test("@pytest.mark.urdf('arn.xacro')\ndef test_it(robot_model): pass"), errors=1
     )
-    assert f"no such model {project.folder / 'arn.xacro'}\n" in text
+    assert f"no such model {project.directory / 'arn.xacro'}\n" in text
     assert "pytest_plugin/__init__.py" not in text
 
 

@@ -30,7 +30,7 @@ def test_files_are_tests_themselves(project: Project) -> None:
     assert "Traceback" not in text
     cases = {
         (case.get("classname"), case.get("name")): case.find("failure") is not None
-        for case in ElementTree.parse(project.folder / "junit.xml").iter("testcase")
+        for case in ElementTree.parse(project.directory / "junit.xml").iter("testcase")
     }
     assert cases == {
         ("urdf.arm.urdf.xacro", "urdfkit[left]"): False,
@@ -53,7 +53,7 @@ def test_the_severity_that_fails_a_file_is_set(project: Project) -> None:
 @pytest.mark.parametrize(
     ("setting", "message"),
     [
-        ("urdf_files = urdf/*.udrf", "urdf_files: no file in {folder} matches 'urdf/*.udrf'"),
+        ("urdf_files = urdf/*.udrf", "urdf_files: no file in {directory} matches 'urdf/*.udrf'"),
         ("urdf_files = /urdf/*.urdf", "urdf_files: '/urdf/*.urdf': "),
         ("urdf_fail_on = fatal", "urdf_fail_on: 'fatal' is not one of error, warning, info"),
     ],
@@ -62,7 +62,7 @@ def test_a_slip_in_a_setting_is_told(project: Project, setting: str, message: st
     project.write("pytest.ini", f"[pytest]\n{setting}\n")
     result = project.run()
     assert result.ret == pytest.ExitCode.USAGE_ERROR
-    assert f"ERROR: {message.format(folder=project.folder)}" in result.stderr.str()
+    assert f"ERROR: {message.format(directory=project.directory)}" in result.stderr.str()
 
 
 def test_several_processes_agree(project: Project) -> None:

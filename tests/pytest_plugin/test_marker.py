@@ -65,7 +65,7 @@ def test_one(robot_meshes):
 
 
 def _add_a_mesh(project: Project) -> None:
-    path = project.folder / "urdf" / "arm.urdf.xacro"
+    path = project.directory / "urdf" / "arm.urdf.xacro"
     visual = (
         '<link name="base"><visual><geometry><mesh filename="part.stl" scale="2 2 2"/></geometry>'
         "</visual></link></robot>"

@@ -47,10 +47,10 @@ def test_it_imports_only_pytest_until_it_is_used(project: Project) -> None:
 
 
 def test_the_example_is_green_as_a_user_runs_it(tmp_path: Path) -> None:
-    folder = tmp_path / "robot_tests"
+    directory = tmp_path / "robot_tests"
     shutil.copytree(
         ROOT / "examples" / "robot_tests",
-        folder,
+        directory,
         ignore=shutil.ignore_patterns(".*", "__pycache__"),
     )
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -59,7 +59,7 @@ def test_the_example_is_green_as_a_user_runs_it(tmp_path: Path) -> None:
         done = subprocess.run(
             [sys.executable, "-m", *words],
             check=False,
-            cwd=folder,
+            cwd=directory,
             env=environment,
             capture_output=True,
             text=True,

@@ -20,8 +20,8 @@ from urdfkit.render import (
     animated,
     build,
     followed,
-    looking,
     orbit,
+    place_camera,
     save_animation,
     sweep,
     swept_circle,
@@ -37,7 +37,7 @@ def test_a_turn_shows_every_side_and_cuts_nothing() -> None:
         link("a", '<box size="1 0.2 0.2"/>'),
         link("b", '<box size="0.1 0.1 0.1"/>', "0.6 0 0", "0 0 1 1"),
     )
-    camera = looking(swept_circle(of.points()), "front", size=SIZE)
+    camera = place_camera(swept_circle(of.points()), "front", size=SIZE)
     shots = orbit(of, camera, 4)
     wide = []
     for around, view in shots:

@@ -13,7 +13,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from tests.render.scenes import alone, colour_at, corners, link, robot, scene
-from urdfkit.render import Camera, Scene, build, draw, looking, picture
+from urdfkit.render import Camera, Scene, build, draw, place_camera, render_image
 
 BOX = '<box size="0.4 0.2 0.3"/>'
 SIZE = (320, 200)
@@ -39,7 +39,7 @@ def hull(points: np.ndarray) -> list[tuple[float, float]]:
 @pytest.mark.parametrize("view", ["iso", "front", "left", "top", "bottom"])
 def test_the_silhouette_of_a_box_is_the_hull_of_its_corners(view: str, orthographic: bool) -> None:
     box = scene(link("a", BOX, "1 2 3"))
-    camera = looking(box.points(), view, size=SIZE, orthographic=orthographic)
+    camera = place_camera(box.points(), view, size=SIZE, orthographic=orthographic)
     ends = list(product((0.8, 1.2), (1.9, 2.1), (2.85, 3.15)))
     outline = hull(corners(camera, ends))
     fine = Image.new("L", (SIZE[0] * 8, SIZE[1] * 8))
@@ -54,7 +54,7 @@ def test_the_silhouette_of_a_box_is_the_hull_of_its_corners(view: str, orthograp
 def test_auto_framing_fills_the_picture_and_cuts_nothing() -> None:
     for view, size in product(("iso", "top", "left"), ((320, 200), (100, 300))):
         box = scene(link("a", BOX, "1 2 3"), link("b", '<sphere radius="0.1"/>', "0 0 0"))
-        alpha = alone(box, looking(box.points(), view, size=size))[..., 3]
+        alpha = alone(box, place_camera(box.points(), view, size=size))[..., 3]
         assert not alpha[[0, -1]].any()
         assert not alpha[:, [0, -1]].any()
         rows, columns = np.nonzero(alpha.any(1))[0], np.nonzero(alpha.any(0))[0]
@@ -67,9 +67,9 @@ def test_the_nearer_box_hides_the_other_whatever_their_order() -> None:
     far = link("far", '<box size="0.1 1 1"/>', "-1 0 0", "1 0 0 1")
     for links in ((near, far), (far, near)):
         of = scene(*links)
-        camera = looking(of.points(), "front", size=SIZE)
+        camera = place_camera(of.points(), "front", size=SIZE)
         assert colour_at(alone(of, camera), 160, 100) == "green"
-        behind = looking(of.points(), "back", size=SIZE)
+        behind = place_camera(of.points(), "back", size=SIZE)
         assert colour_at(alone(of, behind), 160, 100) == "red"
 
 
@@ -79,7 +79,7 @@ def test_boxes_that_pass_through_one_another_meet_where_they_do() -> None:
         link("a", '<box size="0.01 2 2"/>', "0 0 0", "1 0 0 1", "0 0 0.7853981634"),
         link("b", '<box size="0.01 2 2"/>', "0 0 0", "0 1 0 1", "0 0 -0.7853981634"),
     )
-    pixels = alone(of, looking(of.points(), "front", size=SIZE))
+    pixels = alone(of, place_camera(of.points(), "front", size=SIZE))
     middle, reach = 160, 40
     row = [colour_at(pixels, middle + step, 100) for step in (-reach, -3, 3, reach)]
     assert row in (["red", "red", "green", "green"], ["green", "green", "red", "red"])
@@ -93,7 +93,7 @@ def test_perspective_shrinks_what_is_far_and_parallel_rays_do_not() -> None:
     )
 
     def areas(orthographic: bool) -> tuple[int, int]:
-        camera = looking(of.points(), "front", size=SIZE, orthographic=orthographic)
+        camera = place_camera(of.points(), "front", size=SIZE, orthographic=orthographic)
         pixels = alone(of, camera).astype(int)
         green = (pixels[..., 1] > pixels[..., 0]) & (pixels[..., 3] > 128)
         red = (pixels[..., 0] > pixels[..., 1]) & (pixels[..., 3] > 128)
@@ -112,7 +112,7 @@ def test_left_of_the_robot_is_left_in_the_picture_from_behind() -> None:
     )
     expected = {"back": ("green", "red"), "front": ("red", "green"), "top": ("red", "green")}
     for view, colours in expected.items():
-        pixels = alone(of, looking(of.points(), view, size=SIZE))
+        pixels = alone(of, place_camera(of.points(), view, size=SIZE))
         columns = np.nonzero(pixels[..., 3].any(0))[0]
         rows = np.nonzero(pixels[..., 3].any(1))[0]
         row = int(rows.mean())
@@ -147,18 +147,18 @@ def test_transparent_shapes_mix_with_what_is_behind_in_the_right_order() -> None
         link("green", glass, "0 0 0", "0 1 0 0.5"),
         link("red", glass, "1 0 0", "1 0 0 0.5"),
     )
-    middle = alone(of, looking(of.points(), "front", size=SIZE, orthographic=True))[100, 160]
+    middle = alone(of, place_camera(of.points(), "front", size=SIZE, orthographic=True))[100, 160]
     r, g, b, a = (int(part) for part in middle)
     assert a == 255
     assert r > g > b > 20
-    behind = alone(of, looking(of.points(), "back", size=SIZE, orthographic=True))[100, 160]
+    behind = alone(of, place_camera(of.points(), "back", size=SIZE, orthographic=True))[100, 160]
     assert behind[2] > 2 * max(behind[:2])
 
 
 def test_half_a_pixel_of_a_box_is_half_its_alpha() -> None:
     of = scene(link("a", '<box size="1 1 1"/>'))
     extent = 200 / 100.5  # the box is 100.5 pixels wide and begins at a quarter of a pixel
-    camera = looking(of.points(), "front", size=(200, 200), orthographic=True)
+    camera = place_camera(of.points(), "front", size=(200, 200), orthographic=True)
     alpha = alone(of, camera._replace(extent=extent), "high")[100, :, 3].astype(int)
     assert list(np.nonzero(alpha)[0][[0, -1]]) == [49, 150]
     assert alpha[49] == pytest.approx(255 / 4, abs=17)
@@ -172,7 +172,7 @@ def test_the_bytes_do_not_depend_on_threads(quality: str) -> None:
         link("b", '<sphere radius="0.2"/>', "0.3 0 0.2"),
         link("c", '<cylinder radius="0.1" length="0.5"/>', "0 0.3 0", "0 1 1 0.4"),
     )
-    camera = looking(of.points(), size=(400, 300))
+    camera = place_camera(of.points(), size=(400, 300))
     one = draw(of, camera, quality=quality, threads=1)
     for threads in (2, 3):
         assert (draw(of, camera, quality=quality, threads=threads) == one).all()
@@ -180,7 +180,7 @@ def test_the_bytes_do_not_depend_on_threads(quality: str) -> None:
 
 def test_shadows_fall_away_from_the_sun_and_darken_the_ground() -> None:
     of = scene(link("a", '<box size="0.2 0.2 0.6"/>', "0 0 0.3"))
-    camera = looking(of.points(), "iso", size=SIZE)
+    camera = place_camera(of.points(), "iso", size=SIZE)
     bare, shadowed = (draw(of, camera, floor=floor)[..., :3].astype(int) for floor in (False, True))
     darker = (bare - shadowed).sum(axis=2)
     alpha = alone(of, camera)[..., 3]
@@ -192,14 +192,14 @@ def test_shadows_fall_away_from_the_sun_and_darken_the_ground() -> None:
 
 def test_an_empty_robot_is_an_empty_picture() -> None:
     of = build(robot('<link name="a"/>'))
-    pixels = draw(of, looking(of.points(), size=SIZE))
+    pixels = draw(of, place_camera(of.points(), size=SIZE))
     assert np.ptp(pixels[100].astype(int), axis=0).max() == 0
-    assert not alone(of, looking(of.points(), size=SIZE)).any()
+    assert not alone(of, place_camera(of.points(), size=SIZE)).any()
 
 
 def test_progress_goes_from_the_first_step_to_the_last() -> None:
     reported: list[tuple[int, int]] = []
-    picture(
+    render_image(
         scene(link("a", BOX)),
         ["front", "top"],
         size=(200, 100),
@@ -216,7 +216,7 @@ def test_a_collision_on_its_visual_covers_it_without_patches(orthographic: bool)
     body = f'<visual>{ball}<material name="m"><color rgba="0 0 1 1"/></material></visual>'
     subject = robot(f'<link name="a">{body}<collision>{inner}</collision></link>')
     shown = build(subject, roles=("visual", "collision"))
-    camera = looking(shown.points(), "iso", size=SIZE, orthographic=orthographic)
+    camera = place_camera(shown.points(), "iso", size=SIZE, orthographic=orthographic)
     alone_, both = (alone(one, camera).astype(int) for one in (build(subject), shown))
     inside = alone_[..., 3] == 255
     inside[[0, -1]] = inside[:, [0, -1]] = False
@@ -230,7 +230,7 @@ def test_a_collision_on_its_visual_covers_it_without_patches(orthographic: bool)
 @pytest.mark.parametrize("tilt", [-0.6, 0.0, 0.6])
 def test_a_wall_that_nothing_shades_is_of_one_brightness(tilt: float) -> None:
     of = scene(link("a", '<box size="0.02 1 1"/>', rpy=f"0 {tilt} 0", rgba="0.8 0.8 0.8 1"))
-    camera = looking(of.points(), "front", size=SIZE, orthographic=True)
+    camera = place_camera(of.points(), "front", size=SIZE, orthographic=True)
     pixels = draw(of, camera, floor=False).astype(int)
     assert np.ptp(pixels[60:140, 110:210, :3], axis=(0, 1)).max() <= 1
 
@@ -240,7 +240,7 @@ def test_corners_are_darker_evenly_along_their_edge() -> None:
         link("wall", '<box size="0.1 2 1"/>', "0 0 0.5", rgba="0.8 0.8 0.8 1"),
         link("plate", '<box size="1 2 0.1"/>', "0.5 0 0", rgba="0.8 0.8 0.8 1"),
     )
-    camera = looking(of.points(), "front", elevation=30, size=SIZE, orthographic=True)
+    camera = place_camera(of.points(), "front", elevation=30, size=SIZE, orthographic=True)
     rows = draw(of, camera, floor=False).astype(int)[40:160, 120:200, 1]
     assert np.ptp(rows, axis=1).max() <= 1
     wall = rows[:77, 40]
@@ -269,7 +269,7 @@ def plate(strips: int) -> Scene:
 @pytest.mark.parametrize("orthographic", [False, True])
 def test_slivers_look_like_the_plane_that_they_lie_in(orthographic: bool) -> None:
     """Far thinner than a pixel, they are hit beside themselves, and their corners are far away."""
-    camera = looking(
+    camera = place_camera(
         plate(1).points(), azimuth=60, elevation=20, size=SIZE, orthographic=orthographic
     )
     whole, cut = (draw(plate(n), camera, floor=False, threads=1).astype(int) for n in (1, 20_000))

@@ -21,7 +21,9 @@ def test_links_have_the_colour_of_their_worst_finding_and_its_codes() -> None:
     robot = read(MODEL)
     report = check(robot.source, select=["INE006", "URD001", "MSH001", "GEO004", "JNT020"])
     scene = marked(build(robot), robot, report.diagnostics)
-    colour = {item.link: item.look.rgba for item in scene.items if item.look.texture is None}
+    colour = {
+        item.link: item.material.rgba for item in scene.items if item.material.texture is None
+    }
     assert colour["wheel_1"] == colour["base_link"] == COLOURS[Severity.WARNING]
     assert colour["imu_link"] == QUIET  # its JNT020 is an info
     labels = {label.link: label.text for label in scene.labels}
@@ -41,5 +43,5 @@ def test_an_error_wins_over_a_warning() -> None:
 def test_a_sound_robot_is_quiet() -> None:
     robot = read(MODELS / "good" / "gripper.urdf")
     scene = marked(build(robot), robot, check(robot.source).diagnostics)
-    assert {item.look.rgba for item in scene.items} == {QUIET}
+    assert {item.material.rgba for item in scene.items} == {QUIET}
     assert scene.labels == ()

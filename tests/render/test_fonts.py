@@ -6,7 +6,7 @@ import pytest
 from PIL import Image, ImageFont
 
 from tests.render.scenes import link, robot
-from urdfkit.render import build, explained, fonts, looking
+from urdfkit.render import build, explained, fonts, place_camera
 from urdfkit.render.labels import write
 
 
@@ -46,5 +46,5 @@ def test_no_name_stops_a_picture(name: str) -> None:
     scene = explained(scene, subject, ["names"], {})
     scene = scene._replace(labels=tuple(one._replace(text=name) for one in scene.labels))
     image = Image.new("RGBA", (160, 90))
-    write(image, scene, looking(scene.points(), size=image.size))
+    write(image, scene, place_camera(scene.points(), size=image.size))
     assert image.getbbox() is not None

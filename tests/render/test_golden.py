@@ -19,9 +19,9 @@ from PIL import Image
 from tests.conftest import MODELS
 from urdfkit.lint.loading import read
 from urdfkit.physics.poses import pose
-from urdfkit.render import build, explained, picture
+from urdfkit.render import build, explained, render_image
 
-FOLDER = Path(__file__).parent / "golden"
+DIRECTORY = Path(__file__).parent / "golden"
 SIZE = (320, 200)
 MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
@@ -40,7 +40,7 @@ def drawn(name: str) -> Image.Image:
     robot = read(file)
     positions = pose(robot, joints)
     scene = explained(build(robot, positions, roles), robot, layers, positions)
-    return picture(scene, views, size=SIZE).convert("RGB")
+    return render_image(scene, views, size=SIZE).convert("RGB")
 
 
 def apart(one: Image.Image, other: Image.Image) -> tuple[float, float]:
@@ -57,14 +57,14 @@ def apart(one: Image.Image, other: Image.Image) -> tuple[float, float]:
 
 @pytest.mark.parametrize("name", PICTURES)
 def test_pictures_look_as_they_did(name: str) -> None:
-    with Image.open(FOLDER / f"{name}.png") as golden:
+    with Image.open(DIRECTORY / f"{name}.png") as golden:
         mean, largest = apart(drawn(name), golden)
     assert mean < 0.3
     assert largest < 12
 
 
 def test_the_comparison_sees_what_an_eye_would() -> None:
-    with Image.open(FOLDER / "mission.png") as golden:
+    with Image.open(DIRECTORY / "mission.png") as golden:
         moved = Image.new("RGB", golden.size)
         moved.paste(golden, (1, 0))
         assert apart(golden, moved)[1] > 12
@@ -73,6 +73,6 @@ def test_the_comparison_sees_what_an_eye_would() -> None:
 
 
 if __name__ == "__main__":
-    FOLDER.mkdir(exist_ok=True)
+    DIRECTORY.mkdir(exist_ok=True)
     for each in PICTURES:
-        drawn(each).save(FOLDER / f"{each}.png", optimize=True)
+        drawn(each).save(DIRECTORY / f"{each}.png", optimize=True)

@@ -14,7 +14,7 @@ import numpy as np
 
 from tests.render.scenes import alone, link, robot
 from urdfkit.lint.loading import read
-from urdfkit.render import LAYERS, build, explained, looking, picture
+from urdfkit.render import LAYERS, build, explained, place_camera, render_image
 from urdfkit.render.layers import CLASH, NEIGHBOURS, NoSuchLayer
 from urdfkit.render.scene import SceneItem, placed
 
@@ -26,7 +26,7 @@ SOLID = (
 
 def signs(layer: str, subject, given=None) -> list[SceneItem]:
     scene = explained(build(subject, given), subject, [layer], given)
-    return [item for item in scene.items if item.role == layer or item.look.sign]
+    return [item for item in scene.items if item.role == layer or item.material.sign]
 
 
 def test_the_box_of_inertia_is_the_box_that_has_it() -> None:
@@ -49,7 +49,7 @@ def test_a_box_of_inertia_larger_than_the_robot_is_told_and_not_drawn() -> None:
     frames = [f'<link name="frame{n}">{light.format(0.01)}</link>' for n in range(6)]
     subject = robot(base, *frames, f'<link name="good">{light.format(1e-4)}</link>')
     scene = explained(build(subject), subject, ["inertia"])
-    assert {item.link for item in scene.items if item.look.sign} == {"base", "good"}
+    assert {item.link for item in scene.items if item.material.sign} == {"base", "good"}
     assert [label.text for label in scene.labels] == [
         *(f"frame{n}: inertia of 2.45 m" for n in range(3)),
         "and of 3 more, too large to be drawn",
@@ -67,7 +67,7 @@ def test_frames_point_where_the_axes_do() -> None:
     x, y, z = signs("frames", subject)
     for axis, item in enumerate((x, y, z)):
         tip = item.vertices[np.argmax(item.vertices[:, axis])]
-        assert np.argmax(item.look.rgba[:3]) == axis
+        assert np.argmax(item.material.rgba[:3]) == axis
         assert tip == pytest.approx(np.eye(3)[axis] * tip[axis], abs=1e-3)
 
 
@@ -120,7 +120,7 @@ def test_the_centre_of_mass_is_that_of_all_links() -> None:
 def test_a_sign_is_seen_through_what_hides_it_and_throws_no_shadow() -> None:
     subject = robot(link("a", '<box size="1 1 1"/>', rgba="1 1 1 1"))
     scene = explained(build(subject), subject, ["frames"])
-    camera = looking(scene.points(), "front", size=(200, 200))
+    camera = place_camera(scene.points(), "front", size=(200, 200))
     plain, signed = alone(build(subject), camera).astype(int), alone(scene, camera).astype(int)
     changed = np.abs(plain - signed).sum(axis=2) > 20
     assert 0 < changed.sum() < 0.05 * changed.size
@@ -144,7 +144,7 @@ def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
     reported = {label.text: label.point for label in scene.labels}
     assert set(reported) == {"a, b: 100 mm", "b, c: 50 mm"}
     assert reported["a, b: 100 mm"] == pytest.approx((0.45, 0, 0), abs=1e-6)
-    shown = {item.link: item.look.rgba for item in scene.items if item.label == "box"}
+    shown = {item.link: item.material.rgba for item in scene.items if item.label == "box"}
     assert set(shown) == {"a", "b", "c"}
     assert shown["a"] == NEIGHBOURS
     assert shown["b"] == shown["c"] == CLASH
@@ -155,15 +155,15 @@ def test_names_stand_beside_their_links_and_never_on_one_another() -> None:
     subject = robot(*links)
     scene = explained(build(subject), subject, ["names"])
     assert [label.text for label in scene.labels] == [f"link_{i}" for i in range(12)]
-    bare = np.asarray(picture(build(subject), size=(480, 270), quality="draft"), dtype=int)
-    named = np.asarray(picture(scene, size=(480, 270), quality="draft"), dtype=int)
+    bare = np.asarray(render_image(build(subject), size=(480, 270), quality="draft"), dtype=int)
+    named = np.asarray(render_image(scene, size=(480, 270), quality="draft"), dtype=int)
     assert (np.abs(bare - named).sum(axis=2) > 60).sum() > 500
 
 
 @pytest.mark.parametrize("layer", LAYERS)
 def test_every_layer_takes_a_robot_that_is_nothing(layer: str) -> None:
     subject = robot('<link name="a"/>')
-    picture(explained(build(subject), subject, [layer]), size=(64, 64), quality="draft")
+    render_image(explained(build(subject), subject, [layer]), size=(64, 64), quality="draft")
 
 
 @pytest.mark.parametrize("layer", LAYERS)

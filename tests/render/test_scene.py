@@ -15,7 +15,7 @@ from PIL import Image
 from tests.conftest import MODELS
 from tests.render.scenes import alone, colour_at, link, robot
 from urdfkit.lint.loading import read
-from urdfkit.render import build, looking
+from urdfkit.render import build, place_camera
 from urdfkit.render.materials import PLACEHOLDER, PLAIN
 from urdfkit.render.scene import PLACEHOLDER_SIZE
 from urdfkit.text.source import Source
@@ -50,13 +50,13 @@ def quad(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def seen(folder: Path, visual: str, view: str = "front") -> list[str]:
+def seen(directory: Path, visual: str, view: str = "front") -> list[str]:
     """The colours of the quarters of a robot: upper left and right, lower left and right."""
-    file = folder / "robot.urdf"
+    file = directory / "robot.urdf"
     text = f'<robot name="r"><link name="a"><visual>{visual}</visual></link></robot>'
     file.write_text(text, encoding="utf-8")
     scene = build(read(file))
-    pixels = alone(scene, looking(scene.points(), view, size=SIZE))
+    pixels = alone(scene, place_camera(scene.points(), view, size=SIZE))
     return [colour_at(pixels, x, y) for y in (60, 140) for x in (60, 140)]
 
 
@@ -108,7 +108,7 @@ def test_gazebo_colours_count_where_nothing_else_says_anything() -> None:
         + gazebo.format("blue"),
         body.format("bare", ""),
     )
-    looks = {item.link: item.look for item in build(subject).items}
+    looks = {item.link: item.material for item in build(subject).items}
     assert looks["plain"].rgba[0] > looks["plain"].rgba[1] > looks["plain"].rgba[2]
     assert looks["blue"].rgba[:3] == (0, 0, 1)
     assert looks["bare"] == PLAIN
@@ -129,7 +129,7 @@ def test_a_mesh_that_is_not_to_be_had_is_a_marked_box(
     )
     scene = build(read(file))
     (item,) = scene.items
-    assert item.look == PLACEHOLDER
+    assert item.material == PLACEHOLDER
     assert np.ptp(item.vertices, axis=0) == pytest.approx((1, 2, 3))
     assert item.vertices.mean(axis=0) == pytest.approx((0, 0, 2), abs=1e-6)
     (missing,) = scene.missing
@@ -148,7 +148,7 @@ def test_a_box_for_a_mesh_is_as_large_as_the_mesh_beside_it(tmp_path: Path) -> N
         encoding="utf-8",
     )
     (item,) = build(read(file)).items
-    assert item.look == PLACEHOLDER
+    assert item.material == PLACEHOLDER
     assert np.ptp(item.vertices, axis=0) == pytest.approx((0.2, 0.4, 0.6))
     assert item.vertices.mean(axis=0) == pytest.approx((0, 0, 5), abs=1e-6)
 
@@ -206,13 +206,13 @@ HOSTILE = [
 @pytest.mark.parametrize("shape", HOSTILE)
 def test_no_shape_stops_a_picture(shape: str) -> None:
     scene = build(robot(link("a", shape), link("b", '<box size="1 1 1"/>', "1e3 0 0")))
-    assert alone(scene, looking(scene.points(), size=(64, 64))).shape == (64, 64, 4)
+    assert alone(scene, place_camera(scene.points(), size=(64, 64))).shape == (64, 64, 4)
 
 
 @pytest.mark.parametrize("xyz", ["1e30 0 0", "1e300 1e300 0", "nan 0 0"])
 def test_no_place_stops_a_picture(xyz: str) -> None:
     scene = build(robot(link("a", '<box size="1 1 1"/>', xyz), link("b", '<box size="1 1 1"/>')))
-    assert alone(scene, looking(scene.points(), size=(64, 64))).any()
+    assert alone(scene, place_camera(scene.points(), size=(64, 64))).any()
 
 
 def test_links_in_a_loop_and_islands_do_not_stop_a_picture() -> None:

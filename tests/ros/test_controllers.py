@@ -126,10 +126,10 @@ def test_hostile_files_end(text: str) -> None:
     assert len(of(text)) <= 1
 
 
-def subject(folder: Path, *paths: str) -> Subject:
+def subject(directory: Path, *paths: str) -> Subject:
     parameters = "".join(f"<parameters> {path} </parameters>" for path in paths)
     text = whole_robot(ROBOT + plugin("libgazebo_ros2_control.so", parameters))
-    return Subject(Source(str(folder / "r.urdf"), text.encode()), Resolver(environment={}))
+    return Subject(Source(str(directory / "r.urdf"), text.encode()), Resolver(environment={}))
 
 
 def test_the_files_that_a_plugin_names(tmp_path: Path) -> None:

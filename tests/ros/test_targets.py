@@ -20,11 +20,11 @@ OLD, NEW = "<odometryFrame>o</odometryFrame>", "<odometry_frame>o</odometry_fram
 ROS = "<ros><namespace>a</namespace></ros>"
 
 
-def inferred(text: str, folder: Path, build: str = "") -> tuple[str, ...]:
+def inferred(text: str, directory: Path, build: str = "") -> tuple[str, ...]:
     if build:
         manifest = f"<package><name>p</name><buildtool_depend>{build}</buildtool_depend></package>"
-        (folder / "package.xml").write_text(manifest)
-    source = Source(str(folder / "robot.urdf"), whole_robot(BASE + text).encode())
+        (directory / "package.xml").write_text(manifest)
+    source = Source(str(directory / "robot.urdf"), whole_robot(BASE + text).encode())
     names = Subject(source, Resolver(environment={})).targets.names
     return tuple(name for name in names if name.startswith(("classic", "gz")))
 
@@ -100,8 +100,8 @@ def generation(plugins: list[str], is_ros2: bool) -> str:
 @needs_corpus
 @pytest.mark.parametrize("entry", WITH_PLUGINS, ids=model_id)
 def test_the_generation_of_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
-    folder, facts = entry
-    path = folder / facts["path"]
+    directory, facts = entry
+    path = directory / facts["path"]
     arguments = dict(word.split(":=", 1) for word in facts["xacro_args"])
     targets = Subject(Source.read(path), Resolver(), arguments).targets
     package = next(at for at in path.parents if (at / "package.xml").is_file())

@@ -1,5 +1,6 @@
 """What the sources of a scan stand for."""
 
+import shutil
 import tarfile
 import zipfile
 from pathlib import Path
@@ -67,6 +68,35 @@ def test_an_archive_is_extracted_when_a_model_is_wanted(zoo: Path, suffix: str) 
         assert path.read_text() == "<robot/>"
         assert path.with_name("mesh.stl").exists()
     assert not path.exists()
+
+
+@pytest.mark.parametrize("suffix", [".zip", ".tar.xz"])
+def test_a_xacro_file_of_an_archive_is_a_robot_if_it_has_a_name(
+    tmp_path: Path, suffix: str
+) -> None:
+    folder = tmp_path / "in"
+    folder.mkdir()
+    (folder / "robot.xacro").write_text('<?xml version="1.0"?>\n<robot\n  name="r"/>')
+    (folder / "macros.xacro").write_text('<robot><link name="a"/></robot>')
+    packing = "zip" if suffix == ".zip" else "xztar"
+    archive = shutil.make_archive(str(tmp_path / "zoo"), packing, folder)
+    assert names(archive, below=tmp_path) == [f"zoo{suffix}/robot.xacro"]
+
+
+def test_an_archive_names_no_file_outside_of_it(tmp_path: Path) -> None:
+    (tmp_path / "secret.urdf").write_text("<robot/>")
+    with zipfile.ZipFile(tmp_path / "a.zip", "w") as packed:
+        for name in (f"../..{tmp_path}/secret.urdf", str(tmp_path / "secret.urdf"), "..b.urdf"):
+            packed.writestr(name, "<robot/>")
+    found = list(models([str(tmp_path / "a.zip")]))
+    assert [model.name for model in found] == [f"{tmp_path}/a.zip/..b.urdf"]
+
+
+@pytest.mark.parametrize("text", ["some.txt\n", "*.txt\n", "a\0b\n"])
+def test_a_list_that_has_no_end_or_is_none(zoo: Path, text: str) -> None:
+    (zoo / "some.txt").write_text(text)
+    with pytest.raises(UnreadableFile, match=r"names itself|not a list"):
+        list(models([str(zoo / "some.txt")]))
 
 
 def test_a_damaged_archive_is_an_error(tmp_path: Path) -> None:

@@ -45,16 +45,16 @@ def check(subject):
 '''
 
 
-def write(folder: Path, count: int) -> Path:
-    folder.mkdir()
+def write(directory: Path, count: int) -> Path:
+    directory.mkdir()
     for number in range(1, count + 1):
-        (folder / f"{number:04}.urdf").write_text(ROBOT.format(number))
-    return folder
+        (directory / f"{number:04}.urdf").write_text(ROBOT.format(number))
+    return directory
 
 
-def rows(folder: Path) -> dict[str, dict[str, Any]]:
+def rows(directory: Path) -> dict[str, dict[str, Any]]:
     """The rows by model, without times; each model is there once."""
-    found = list(journal.rows(str(folder)))
+    found = list(journal.rows(str(directory)))
     by_name = {row["model"]: row for row in found}
     assert len(by_name) == len(found)
     for row in found:
@@ -99,7 +99,7 @@ def test_what_a_model_does_to_its_process_costs_that_model_alone(
 ) -> None:
     # Rules that are known once stay so, also for the tests that follow.
     monkeypatch.setattr(rule_index, "_modules", rule_index._known().copy())
-    monkeypatch.setattr(rule_index, "_foreign", set())
+    monkeypatch.setattr(rule_index, "_external", set())
     rules = tmp_path / "harmful_rules"
     rules.mkdir()
     (rules / "__init__.py").write_text('"""Rules."""\n')

@@ -6,6 +6,7 @@ import asyncio
 import json
 import re
 import shutil
+import socket
 import subprocess
 import sys
 import time
@@ -44,9 +45,9 @@ sys.exit(main(["view", *sys.argv[1:]]))
 class Running:
     """A viewer of a copy of a robot."""
 
-    def __init__(self, folder: Path, *more: str) -> None:
-        shutil.copytree(BASE, folder / "mobile_base")
-        self.robot = folder / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
+    def __init__(self, directory: Path, *more: str) -> None:
+        shutil.copytree(BASE, directory / "mobile_base")
+        self.robot = directory / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
         words = [sys.executable, "-c", VIEW, str(self.robot), "--no-open", *more]
         self.process = subprocess.Popen(words, cwd=ROOT, stderr=subprocess.PIPE, text=True)
         assert self.process.stderr
@@ -111,6 +112,77 @@ def test_the_page_may_load_from_here_only(viewer: Running) -> None:
     page = viewer.get()[1].decode()
     assert "connect-src &#39;self&#39; blob: data:" in page
     assert "unsafe-eval" not in page
+
+
+HOST = "Host: 127.0.0.1"
+
+#: Requests as they are on the wire, with ``TOKEN``, and the answers that they may have.
+RAW = {
+    "the page": (f"GET /TOKEN/ HTTP/1.1|{HOST}", {200}),
+    "its head": (f"HEAD /TOKEN/ HTTP/1.1|{HOST}", {200}),
+    "no host": ("GET /TOKEN/ HTTP/1.1", {400}),
+    "no host of old": ("GET /TOKEN/ HTTP/1.0", {400}),
+    "a name": ("GET /TOKEN/ HTTP/1.1|Host: localhost", {400}),
+    "a name that leads here": ("GET /TOKEN/ HTTP/1.1|Host: 127.0.0.1.example.org", {400}),
+    "a user": ("GET /TOKEN/ HTTP/1.1|Host: 127.0.0.1@example.org", {400}),
+    "a number": ("GET /TOKEN/ HTTP/1.1|Host: 2130706433", {400}),
+    "two hosts": (f"GET /TOKEN/ HTTP/1.1|Host: example.org|{HOST}", {400}),
+    "a proxy": ("GET http://example.org/TOKEN/ HTTP/1.1|Host: example.org", {400}),
+    "forwarded": ("GET /TOKEN/ HTTP/1.1|Host: example.org|X-Forwarded-Host: 127.0.0.1", {400}),
+    "no token": (f"GET / HTTP/1.1|{HOST}", {404}),
+    "half a token": (f"GET /TOKE/ HTTP/1.1|{HOST}", {404}),
+    "above": (f"GET /TOKEN/../../../../etc/passwd HTTP/1.1|{HOST}", {404}),
+    "above, encoded": (f"GET /TOKEN/%2e%2e/%2e%2e/etc/passwd HTTP/1.1|{HOST}", {404}),
+    "slashes, encoded": (f"GET /TOKEN/..%2f..%2fetc%2fpasswd HTTP/1.1|{HOST}", {404}),
+    "encoded twice": (f"GET /TOKEN/%252e%252e%252fetc%252fpasswd HTTP/1.1|{HOST}", {404}),
+    "absolute": (f"GET //etc/passwd HTTP/1.1|{HOST}", {404}),
+    "a NUL": (f"GET /TOKEN/state%00 HTTP/1.1|{HOST}", {404}),
+    **{
+        f"{method} {path}": (f"{method} /TOKEN/{path} HTTP/1.1|{HOST}|Content-Length: 0", {405})
+        for method in ("PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "PROPFIND")
+        for path in ("", "state", "arguments")
+    },
+    "POST": (f"POST /TOKEN/ HTTP/1.1|{HOST}|Content-Length: 0", {405}),
+    "GET arguments": (f"GET /TOKEN/arguments HTTP/1.1|{HOST}", {405}),
+    "CONNECT": (f"CONNECT 127.0.0.1:22 HTTP/1.1|{HOST}", {400, 404, 405}),
+    "nonsense": ("\x16\x03\x01", {400}),
+    "a long line": (f"GET /{'a' * 20_000} HTTP/1.1|{HOST}", {400, 404, 414, 431}),
+}
+
+
+@pytest.mark.parametrize("name", RAW)
+def test_what_is_sent_to_it(viewer: Running, name: str) -> None:
+    request, statuses = RAW[name]
+    _, _, port, token = re.split("//|:|/", viewer.address.removeprefix("http:"))[:4]
+    data = request.replace("TOKEN", token).replace("|", "\r\n") + "\r\nConnection: close\r\n\r\n"
+    with socket.create_connection(("127.0.0.1", int(port)), timeout=60) as wire:
+        wire.sendall(data.encode("latin-1"))
+        answer = b"".join(iter(lambda: wire.recv(65_536), b""))
+    assert int(answer.split(b" ")[1]) in statuses
+    assert b"root:" not in answer
+    if name == "its head":
+        assert b"mobile_base" not in answer
+    if 200 in statuses:
+        head = answer.partition(b"\r\n\r\n")[0].lower()
+        for line in (
+            b"content-security-policy: frame-ancestors 'none'",
+            b"x-content-type-options: nosniff",
+            b"referrer-policy: no-referrer",
+            b"cache-control: no-store",
+            b"cross-origin-resource-policy: same-origin",
+        ):
+            assert line in head
+
+
+def test_it_listens_on_this_machine_alone(viewer: Running) -> None:
+    port = int(viewer.address.split(":")[2].partition("/")[0])
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
+        one.connect(("192.0.2.1", 9))  # nothing is sent; it only chooses an address
+        own = one.getsockname()[0]
+    if own.startswith("127."):
+        pytest.skip("this machine has no other address")
+    with pytest.raises(OSError, match=r"refused|timed out"):
+        socket.create_connection((own, port), timeout=5)
 
 
 @pytest.mark.parametrize("body", [b"", b"[]", b'{"a": 1}', b"{" * 90_000, b" " * 200_000])

@@ -24,12 +24,12 @@ ROBOT = """<robot name="r"><link name="l"><visual><geometry>
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def directory(tmp_path: Path) -> Path:
     """Meshes of several files."""
     (tmp_path / "a.obj").write_bytes(made.obj())
     (tmp_path / "a.mtl").write_text("newmtl paint\nKd 1 0 0\nmap_Kd wood.png\n")
     (tmp_path / "a.dae").write_bytes(
-        samples.collada(look='<diffuse><texture texture="image" texcoord="uv"/></diffuse>')
+        samples.collada(effect='<diffuse><texture texture="image" texcoord="uv"/></diffuse>')
     )
     content = json.loads(samples.gltf())
     (tmp_path / "numbers.bin").write_bytes(bytes(36))
@@ -48,27 +48,27 @@ def folder(tmp_path: Path) -> Path:
         ("a.gltf", "numbers.bin"),
     ],
 )
-def test_a_change_of_any_file_is_seen(folder: Path, mesh: str, changed: str) -> None:
-    robot = folder / "robot.urdf"
+def test_a_change_of_any_file_is_seen(directory: Path, mesh: str, changed: str) -> None:
+    robot = directory / "robot.urdf"
     robot.write_text(ROBOT.format(mesh))
     state = read(str(robot), Options())
     assert not state.is_stale
-    with (folder / changed).open("a") as file:
+    with (directory / changed).open("a") as file:
         file.write("\n")
     assert state.is_stale
 
 
-def test_so_is_one_while_it_is_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    robot = folder / "robot.urdf"
+def test_so_is_one_while_it_is_read(directory: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    robot = directory / "robot.urdf"
     robot.write_text(ROBOT.format("a.obj"))
-    known = read(str(robot), Options()).stamps
+    known = read(str(robot), Options()).versions
 
     def described(*words: Any, **more: Any) -> ReportInput:
         reported = describe(*words, **more)
-        (folder / "a.mtl").write_text("newmtl other\n")
+        (directory / "a.mtl").write_text("newmtl other\n")
         return reported
 
     monkeypatch.setattr(module, "describe", described)
-    state = read(str(robot), Options(), [*known, str(folder / "of_an_older_state.stl")])
+    state = read(str(robot), Options(), [*known, str(directory / "of_an_older_state.stl")])
     assert state.is_stale
-    assert str(folder / "of_an_older_state.stl") not in state.stamps
+    assert str(directory / "of_an_older_state.stl") not in state.versions

@@ -7,9 +7,9 @@ from urdfkit.workspace.install_rules import InstallRules
 INSTALL = "project(arm)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n".format
 
 
-def installs(folder: Path, text: str, path: str, file: str = "CMakeLists.txt") -> bool:
-    (folder / file).write_text(text)
-    return InstallRules(str(folder), "arm").installs(path)
+def installs(directory: Path, text: str, path: str, file: str = "CMakeLists.txt") -> bool:
+    (directory / file).write_text(text)
+    return InstallRules(str(directory), "arm").installs(path)
 
 
 @pytest.mark.parametrize(
@@ -22,7 +22,7 @@ def installs(folder: Path, text: str, path: str, file: str = "CMakeLists.txt") -
         (INSTALL("."), "meshes/a.stl", True),
         (INSTALL("src/meshes"), "meshes/a.stl", True),
         (INSTALL("urdf # meshes\n"), "meshes/a.stl", False),
-        (INSTALL("${FOLDERS}"), "meshes/a.stl", True),
+        (INSTALL("${DIRECTORIES}"), "meshes/a.stl", True),
         ("set(F meshes)\n" + INSTALL("${F}"), "meshes/a.stl", True),
         ("set(F urdf)\n" + INSTALL("${F}"), "meshes/a.stl", False),
         ("file(GLOB F *)\n" + INSTALL("urdf ${F}"), "meshes/a.stl", True),

@@ -8,14 +8,14 @@ from urdfkit.workspace import installs
 from urdfkit.workspace.installs import Installed, read_rules, source_paths
 
 
-def rules(folder: Path, text: str, package: str = "arm") -> list[Installed]:
-    (folder / "CMakeLists.txt").write_text(text, encoding="utf-8")
-    return read_rules(str(folder), package)
+def rules(directory: Path, text: str, package: str = "arm") -> list[Installed]:
+    (directory / "CMakeLists.txt").write_text(text, encoding="utf-8")
+    return read_rules(str(directory), package)
 
 
-def paths(folder: Path, text: str, relative: str) -> list[str]:
-    rules(folder, text)
-    return source_paths(read_rules(str(folder), "arm"), "arm", relative)
+def paths(directory: Path, text: str, relative: str) -> list[str]:
+    rules(directory, text)
+    return source_paths(read_rules(str(directory), "arm"), "arm", relative)
 
 
 INSTALL = "install(DIRECTORY {} DESTINATION {})".format
@@ -101,6 +101,6 @@ def test_loops_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 
 @given(st.text('installforeachd(DIRECTORY DESTINATION set)$"#\\[]{};/\n x', max_size=200))
 def test_any_text_is_read(text: str) -> None:
-    reader = installs._Reader(installs.known_variables("arm"))
+    reader = installs._CMakeReader(installs.known_variables("arm"))
     for command in installs._commands(text):
         reader.read(command)

@@ -39,10 +39,10 @@ def test_what_is_mentioned(text: str, expected: tuple[str, str, str] | None) -> 
         assert result[0][2].startswith(expected[2])
 
 
-def package(folder: Path, name: str) -> Path:
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
-    return folder
+def package(directory: Path, name: str) -> Path:
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    return directory
 
 
 def test_only_the_texts_of_the_own_package_count(tmp_path: Path) -> None:

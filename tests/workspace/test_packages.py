@@ -6,9 +6,9 @@ import pytest
 
 from tests.workspaces import add_file, add_package, record_listings
 from urdfkit.workspace import package_scan as module
-from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.packages import Candidate, Packages
-from urdfkit.workspace.search_root import ScannedFolder
+from urdfkit.workspace.search_root import ScannedDirectory
 
 
 @pytest.fixture
@@ -22,16 +22,16 @@ def tmp_path(tmp_path: Path) -> Path:
 def finder(
     environment: Mapping[str, str] | None = None, explicit: Mapping[str, str] | None = None
 ) -> Packages:
-    return Packages(explicit or {}, environment or {}, Folders())
+    return Packages(explicit or {}, environment or {}, Directories())
 
 
 def first(packages: Packages, name: str, near: Path) -> str | None:
     candidate = next(packages.candidates(name, str(near)), None)
-    return candidate and candidate.folder
+    return candidate and candidate.directory
 
 
 def test_above_the_file(tmp_path: Path) -> None:
-    package = add_package(tmp_path / "any_folder", "arm")
+    package = add_package(tmp_path / "any_directory", "arm")
     assert first(finder(), "arm", package / "urdf" / "deep" / "arm.urdf") == str(package)
     assert first(finder(), "wrong", package / "urdf" / "arm.urdf") is None
 
@@ -98,7 +98,7 @@ def test_the_own_package_wins_over_the_installed_one(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("marker", [".git/HEAD", "src"])
-def test_a_repository_or_workspace_is_searched_to_its_outermost_folder(
+def test_a_repository_or_workspace_is_searched_to_its_outermost_directory(
     tmp_path: Path, marker: str
 ) -> None:
     root = tmp_path / "src" if marker == "src" else tmp_path
@@ -123,8 +123,8 @@ def test_the_outermost_repository_counts(tmp_path: Path) -> None:
 def test_build_results_are_passed_over(tmp_path: Path) -> None:
     add_file(tmp_path / ".git" / "HEAD")
     near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
-    for folder in ("build", "install", "log", "node_modules", ".hidden"):
-        add_package(tmp_path / folder / "hand", "hand")
+    for directory in ("build", "install", "log", "node_modules", ".hidden"):
+        add_package(tmp_path / directory / "hand", "hand")
     assert first(finder(), "hand", near) is None
 
 
@@ -141,7 +141,7 @@ def test_links_in_circles_end(tmp_path: Path) -> None:
 
 def root(near: Path) -> tuple[str, str]:
     found = finder().root(str(near))
-    return found.folder, found.mark
+    return found.directory, found.mark
 
 
 def test_a_repository_sees_nothing_of_the_clones_next_to_it(tmp_path: Path) -> None:
@@ -211,7 +211,7 @@ def test_an_archive_has_the_files_of_its_top(tmp_path: Path) -> None:
     assert first(finder(), "foot", near) is None
 
 
-def test_packages_alone_in_a_folder_are_of_one_repository(tmp_path: Path) -> None:
+def test_packages_alone_in_a_directory_are_of_one_repository(tmp_path: Path) -> None:
     near = add_package(tmp_path / "arm", "arm") / "urdf" / "arm.urdf"
     hand = add_package(tmp_path / "hand", "hand")
     assert first(finder(), "hand", near) == str(hand)
@@ -219,7 +219,7 @@ def test_packages_alone_in_a_folder_are_of_one_repository(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("other", ["repository/foot/package.xml", "hand/.git/HEAD"])
-def test_a_folder_of_repositories_is_none(tmp_path: Path, other: str) -> None:
+def test_a_directory_of_repositories_is_none(tmp_path: Path, other: str) -> None:
     near = add_package(tmp_path / "arm", "arm") / "urdf" / "arm.urdf"
     add_package(tmp_path / "hand", "hand")
     add_file(tmp_path / other, b"<package><name>foot</name></package>")
@@ -227,7 +227,7 @@ def test_a_folder_of_repositories_is_none(tmp_path: Path, other: str) -> None:
     assert finder().known(str(near)) == {"arm": str(tmp_path / "arm")}
 
 
-def test_where_nothing_is_known_the_search_ends_at_the_folder(tmp_path: Path) -> None:
+def test_where_nothing_is_known_the_search_ends_at_the_directory(tmp_path: Path) -> None:
     near = add_file(tmp_path / "robots" / "arm.urdf")
     add_package(tmp_path / "hand", "hand")
     foot = add_package(tmp_path / "robots" / "foot", "foot")
@@ -251,7 +251,7 @@ def test_nested_packages_of_neighbours_are_not_looked_for(tmp_path: Path) -> Non
     assert first(finder(), "pack", near) is None
 
 
-def test_nobody_scans_the_home_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nobody_scans_the_home_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.setenv("USERPROFILE", str(tmp_path))
     add_file(tmp_path / ".git" / "HEAD")  # people keep their settings so
@@ -259,13 +259,13 @@ def test_nobody_scans_the_home_folder(tmp_path: Path, monkeypatch: pytest.Monkey
     add_package(tmp_path / "private", "private")
     packages = finder()
     assert first(packages, "private", near) is None
-    assert packages.levels(str(near)) == (ScannedFolder(str(near.parent), True),)
+    assert packages.levels(str(near)) == (ScannedDirectory(str(near.parent), True),)
     assert packages.workspace(str(near)) == str(near.parent)
     for name in ("tmp", "home", "etc", "usr"):
         assert first(packages, name, near) is None
 
 
-def test_a_folder_of_that_name_is_uncertain(tmp_path: Path) -> None:
+def test_a_directory_of_that_name_is_uncertain(tmp_path: Path) -> None:
     add_file(tmp_path / "LICENSE")
     near = add_file(tmp_path / "icub" / "robots" / "v2" / "model.urdf")
     beside = add_file(tmp_path / "icub" / "meshes_pack" / "arm.stl").parent
@@ -303,23 +303,25 @@ def test_what_was_searched_is_told(tmp_path: Path) -> None:
 
 
 def test_scans_are_bounded_and_say_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "MAX_FOLDERS", 10)
+    monkeypatch.setattr(module, "MAX_DIRECTORIES", 10)
     add_file(tmp_path / ".git" / "HEAD")
     near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
     for number in range(30):
-        (tmp_path / f"folder_{number:02}").mkdir()
-    add_package(tmp_path / "zzz_folder", "zzz")
+        (tmp_path / f"directory_{number:02}").mkdir()
+    add_package(tmp_path / "zzz_directory", "zzz")
     packages = finder()
     assert first(packages, "zzz", near) is None
     assert f"{tmp_path} (1 package, stopped after 10 directories)" in packages.searched(
         "zzz", str(near)
     )
-    monkeypatch.setattr(module, "MAX_FOLDERS", 1000)
+    monkeypatch.setattr(module, "MAX_DIRECTORIES", 1000)
     monkeypatch.setattr(module, "MAX_SECONDS", 0.0)
     assert first(finder(), "zzz", near) is None
 
 
-def test_the_same_folders_are_listed_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_same_directories_are_listed_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     add_file(tmp_path / ".git" / "HEAD")
     near = add_package(tmp_path / "a" / "arm", "arm") / "arm.urdf"
     for number in range(20):
@@ -359,7 +361,7 @@ def test_the_package_around_a_clone_is_not_its_own(tmp_path: Path) -> None:
     assert next(packages.candidates("outer", near), None) is None
 
 
-def test_a_robot_without_a_package_belongs_to_the_folder_of_its_meshes(tmp_path: Path) -> None:
+def test_a_robot_without_a_package_belongs_to_the_directory_of_its_meshes(tmp_path: Path) -> None:
     near = add_file(tmp_path / "arm" / "urdf" / "arm.urdf")
     assert root(near) == (str(near.parent), "")
     add_file(tmp_path / "arm" / "meshes" / "link.stl")

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from tests.workspaces import add_file, add_package, record_listings
 from urdfkit.errors import PackageNotFound
-from urdfkit.workspace.resolve import ResolvedReference, Resolver
+from urdfkit.workspace.references import ResolvedReference
+from urdfkit.workspace.resolve import Resolver
 
 
 @pytest.fixture
@@ -65,9 +66,9 @@ def test_a_reference_leads_to_its_file(arm: Path, reference: str, scheme: str, f
     assert located.path == str(arm / "meshes" / file)
     assert (located.reference, located.scheme) == (reference, scheme)
     if scheme in ("package", "model"):
-        assert (located.package, located.folder) == ("arm", str(arm))
+        assert (located.package, located.directory) == ("arm", str(arm))
     else:
-        assert (located.package, located.folder) == (None, None)
+        assert (located.package, located.directory) == (None, None)
 
 
 def test_a_missing_file_names_what_was_tried(arm: Path) -> None:
@@ -87,7 +88,7 @@ def test_a_missing_file_names_what_was_tried(arm: Path) -> None:
 
 def test_a_missing_package_is_another_thing(arm: Path) -> None:
     located = locate(arm, "package://hand/meshes/link.stl")
-    assert (located.package, located.folder, located.path) == ("hand", None, None)
+    assert (located.package, located.directory, located.path) == ("hand", None, None)
     assert located.tried == ()
     assert located.searched[:3] == (
         f"{arm / 'urdf'} and its parent directories",
@@ -102,13 +103,13 @@ def test_a_missing_package_is_another_thing(arm: Path) -> None:
 @pytest.mark.parametrize("reference", ["package:///arm/meshes/link.stl", "package://", "model:///"])
 def test_an_empty_package_is_not_found(arm: Path, reference: str) -> None:
     located = locate(arm, reference)
-    assert (located.package, located.folder, located.path) == ("", None, None)
+    assert (located.package, located.directory, located.path) == ("", None, None)
 
 
 @pytest.mark.parametrize("reference", ["package://arm", "package://arm/", "package://arm/meshes"])
-def test_a_folder_is_no_file(arm: Path, reference: str) -> None:
+def test_a_directory_is_no_file(arm: Path, reference: str) -> None:
     located = locate(arm, reference)
-    assert (located.folder, located.path) == (str(arm), None)
+    assert (located.directory, located.path) == (str(arm), None)
 
 
 def test_other_schemes_are_not_followed(arm: Path) -> None:
@@ -137,7 +138,7 @@ def test_models_are_found_as_gazebo_finds_them(arm: Path) -> None:
         assert locate(arm, "model://lidar.stl", **environment).path == str(whole)
         assert locate(arm, "model://arm/meshes/link.stl", **environment).path == str(inside)
     missing = locate(arm, "model://lidar.stl")
-    assert (missing.package, missing.folder, missing.path) == ("lidar.stl", None, None)
+    assert (missing.package, missing.directory, missing.path) == ("lidar.stl", None, None)
     assert missing.searched[:3] == (
         "GZ_SIM_RESOURCE_PATH (not set)",
         "IGN_GAZEBO_RESOURCE_PATH (not set)",
@@ -157,7 +158,7 @@ def test_packages_may_add_to_the_model_path(arm: Path) -> None:
     assert locate(arm, "model://none.stl").tried == (str(simulation / "meshes" / "none.stl"),)
 
 
-def test_the_folder_with_the_file_among_folders_of_that_name(tmp_path: Path) -> None:
+def test_the_directory_with_the_file_among_directories_of_that_name(tmp_path: Path) -> None:
     near = add_file(tmp_path / "robot" / "v1" / "robot" / "urdf" / "x.urdf")
     outer = add_file(tmp_path / "robot" / "meshes" / "outer.stl")
     inner = add_file(tmp_path / "robot" / "v1" / "robot" / "meshes" / "inner.stl")
@@ -165,11 +166,11 @@ def test_the_folder_with_the_file_among_folders_of_that_name(tmp_path: Path) -> 
     assert find("package://robot/meshes/inner.stl", str(near)).path == str(inner)
     assert find("package://robot/meshes/outer.stl", str(near)).path == str(outer)
     missing = find("package://robot/meshes/none.stl", str(near))
-    assert missing.folder == str(tmp_path / "robot" / "v1" / "robot")
-    assert resolver().package("robot", str(near)) == missing.folder
+    assert missing.directory == str(tmp_path / "robot" / "v1" / "robot")
+    assert resolver().package("robot", str(near)) == missing.directory
 
 
-def test_a_build_may_install_the_folder_around_the_file_as_the_package(tmp_path: Path) -> None:
+def test_a_build_may_install_the_directory_around_the_file_as_the_package(tmp_path: Path) -> None:
     add_file(tmp_path / "LICENSE")
     manual = add_package(tmp_path / "robot_manual", "robot")
     kept = add_file(manual / "meshes" / "kept.stl")
@@ -180,8 +181,8 @@ def test_a_build_may_install_the_folder_around_the_file_as_the_package(tmp_path:
     find = resolver().locate
     assert find("package://robot/meshes/made.stl", near).path == str(made)
     assert find("package://robot/meshes/kept.stl", near).path == str(kept)
-    assert find("package://robot/meshes/both.stl", near).folder == str(manual)
-    assert find("package://robot/meshes/none.stl", near).folder == str(manual)
+    assert find("package://robot/meshes/both.stl", near).directory == str(manual)
+    assert find("package://robot/meshes/none.stl", near).directory == str(manual)
     assert resolver().package("robot", near) == str(manual)
 
 
@@ -193,9 +194,9 @@ def test_what_cmake_installs_elsewhere(arm: Path) -> None:
     )
     near = str(arm / "urdf" / "arm.urdf")
     found = resolver()
-    assert found.in_package("arm", "urdf/parts/a.xacro", near).path == str(moved)
-    assert found.in_package("arm", "urdf/kept.xacro", near).path == str(kept)
-    assert found.in_package("arm", "urdf/none.xacro", near).path is None
+    assert found.locate("package://arm/urdf/parts/a.xacro", near).path == str(moved)
+    assert found.locate("package://arm/urdf/kept.xacro", near).path == str(kept)
+    assert found.locate("package://arm/urdf/none.xacro", near).path is None
     assert found.locate("package://arm/urdf/parts/a.xacro", near).path == str(moved)
     assert found.installed(str(arm / "urdf" / "parts" / "a.xacro")) == str(moved)
     assert found.installed(str(arm / "urdf" / "x" / ".." / "parts" / "a.xacro")) == str(moved)
@@ -204,11 +205,11 @@ def test_what_cmake_installs_elsewhere(arm: Path) -> None:
     assert found.locate(f"file://{arm}/urdf/parts/a.xacro", near).path == str(moved)
 
 
-def test_without_build_files_the_only_such_path_one_folder_down(arm: Path) -> None:
+def test_without_build_files_the_only_such_path_one_directory_down(arm: Path) -> None:
     near = str(arm / "urdf" / "arm.urdf")
     moved = add_file(arm / "description" / "config" / "a.yaml")
     assert resolver().installed(str(arm / "config" / "a.yaml")) == str(moved)
-    assert resolver().in_package("arm", "config/a.yaml", near).path == str(moved)
+    assert resolver().locate("package://arm/config/a.yaml", near).path == str(moved)
     add_file(arm / "CMakeLists.txt")
     assert resolver().installed(str(arm / "config" / "a.yaml")) is None
     (arm / "CMakeLists.txt").unlink()
@@ -227,7 +228,7 @@ def test_the_environment_is_that_of_the_process_unless_given(
         Resolver(environment={}).package("far", near)
 
 
-def test_a_hundred_references_cost_one_listing_per_folder(
+def test_a_hundred_references_cost_one_listing_per_directory(
     arm: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for number in range(100):
@@ -265,7 +266,7 @@ class TestFence:
         add_file(tmp_path / ".git" / "HEAD")
         assert resolver().allows(str(outside), near)
 
-    def test_a_file_without_package_has_its_own_folder(self, tmp_path: Path) -> None:
+    def test_a_file_without_package_has_its_own_directory(self, tmp_path: Path) -> None:
         near = str(add_file(tmp_path / "models" / "arm.xacro"))
         found = resolver()
         assert found.allows(str(tmp_path / "models" / "parts" / "a.xacro"), near)
@@ -291,9 +292,9 @@ class TestFence:
         near = str(arm / "urdf" / "arm.urdf")
         secret = add_file(tmp_path / "secret.yaml")
         os.symlink(secret, arm / "innocent.yaml")
-        os.symlink(tmp_path, arm / "folder")
+        os.symlink(tmp_path, arm / "directory")
         assert not resolver().allows(str(arm / "innocent.yaml"), near)
-        assert not resolver().allows(str(arm / "folder" / "secret.yaml"), near)
+        assert not resolver().allows(str(arm / "directory" / "secret.yaml"), near)
         explicit = Resolver({"arm": str(arm)}, environment={})
         explicit.package("arm", near)
         assert not explicit.allows(str(arm / "innocent.yaml"), near)
@@ -328,7 +329,7 @@ class TestFence:
 
 @given(st.text(max_size=60))
 def test_any_reference_is_answered(reference: str) -> None:
-    located = Resolver(environment={}).locate(reference, "/no/such/folder/robot.urdf")
+    located = Resolver(environment={}).locate(reference, "/no/such/directory/robot.urdf")
     assert located.reference == reference
     assert located.path is None or os.path.exists(located.path)
 
@@ -338,7 +339,7 @@ def test_any_reference_is_answered(reference: str) -> None:
     st.text("ab/\\.% 2F0~$:\0é", max_size=30),
 )
 def test_any_path_is_answered(scheme: str, rest: str) -> None:
-    located = Resolver(environment={}).locate(scheme + rest, "/no/such/folder/robot.urdf")
+    located = Resolver(environment={}).locate(scheme + rest, "/no/such/directory/robot.urdf")
     assert located.path is None
 
 
@@ -353,7 +354,7 @@ def test_texts_stand_for_the_bytes_on_disk(tmp_path: Path) -> None:
     assert Resolver(environment={}).read(str(file)).data == b"<robot/>"
 
 
-def test_other_texts_with_what_is_known_of_folders(tmp_path: Path) -> None:
+def test_other_texts_with_what_is_known_of_directories(tmp_path: Path) -> None:
     (tmp_path / "a.urdf").write_bytes(b"disk")
     resolver = Resolver(environment={}, texts={str(tmp_path / "a.urdf"): b"one"})
     other = resolver.with_texts({str(tmp_path / "b.urdf"): b"two"})
@@ -361,4 +362,4 @@ def test_other_texts_with_what_is_known_of_folders(tmp_path: Path) -> None:
     assert other.read(str(tmp_path / "a.urdf")).data == b"disk"
     assert other.read(str(tmp_path / "b.urdf")).data == b"two"
     assert other.packages is resolver.packages
-    assert other.folders is resolver.folders
+    assert other.directories is resolver.directories

@@ -18,8 +18,10 @@ def outside(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def workspace(tmp_path: Path) -> Path:
-    """The folder of a package in a workspace."""
-    folder = tmp_path / "a" / "workspace" / "src" / "robot"
-    folder.mkdir(parents=True)
-    (folder / "package.xml").write_text("<package><name>robot</name></package>", encoding="utf-8")
-    return folder
+    """The directory of a package in a workspace."""
+    directory = tmp_path / "a" / "workspace" / "src" / "robot"
+    directory.mkdir(parents=True)
+    (directory / "package.xml").write_text(
+        "<package><name>robot</name></package>", encoding="utf-8"
+    )
+    return directory

@@ -65,12 +65,12 @@ def document(body: str) -> str:
     return f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{body}</robot>'
 
 
-def write(folder: Path, text: str | bytes) -> Path:
+def write(directory: Path, text: str | bytes) -> Path:
     """Write a model as ``robot.xacro``, and FILES around it."""
     for name, content in FILES.items():
-        file = folder / name
+        file = directory / name
         file.parent.mkdir(exist_ok=True)
         file.write_text(content, encoding="utf-8")
-    robot = folder / "robot.xacro"
+    robot = directory / "robot.xacro"
     robot.write_bytes(text if isinstance(text, bytes) else text.encode())
     return robot

@@ -9,13 +9,13 @@ from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import Xacro, expand
 
 
-def run(folder: Path, body: str, arguments: dict[str, str] | None = None, **parts: str) -> Xacro:
+def run(directory: Path, body: str, arguments: dict[str, str] | None = None, **parts: str) -> Xacro:
     """Expand a model whose body begins in line 2; ``part="..."`` is ``part.xacro``."""
     for name, text in {"robot": body, **parts}.items():
         is_yaml = name.startswith("yaml")
-        file = folder / f"{name}.{'yaml' if is_yaml else 'xacro'}"
+        file = directory / f"{name}.{'yaml' if is_yaml else 'xacro'}"
         file.write_text(text if is_yaml else models.document(f"\n{text}\n"), encoding="utf-8")
-    return expand(Source.read(folder / "robot.xacro"), Resolver({}, {}), arguments)
+    return expand(Source.read(directory / "robot.xacro"), Resolver({}, {}), arguments)
 
 
 def brief(problem: Problem) -> str:

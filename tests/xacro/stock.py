@@ -88,15 +88,15 @@ def install(prefix: Path) -> dict[str, str]:
     """Install the packages of the corpus as their build files would.
 
     Returns:
-        The folders of the packages by name.
+        The directories of the packages by name.
     """
     layout = json.loads((CORPUS / "INSTALL_LAYOUT.json").read_text(encoding="utf-8"))
     packages: dict[str, str] = {}
     for repository in json.loads((CORPUS / "MANIFEST.json").read_text(encoding="utf-8"))["repos"]:
-        for name, folder in repository["packages"].items():
+        for name, directory in repository["packages"].items():
             if name in packages:
                 continue
-            source = CORPUS / repository["dir"] / folder
+            source = CORPUS / repository["dir"] / directory
             target = prefix / "share" / name
             packages[name] = str(target)
             rows = layout.get(str(source.relative_to(CORPUS)), {}).get("install_directory")

@@ -10,12 +10,12 @@ from urdfkit.xacro import Xacro, expand
 SECRET = "the secret of this machine"
 
 
-def run(folder: Path, text: str, *, trust: bool = False, **files: str) -> Xacro:
+def run(directory: Path, text: str, *, trust: bool = False, **files: str) -> Xacro:
     """Expand a model whose body, or whole text, is given; ``part="..."`` is ``part.xacro``."""
     for name, content in files.items():
         suffix = ".yaml" if name.startswith("yaml") else ".xacro"
-        (folder / f"{name}{suffix}").write_text(content, encoding="utf-8")
-    file = folder / "robot.xacro"
+        (directory / f"{name}{suffix}").write_text(content, encoding="utf-8")
+    file = directory / "robot.xacro"
     file.write_text(text if text.startswith(("<?", "<!")) else models.document(text), "utf-8")
     return expand(Source.read(file), Resolver({}, {}), trust=trust)
 

@@ -7,7 +7,7 @@ import pytest
 
 from tests.xacro import stock
 from tests.xacro.strangers import codes, run
-from urdfkit.xacro import budget
+from urdfkit.core import expansion_limits as limits
 
 
 def properties(first: str, following: str, count: int = 60) -> str:
@@ -210,8 +210,8 @@ def test_names_are_read_in_bounded_space(name: str, workspace: Path) -> None:
     assert problem.code == "XAC001"
 
 
-def test_folders_that_lead_in_circles(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(budget, "MAX_SECONDS", 0.5)
+def test_directories_that_lead_in_circles(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(limits, "_allowed", limits.Limits(seconds=0.5))
     for number in range(10):
         (workspace / f"link{number}").symlink_to(".")
     (problem,) = run(workspace, f'<xacro:include filename="{"*/" * 30}none"/>').problems
@@ -222,7 +222,7 @@ def test_folders_that_lead_in_circles(workspace: Path, monkeypatch: pytest.Monke
 def test_time_is_that_of_all_attempts_together(
     workspace: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(budget, "MAX_SECONDS", 0.5)
+    monkeypatch.setattr(limits, "_allowed", limits.Limits(seconds=0.5))
     slow = '<a b="${len([1 for x in python.range(9999) for y in python.range(99999)])}"/>'
     failing = "".join(f"<xacro:none{number}/>" for number in range(40))
     xacro = run(workspace, failing + slow)

@@ -156,17 +156,17 @@ def test_a_name_that_only_contains_a_lost_one_is_told(tmp_path: Path) -> None:
 
 
 def test_a_package_that_is_not_found(tmp_path: Path) -> None:
-    folder = tmp_path / "here"
-    folder.mkdir()
-    xacro = run(folder, '<xacro:include filename="$(find nowhere)/a.xacro"/><a b="${p}"/>')
+    directory = tmp_path / "here"
+    directory.mkdir()
+    xacro = run(directory, '<xacro:include filename="$(find nowhere)/a.xacro"/><a b="${p}"/>')
     (problem,) = xacro.problems
     assert problem.code == "XAC011"
     assert brief(problem) == "robot.xacro:2:26 $(find nowhere)"
     assert problem.message.startswith(
-        f"package 'nowhere' is not found; searched: {folder} and its parent directories, "
+        f"package 'nowhere' is not found; searched: {directory} and its parent directories, "
         "AMENT_PREFIX_PATH (not set), ROS_PACKAGE_PATH (not set)"
     )
-    assert problem.help == "name its folder: --package nowhere=DIR"
+    assert problem.help == "name its directory: --package nowhere=DIR"
 
 
 def test_an_argument_without_a_value(tmp_path: Path) -> None:
@@ -232,7 +232,7 @@ def test_an_include_without_the_prefix_is_why_a_macro_lacks(tmp_path: Path) -> N
     assert problem.help == "write <xacro:include>: xacro ignores an <include> without the prefix"
 
 
-def test_the_folders_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> None:
+def test_the_directories_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> None:
     for arm in ("six_axes", "seven_axes"):
         (tmp_path / arm).mkdir()
     body = '<xacro:property name="arm" value="NONE"/><xacro:include filename="${arm}/arm.xacro"/>'

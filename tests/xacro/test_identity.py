@@ -60,10 +60,10 @@ def check(expected: Outcome, got: Outcome) -> None:
 def test_a_model_of_the_corpus(
     entry: tuple[Path, dict[str, Any]], packages: dict[str, str]
 ) -> None:
-    folder, model = entry
+    directory, model = entry
     arguments = dict(argument.split(":=") for argument in model["xacro_args"])
-    expected = stock.expand(folder / model["path"], arguments, packages)
-    check(expected, ours(folder / model["path"], arguments, packages))
+    expected = stock.expand(directory / model["path"], arguments, packages)
+    check(expected, ours(directory / model["path"], arguments, packages))
     assert (expected.error is None) == model["expands"]
 
 

@@ -140,7 +140,7 @@ def _set(name: str, value: str) -> str:
 
 
 class Oracle:
-    """A folder of xacro files and a copy of it in which every element tells its place."""
+    """A directory of xacro files and a copy of it in which every element tells its place."""
 
     def __init__(self, plain: Path, copy: Path, packages: dict[str, str]) -> None:
         self.plain = plain
@@ -170,8 +170,8 @@ class Oracle:
         as_included = copy.read_bytes()
         copy.write_bytes(text)
         packages = {
-            name: str(self.marked / Path(folder).relative_to(self.plain))
-            for name, folder in self.packages.items()
+            name: str(self.marked / Path(directory).relative_to(self.plain))
+            for name, directory in self.packages.items()
         }
         outcome = stock.expand(copy, arguments, packages)
         copy.write_bytes(as_included)
@@ -213,15 +213,15 @@ def compare(oracle: Oracle, file: Path, arguments: dict[str, str]) -> list[str]:
 @pytest.fixture(scope="module")
 def corpus(tmp_path_factory: pytest.TempPathFactory) -> Oracle:
     """The corpus and its packages as they are installed."""
-    folder = tmp_path_factory.mktemp("oracle").resolve()
-    plain = folder / "plain"
+    directory = tmp_path_factory.mktemp("oracle").resolve()
+    plain = directory / "plain"
     packages = stock.install(plain / "installed")
     for file in CORPUS.rglob("*"):
         if file.suffix in stock.SUFFIXES and file.is_file():
             copy = plain / "corpus" / file.relative_to(CORPUS)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(file, copy)
-    return Oracle(plain, folder / "marked", packages)
+    return Oracle(plain, directory / "marked", packages)
 
 
 @needs_corpus
@@ -229,9 +229,9 @@ def test_every_element_of_the_corpus_is_at_its_place(corpus: Oracle) -> None:
     """All models with their arguments, and all other files that expand without any."""
     places: list[str] = []
     done: set[Path] = set()
-    for folder, model in manifest():
+    for directory, model in manifest():
         if model["kind"] == "xacro":
-            file = corpus.plain / "corpus" / folder.name / model["path"]
+            file = corpus.plain / "corpus" / directory.name / model["path"]
             arguments = dict(argument.split(":=") for argument in model["xacro_args"])
             found = compare(corpus, file, arguments)
             done.add(file)

@@ -185,7 +185,7 @@ FILES: dict[str, Callable[[Path], str]] = {
         f"<a b=\"${{xacro.load_yaml('../../../../outside/{file.name}')}}\"/>"
     ),
     "a glob": lambda file: f'<xacro:include filename="{file.parent}/*.yaml"/>',
-    "a glob of folders": lambda file: f'<xacro:include filename="{file.parent.parent}/*/s*"/>',
+    "a glob of directories": lambda file: f'<xacro:include filename="{file.parent.parent}/*/s*"/>',
     "a glob from the root": lambda _: '<xacro:include filename="/*/*/*/*/*/*/*/*"/>',
     "the environment": lambda _: "<a b=\"${xacro.load_yaml('/proc/self/environ')}\"/>",
     "a device": lambda _: '<xacro:include filename="/dev/zero"/>',
@@ -213,11 +213,11 @@ def test_no_package_is_named_by_a_path(name: str, workspace: Path, tmp_path: Pat
 
 def test_no_link_leads_outside(workspace: Path, outside: Path) -> None:
     (workspace / "link.yaml").symlink_to(outside)
-    (workspace / "folder").symlink_to(outside.parent)
-    for path in ("link.yaml", "folder/secret.yaml"):
+    (workspace / "directory").symlink_to(outside.parent)
+    for path in ("link.yaml", "directory/secret.yaml"):
         xacro = run(workspace, f"<a b=\"${{xacro.load_yaml('{path}')}}\"/>")
         assert codes(xacro) == {"XAC009"}
-    assert codes(run(workspace, '<xacro:include filename="folder/*"/>')) == {"XAC009"}
+    assert codes(run(workspace, '<xacro:include filename="directory/*"/>')) == {"XAC009"}
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes")

@@ -1,5 +1,6 @@
 """The bounds of the sandbox: what is as large as allowed is made, and nothing larger."""
 
+import time
 from collections.abc import Callable
 from math import comb, factorial, inf, lcm, prod
 from typing import Any
@@ -7,9 +8,11 @@ from typing import Any
 import pytest
 import xacro
 
+from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro import sandbox as module
-from urdfkit.xacro.budget import Budget
+from urdfkit.xacro.budget import Budget, deadline
+from urdfkit.xacro.dom_builder import parse
 from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression, _within_bounds, extent
 
 
@@ -35,14 +38,19 @@ LARGEST: dict[str, tuple[Callable[[int], object], int]] = {
     "levels": (lambda n: extent(nested(n)), 100),
     "a sum of texts": (lambda n: sandbox().add("a" * 10, "a" * (n - 10)), 1_000_000),
     "a repeated text": (lambda n: sandbox().times("ab", n), 500_000),
-    "a power": (lambda n: sandbox().power(2, n), 10_000),
-    "a shift": (lambda n: sandbox().shift(1, n), 19_999),
-    "a shift of a large number": (lambda n: sandbox().shift(2**9_999, n), 10_000),
-    "a factorial": (lambda n: sandbox().call(factorial, n), 2_000),
-    "digits": (lambda n: sandbox().call(int, "f" * n, 16), 5_000),
-    "rounding": (lambda n: sandbox().call(round, 1, -n), 5_000),
-    "a set": (lambda n: sandbox().call(set, range(n)), 10_000),
-    "keys": (lambda n: sandbox().call(dict.fromkeys, range(n)), 10_000),
+    "a power": (lambda n: sandbox().power(2, n), 1_023),
+    "a shift": (lambda n: sandbox().shift(1, n), 1_023),
+    "a shift of a large number": (lambda n: sandbox().shift(2**999, n), 24),
+    "a factorial": (lambda n: sandbox().call(factorial, n), 102),
+    "digits": (lambda n: sandbox().call(int, "f" * n, 16), 256),
+    "rounding": (lambda n: sandbox().call(round, 1, -n), 256),
+    "a set": (lambda n: sandbox().call(set, range(n)), 316),
+    "keys": (lambda n: sandbox().call(dict.fromkeys, range(n)), 316),
+    "keys that are texts": (lambda n: sandbox().call(set, list(map(str, range(n)))), 10_000),
+    "a set of tuples": (lambda n: sandbox().call(set, [(0,) * 98 + (i,) for i in range(n)]), 44),
+    "a set that grows": (lambda n: sandbox().call(set(range(n - 1)).add, -1), 316),
+    "a product": (lambda n: sandbox().times(2**1000, 2 ** (n - 1)), 24),
+    "long integers": (lambda n: sandbox().keep([2**1000] * n), 2_994),
     "center": (lambda n: sandbox().call("a".center, n), 1_000_000),
     "ljust": (lambda n: sandbox().call("a".ljust, n), 1_000_000),
     "rjust": (lambda n: sandbox().call("a".rjust, n), 1_000_000),
@@ -89,11 +97,43 @@ def test_fields_of_three_digits() -> None:
         sandbox().call(sandbox().format("{:1000}"), 1)
 
 
+def test_fields_of_format_count_for_1000_letters_and_10_of_each_of_the_longest_text() -> None:
+    def formatted(fields: int, value: object) -> object:
+        return sandbox().call(sandbox().format("{0}" * fields), value)
+
+    assert formatted(1000, 7) == "7" * 1000
+    assert formatted(500, "a" * 100) == "a" * 50_000
+    for fields, value in ((1001, 7), (501, "a" * 100), (500, "a" * 101)):
+        with pytest.raises(TooLarge):
+            formatted(fields, value)
+
+
 def test_the_budget_of_one_expansion() -> None:
     budget = Budget(inf)
-    budget.charge(30_000_000)
+    budget.charge(512 * 60_000)
+    budget.charge(999)
     with pytest.raises(DocumentTooLarge):
-        budget.charge(1000)  # it looks no more often
+        budget.charge(1)  # it looks no more often
+
+
+def test_the_time_of_one_expansion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It looks at the clock once in 1000 units."""
+    now, looks = 7.0, 0
+
+    def clock() -> float:
+        nonlocal looks
+        looks += 1
+        return now
+
+    monkeypatch.setattr(time, "thread_time", clock)
+    budget = Budget(deadline())
+    now, looks = 12.0, 0
+    for _ in range(1, 5000):
+        budget.charge(1)
+    assert looks == 5
+    now = 12.001
+    with pytest.raises(DocumentTooLarge, match="longer than 5 s"):
+        budget.charge(2)
 
 
 class Charged(Budget):
@@ -131,6 +171,14 @@ def test_what_is_made_is_charged_for_with_all_that_it_holds(what: str) -> None:
     budget = Charged()
     assert Sandbox(budget).keep(value) is value
     assert budget.units == [units]
+
+
+def test_steps_and_elements_count_for_many_characters() -> None:
+    budget = Charged()
+    assert Sandbox(budget).call(abs, -1) == 1
+    assert list(Sandbox(budget).steps([1, 2])) == [1, 2]
+    parse(Source("r.xacro", b"<a/>"), None, budget)
+    assert budget.units == [10, 10, 10, len("<a/>"), 100]
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 """xacro's own test-suite, with ``urdfkit expand`` in the place of the ``xacro`` command.
 
-The suite is not part of this project. XACRO_SDIST names the folder of xacro's unpacked source
+The suite is not part of this project. XACRO_SDIST names the directory of xacro's unpacked source
 distribution, which ``.ci/run`` downloads.
 """
 
@@ -33,23 +33,23 @@ def get_package_share_directory(name):
 """
 
 
-def run_suite(folder: Path, subject: list[str]) -> dict[str, bool]:
+def run_suite(directory: Path, subject: list[str]) -> dict[str, bool]:
     """Run the suite with a command as its subject, in a copy.
 
     Returns:
         Whether each test passed.
     """
-    package = folder / "share" / "xacro"
+    package = directory / "share" / "xacro"
     shutil.copytree(SDIST, package)
-    index = folder / "ros" / "ament_index_python"
+    index = directory / "ros" / "ament_index_python"
     index.mkdir(parents=True)
     (index / "__init__.py").touch()
     (index / "packages.py").write_text(STUB, encoding="utf-8")
-    report = folder / "report.xml"
-    python_path = (HARNESS, ROOT, folder / "ros")
+    report = directory / "report.xml"
+    python_path = (HARNESS, ROOT, directory / "ros")
     environment = {
         **os.environ,
-        "AMENT_PREFIX_PATH": str(folder),
+        "AMENT_PREFIX_PATH": str(directory),
         "PYTHONPATH": os.pathsep.join(map(str, python_path)),
         "SUBJECT": shlex.join(subject),
     }

@@ -27,6 +27,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import NoReturn
 
+#: Commands that run in a process of their own, with limits (`urdfkit.cli.own_process`).
+COMPUTING = frozenset(
+    "collisions diff inertia info kinematics mass mesh render report statics".split()
+)
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command line and return its exit code.
@@ -39,7 +44,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # This process does one thing and ends. Looking for garbage on the way finds none, and to take
     # everything apart at the end, before the system takes the memory back, is 8 of 120 ms.
     gc.set_threshold(100_000)
-    return _leave(_guarded(_replay_or_run, sys.argv[1:]))
+    words = sys.argv[1:]
+    if words and words[0] in COMPUTING and hasattr(os, "fork"):
+        from urdfkit.cli.own_process import run_apart
+
+        return _leave(_guarded(lambda each: run_apart(lambda: _guarded(_run, each), _leave), words))
+    return _leave(_guarded(_replay_or_run, words))
 
 
 def _leave(code: int) -> NoReturn:
@@ -56,26 +66,34 @@ def _leave(code: int) -> NoReturn:
 def _guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
     """Every way in which a command line can end, as an exit code."""
     try:
+        _reject_files_as_options(words)
         return run(words)
     except UrdfkitError as error:
-        return _fail(2, str(error))
+        return fail(2, str(error))
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:
         return 2  # of standard error; of standard output it is none
     except Exception as error:
         if isinstance(error, MemoryError) or getattr(error, "errno", None) == ENOSPC:
-            return _fail(2, getattr(error, "strerror", "") or "not enough memory")
+            return fail(2, getattr(error, "strerror", "") or _no_memory())
         if os.environ.get("URDFKIT_DEBUG") == "1":
             import traceback
 
             traceback.print_exc()
-        return _fail(
+        return fail(
             3,
             f"internal error: {type(error).__name__}: {error}",
             "This is a bug in urdfkit, not in the robot. Please report it with the file; "
             "URDFKIT_DEBUG=1 prints the traceback.",
         )
+
+
+def _reject_files_as_options(words: list[str]) -> None:
+    """A file may be called ``--config=a.yaml``; where a shell or a hook lists files, it is none."""
+    for word in words[: words.index("--")] if "--" in words else words:
+        if word.startswith("-") and word != "-" and os.path.lexists(word):
+            raise UrdfkitError(f"'{word}' is a file and no option; write ./{word}")
 
 
 def _replay_or_run(words: list[str]) -> int:
@@ -105,7 +123,15 @@ def _run(words: list[str]) -> int:
     return run_check(values)
 
 
-def _fail(code: int, error: str, *more: str) -> int:
+def _no_memory() -> str:
+    from urdfkit.core import limits
+
+    more = "; --memory raises the limit" if limits.is_answering() else ""
+    return f"not enough memory{more}"
+
+
+def fail(code: int, error: str, *more: str) -> int:
+    """Print an error on standard error, and return the exit code."""
     from urdfkit.text.terminal import printable
 
     try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.core.cache_folder import cache_folder
+from urdfkit.core.cache_directory import cache_directory
 from urdfkit.core.record import Record
 
 #: The directories that urdfkit makes in that of the cache; it leaves others alone.
@@ -17,24 +17,24 @@ class Contents(Record):
     Attributes:
         files: the entries.
         size: of all, in bytes.
-        folders: that they are in, the innermost first.
+        directories: that they are in, the innermost first.
     """
 
     files: list[str]
     size: int
-    folders: list[str]
+    directories: list[str]
 
 
 def contents() -> Contents:
     """What lies in the cache now."""
     files: list[str] = []
-    folders: list[str] = []
-    cache = cache_folder()
+    directories: list[str] = []
+    cache = cache_directory()
     for name in _OWN if cache else ():
         for parent, _, names in os.walk(os.path.join(cache or "", name), topdown=False):
-            folders.append(parent)
+            directories.append(parent)
             files += (os.path.join(parent, entry) for entry in names)
-    return Contents(files, sum(map(_size, files)), folders)
+    return Contents(files, sum(map(_size, files)), directories)
 
 
 def _size(path: str) -> int:

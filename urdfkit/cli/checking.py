@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from urdfkit.cli.progress import Progress
     from urdfkit.lint.baseline import Fingerprint
-    from urdfkit.lint.fix import Fixes
+    from urdfkit.lint.fix_session import Fixes
 
 
 def run_check(values: Mapping[str, Any]) -> int:
@@ -105,7 +105,7 @@ def _may_be_kept(values: Mapping[str, Any], chosen: Options) -> bool:
     """False of a check that does more than to report, or depends on more than on files."""
     acts = values["fix"] or values["write_baseline"] or values["changed"]
     # Rules of others are programs, and so are models that are trusted.
-    return not (acts or chosen.with_config().trust or chosen.rules or chosen.config.foreign_rules)
+    return not (acts or chosen.with_config().trust or chosen.rules or chosen.config.external_rules)
 
 
 def choices(values: Mapping[str, Any]) -> Options:
@@ -156,7 +156,7 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
         return check_with(chosen._replace(progress=progress), sources, spills=True)
     finally:
         if progress is not None:
-            progress.wipe()
+            progress.clear()
 
 
 def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) -> Report:
@@ -196,7 +196,7 @@ def apply_fixes(
         again.write()
     finally:
         if progress is not None:
-            progress.wipe()
+            progress.clear()
     first = {file.path: file for file in fixes.files}
     return again._replace(
         files=tuple({**{file.path: file for file in again.files}, **first}.values()),
@@ -239,11 +239,11 @@ def _with_baseline(
         return report
     from urdfkit.lint import baseline
 
-    folder = os.path.dirname(os.path.abspath(file))
+    directory = os.path.dirname(os.path.abspath(file))
     if known is None:
-        atomic.write(file, output.encode(baseline.dump(report, folder)))
+        atomic.write(file, output.encode(baseline.dump(report, directory)))
         known = baseline.load(file)
-    return baseline.sift(report, known, folder)
+    return baseline.apply_baseline(report, known, directory)
 
 
 def _progress(files: Sequence[str]) -> Progress | None:

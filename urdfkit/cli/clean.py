@@ -7,7 +7,7 @@ import os
 from urdfkit.cli import output
 from urdfkit.cli.cache_contents import contents
 from urdfkit.cli.decorators import with_examples
-from urdfkit.core.cache_folder import cache_folder
+from urdfkit.core.cache_directory import cache_directory
 from urdfkit.errors import UnwritableFile
 
 
@@ -21,9 +21,9 @@ def command() -> int:
     try:
         for entry in found.files:
             os.unlink(entry)
-        for folder in found.folders:
-            os.rmdir(folder)
+        for directory in found.directories:
+            os.rmdir(directory)
     except OSError as error:
         raise UnwritableFile(f"{error.filename}: cannot be removed: {error.strerror}") from error
-    output.page([f"{cache_folder() or 'no cache'}: {len(found.files)} entries removed"])
+    output.page([f"{cache_directory() or 'no cache'}: {len(found.files)} entries removed"])
     return 0

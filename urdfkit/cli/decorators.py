@@ -7,6 +7,8 @@ from typing import Any, TypeVar
 
 import click
 
+from urdfkit.core import limits
+
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
@@ -34,6 +36,12 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]
 TRUST = click.option(
     "--trust", is_flag=True, help="Let the model run any expression and read any file."
 )
+XACRO_SECONDS = click.option(
+    "--xacro-seconds", metavar="N", help="Processor time of one expansion. [default: 5]"
+)
+XACRO_MEGABYTES = click.option(
+    "--xacro-megabytes", metavar="N", help="Memory of one expansion. [default: 512]"
+)
 PACKAGE = click.option(
     "--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package."
 )
@@ -46,4 +54,26 @@ VARIANT = click.option(
 )
 TARGET = click.option(
     "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
+)
+
+#: Gives a command that computes the limits of its process; they hold from here on.
+limited = with_options(
+    click.option(
+        "--memory",
+        type=click.FloatRange(0.1),
+        default=8.0,
+        metavar="GIB",
+        expose_value=False,
+        callback=lambda context, option, size: limits.begin_memory(int(size * 2**30)),
+        help="Limit of memory.",
+    ),
+    click.option(
+        "--timeout",
+        type=click.FloatRange(0.01, 1e6),
+        default=300.0,
+        metavar="SECONDS",
+        expose_value=False,
+        callback=lambda context, option, seconds: limits.begin_time(seconds),
+        help="Limit of time, until the result is written.",
+    ),
 )

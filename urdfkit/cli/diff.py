@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import check_options, last_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -47,6 +47,7 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
 @click.option(
     "--lang", type=click.Choice(LANGUAGES), help="Language of the HTML page. [default: en]"
 )
+@limited
 def command(
     form: str | None,
     output_file: str | None,
@@ -82,7 +83,7 @@ def command(
             after,
             check_options(values, last_file(files)),
             tolerances=_tolerances(tolerance),
-            has_pictures=name == "html",
+            has_images=name == "html",
             progress=bar,
         )
     if output_file:

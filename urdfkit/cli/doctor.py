@@ -24,7 +24,7 @@ from urdfkit.cli.decorators import (
     with_examples,
     with_options,
 )
-from urdfkit.core.cache_folder import cache_folder
+from urdfkit.core.cache_directory import cache_directory
 from urdfkit.lint.config import Config, ConfigError
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
@@ -85,7 +85,7 @@ def command(words: tuple[str, ...], **values: Any) -> int:
         config = None
         lines.append(f"configuration: {error}")
     if words:
-        describe = _folder if os.path.isdir(near) else _file
+        describe = _directory if os.path.isdir(near) else _file
         lines += ["", *describe(near, values, config or Config())]
     output.page(lines)
     return 0
@@ -108,14 +108,14 @@ def _installed() -> Iterator[str]:
 def _environment() -> Iterator[str]:
     for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH", "GZ_SIM_RESOURCE_PATH"):
         yield f"{name}: {os.environ.get(name) or 'not set'}"
-    cache = cache_folder()
+    cache = cache_directory()
     found = contents()
     held = f" ({len(found.files)} entries, {found.size / 1e6:.1f} MB)" if cache else ""
     yield f"cache: {cache or 'none'}{held}"
 
 
-def _folder(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
-    """The entry points of a folder, and what is none."""
+def _directory(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
+    """The entry points of a directory, and what is none."""
     resolver = Resolver({**config.packages, **options.packages(values)})
     found = discover(path, config, resolver)
     configured = " (named by the configuration)" if config.robots else ""
@@ -157,19 +157,19 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
     root = packages.root(path)
     known = packages.known(path)
     why = f"because of {root.mark}" if root.mark else "no repository or workspace found around it"
-    yield f"  packages are searched in {shown(root.folder)} ({why})"
+    yield f"  packages are searched in {shown(root.directory)} ({why})"
     siblings = [level.root for level in packages.levels(path) if not level.inside]
-    yield from (f"    and next to it, in {shown(folder)}" for folder in siblings)
-    for name, folder in sorted(known.items()):
+    yield from (f"    and next to it, in {shown(directory)}" for directory in siblings)
+    for name, directory in sorted(known.items()):
         if name not in packages.explicit:
-            yield f"    package {name}: {shown(folder)}"
-    for name, folder in sorted(packages.explicit.items()):
-        yield f"    package {name}: {shown(folder)} (given)"
-    for variable, folders in (
+            yield f"    package {name}: {shown(directory)}"
+    for name, directory in sorted(packages.explicit.items()):
+        yield f"    package {name}: {shown(directory)} (given)"
+    for variable, directories in (
         ("AMENT_PREFIX_PATH", packages.prefixes),
         ("ROS_PACKAGE_PATH", packages.ros1_paths),
     ):
-        yield from (f"    and in {variable}: {shown(folder)}" for folder in folders)
+        yield from (f"    and in {variable}: {shown(directory)}" for directory in directories)
 
 
 def _targets(subject: Subject, given: Targets | None) -> Iterator[str]:

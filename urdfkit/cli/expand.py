@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--root-dir",
-    metavar="FOLDER",
+    metavar="DIRECTORY",
     default=os.curdir,
     help="Directory that relative paths start from.",
 )
@@ -150,7 +150,7 @@ def _write(text: str, target: str | None) -> None:
     if target is None:
         output.write(text)
         return
-    folder = os.path.dirname(target)
-    if folder:
-        atomic.make_folder(folder)  # as xacro does
+    directory = os.path.dirname(target)
+    if directory:
+        atomic.make_directory(directory)  # as xacro does
     atomic.write(target, output.encode(text))

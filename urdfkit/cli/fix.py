@@ -11,14 +11,14 @@ from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
 from urdfkit.cli.checking import apply_fixes, choices, fail_on
 from urdfkit.cli.decorators import examples
-from urdfkit.lint.fix import Fixes
+from urdfkit.lint.fix_session import Fixes
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable, wrap
 
 _OPTIONS = (
     "unsafe-fixes diff force select ignore rules preview min-confidence fail-on target package "
-    "trust changed jobs no-cache config isolated variant"
+    "trust xacro-seconds xacro-megabytes changed jobs no-cache config isolated variant"
 ).split()
 #: Line numbers of one kind of finding that are listed.
 _MAX_LINES = 8

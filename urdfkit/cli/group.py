@@ -30,6 +30,7 @@ COMMANDS = (
     "gazebo",
     "inertia",
     "mesh",
+    "bundle",
     "migrate",
     "render",
     "diff",

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
 from urdfkit.robot.inertia import MassProperties
@@ -50,6 +50,7 @@ VERSION = 1
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @one_robot
+@limited
 def command(
     asked: dict[str, Any],
     source: str,
@@ -86,22 +87,26 @@ def command(
             lump=lump,
         )
     chosen = [one for one in proposals if links or one.is_doubtful]
-    lines: list[str] = []
-    left: dict[str, str] = {}
     if write or diff:
-        files, left = rewrites(chosen)
-        if diff:
-            lines += [line for file in files for line in file.diff().split("\n")[:-1]]
-        else:
-            rewriting.write(files)
-            lines += [f"wrote {shown(file.path)}" for file in files]
-        lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
-        lines = lines or ["nothing to write"]
-    elif form == "json":
-        lines = [dumped(as_json(proposals)).rstrip()]
+        return _write(chosen, is_diff=diff)
+    if form == "json":
+        output.write(dumped(as_json(proposals)))
     else:
-        lines += [*table(proposals), *proposed(chosen)]
-    output.write("\n".join(lines) + "\n")
+        output.page([*table(proposals), *proposed(chosen)])
+    return 0
+
+
+def _write(chosen: Sequence[InertiaProposal], *, is_diff: bool) -> int:
+    """Write suggested values, or show them as a diff; 1 if one cannot be written."""
+    lines: list[str] = []
+    files, left = rewrites(chosen)
+    if is_diff:
+        output.write("".join(file.diff() for file in files))
+    else:
+        rewriting.write(files)
+        lines += [f"wrote {shown(file.path)}" for file in files]
+    lines += [f"link '{name}' is unchanged: {reason}" for name, reason in left.items()]
+    output.page(lines or ["nothing to write"] * (not files))
     return int(bool(left))
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.strict_json import dumped
@@ -37,6 +37,7 @@ _LABEL = 12
 @one_robot
 @posed
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@limited
 def command(asked: dict[str, Any], form: str) -> int:
     """Show a summary of a robot on one page.
 
@@ -147,7 +148,7 @@ def _shapes(found: Shapes) -> Iterator[str]:
         yield from _entry(role, f"{sum(kinds.values())}{': ' if parts else ''}{parts}{more}")
     if found.files:
         formats = ", ".join(f"{count} {name}" for name, count in found.files.items())
-        yield from _entry("mesh files", f"{formats}; {_bytes(found.size)}")
+        yield from _entry("mesh files", f"{formats}; {output.size(found.size)}")
     if found.missing:
         names = _list(map(os.path.basename, found.missing))
         yield from _entry("unusable", names)
@@ -207,10 +208,6 @@ def _vector(values: Iterable[float], size: float = 0.0) -> str:
     every = list(values)
     noise = 1e-6 * max(size, *map(abs, every))
     return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in every)
-
-
-def _bytes(size: int) -> str:
-    return f"{size / 1e6:.1f} MB" if size >= 1e6 else f"{size / 1e3:.0f} kB"
 
 
 def as_json(found: Overview) -> Mapping[str, Any]:

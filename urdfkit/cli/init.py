@@ -14,7 +14,8 @@ from urdfkit.errors import UnwritableFile
 from urdfkit.lint.argument_values import found_values
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
-from urdfkit.lint.discovery import FolderContents, discover
+from urdfkit.lint.discovery import discover
+from urdfkit.lint.entry_points import DirectoryContents
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.source import Source
 from urdfkit.workspace.config_file import nearest
@@ -25,9 +26,9 @@ _FILE = "urdfkit.toml"
 
 
 @with_examples("init", "urdfkit init --print")
-@click.argument("folder", default=os.curdir)
+@click.argument("directory", default=os.curdir)
 @click.option("--print", "only_print", is_flag=True, help="Print the configuration; write nothing.")
-def command(folder: str, only_print: bool) -> int:
+def command(directory: str, only_print: bool) -> int:
     """Write a first urdfkit.toml for the robots in DIR.
 
     It lists every robot found, the arguments that it needs, and the detected targets. An existing
@@ -35,26 +36,26 @@ def command(folder: str, only_print: bool) -> int:
 
     Exit codes: 0 written, 2 no robot found, or there is a configuration already.
     """
-    found = discover(folder, Config(), Resolver())
-    text = render(found, folder)
+    found = discover(directory, Config(), Resolver())
+    text = render(found, directory)
     if only_print:
         output.write(text)
         return 0
-    existing = nearest(folder)
-    if existing and os.path.dirname(existing) == os.path.abspath(folder):
-        path = os.path.join(folder, os.path.basename(existing))
+    existing = nearest(directory)
+    if existing and os.path.dirname(existing) == os.path.abspath(directory):
+        path = os.path.join(directory, os.path.basename(existing))
         raise UnwritableFile(f"{path}: configures it already; --print shows what would be written")
-    path = os.path.join(folder, _FILE)
+    path = os.path.join(directory, _FILE)
     atomic.write(path, output.encode(text))
     count = len(found.robots)
     output.write(f"{path}: {count} {'robot' if count == 1 else 'robots'}\n")
     return 0
 
 
-def render(found: FolderContents, folder: str) -> str:
+def render(found: DirectoryContents, directory: str) -> str:
     """The text of a configuration."""
     resolver = Resolver()
-    robots = [_Robot(robot.file, folder, resolver) for robot in found.robots]
+    robots = [_ConfiguredRobot(robot.file, directory, resolver) for robot in found.robots]
     lines = [
         "# Settings of urdfkit. Lines starting with '#' are comments.",
         "",
@@ -68,19 +69,19 @@ def render(found: FolderContents, folder: str) -> str:
     for robot in robots:
         lines += [*robot.lines(), ""]
     for library in found.libraries:
-        file = os.path.relpath(library, folder).replace(os.sep, "/")
+        file = os.path.relpath(library, directory).replace(os.sep, "/")
         lines.append(f"# {file}: defines no link, and no file includes it")
     return "\n".join(lines).rstrip() + "\n"
 
 
-class _Robot:
+class _ConfiguredRobot:
     """A description, and what a configuration has to say about it."""
 
-    def __init__(self, file: str, folder: str, resolver: Resolver) -> None:
-        self.file = os.path.relpath(file, folder).replace(os.sep, "/")
+    def __init__(self, file: str, directory: str, resolver: Resolver) -> None:
+        self.file = os.path.relpath(file, directory).replace(os.sep, "/")
         subject = Subject(Source.read(file), resolver)
         self._xacro = subject.reading.xacro
-        self._needed = subject.missing_arguments
+        self._needed = subject.reading.missing_arguments
         self._resolver = resolver
         is_readable = subject.reading.document is not None
         self.targets = subject.targets.names if is_readable else ()

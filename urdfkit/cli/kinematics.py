@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.spatial import Transform, to_rpy
@@ -38,6 +38,7 @@ _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 @click.option("--jacobian", metavar="LINK", help="Jacobian of the origin of a link.")
 @click.option("--mass-matrix", is_flag=True, help="The joint-space mass matrix.")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@limited
 def command(
     asked: dict[str, Any],
     ends: tuple[str, str] | None,

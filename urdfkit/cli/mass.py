@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
@@ -34,6 +34,7 @@ VERSION = 1
 @click.option(
     "--format", "form", type=click.Choice(["text", "json", "csv", "markdown"]), default="text"
 )
+@limited
 def command(asked: dict[str, Any], form: str) -> int:
     """Show the mass properties of every link and of the whole robot.
 
@@ -168,6 +169,8 @@ def _link(row: MassRow) -> dict[str, Any]:
 
 def as_csv(found: MassTable) -> str:
     """One line for each link and one for the whole, which has no name."""
+    from urdfkit.output.report.csv import cell  # with all of the report
+
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(
@@ -179,7 +182,7 @@ def as_csv(found: MassTable) -> str:
         if row.shape_mass and row.of_shapes and row.density is not None:
             shapes = [row.shape_mass.properties.mass, row.density, *row.of_shapes[0]]
         mass, center, tensor = row.properties
-        writer.writerow([row.link, mass, *center, *tensor, *row.moments, *shapes])
+        writer.writerow([cell(row.link), mass, *center, *tensor, *row.moments, *shapes])
     body, moments = found.whole.properties, found.moments
     known = [*body.center, *body.tensor, *moments] if body and moments else [""] * 12
     writer.writerow(["", found.whole.mass, *known, *[""] * 5])

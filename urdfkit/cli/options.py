@@ -12,7 +12,7 @@ import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from urdfkit.core import disk
+from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.output import formats
@@ -107,6 +107,8 @@ CHECK = (
         many=True,
     ),
     Option("--trust", "Let the model run any expression and read any file."),
+    Option("--xacro-seconds", "Processor time of one expansion. [default: 5]", "N"),
+    Option("--xacro-megabytes", "Memory of one expansion. [default: 512]", "N"),
     Option(
         "--color",
         "Colours on standard output; auto: on a terminal.",
@@ -157,10 +159,36 @@ def jobs(values: Mapping[str, Any]) -> int:
 
 
 def config(values: Mapping[str, Any], near: str) -> Config | None:
-    """The configuration that holds for a file; for standard input that of the current folder.
+    """The configuration that holds for a file; for standard input that of the current directory.
 
-    One that was found may come with a robot from anywhere, and is no more trusted than it.
+    One that was found may come with a robot from anywhere, and is no more trusted than it. Its
+    limits of an expansion hold from now on, and those that are given.
     """
+    found = _configured(values, near)
+    given = _limits(values)
+    if given:
+        from urdfkit.lint.config import Config
+
+        found = found or Config()
+        found = found._replace(limits=found.limits._replace(**given))
+    if found is not None:
+        expansion_limits.allow(found.limits)
+    return found
+
+
+def _limits(values: Mapping[str, Any]) -> dict[str, int]:
+    """The limits of an expansion that are given, by name."""
+    found = {}
+    for name in ("seconds", "megabytes"):
+        word = values.get(f"xacro_{name}")
+        if word is not None:
+            if not word.isdecimal() or int(word) < 1:
+                raise UsageError(f"--xacro-{name} {word}: write a number from 1")
+            found[name] = int(word)
+    return found
+
+
+def _configured(values: Mapping[str, Any], near: str) -> Config | None:
     if values["isolated"]:
         return None
     path = values["config"] or nearest(os.curdir if near == "-" else near)
@@ -180,7 +208,7 @@ def add_rules(values: Mapping[str, Any]) -> list[str]:
     if names:
         from urdfkit.lint.rule_packages import add
 
-        add(names, modules=True, folder=os.curdir)
+        add(names, modules=True, directory=os.curdir)
     return names
 
 
@@ -197,15 +225,15 @@ def arguments(values: Mapping[str, Any]) -> dict[str, str]:
 
 
 def packages(values: Mapping[str, Any]) -> dict[str, str]:
-    """The folders of packages."""
+    """The directories of packages."""
     found = {}
     for word in values["package"]:
-        name, equals, folder = word.partition("=")
+        name, equals, directory = word.partition("=")
         if not (name and equals):
             raise UsageError(f"--package {word}: expected NAME=DIR: the package and its directory")
-        if not disk.is_folder(folder):
-            raise UsageError(f"--package {word}: no such directory '{folder}'")
-        found[name] = folder
+        if not disk.is_directory(directory):
+            raise UsageError(f"--package {word}: no such directory '{directory}'")
+        found[name] = directory
     return found
 
 

@@ -154,3 +154,8 @@ def page(lines: Iterable[str]) -> None:
 def encode(text: str) -> bytes:
     """UTF-8; bytes of a file name that are no text become escapes that JSON can hold."""
     return text.encode("utf-8", "backslashreplace")
+
+
+def size(number: int) -> str:
+    """A number of bytes in kB or MB."""
+    return f"{number / 1e6:.1f} MB" if number >= 1e6 else f"{number / 1e3:.0f} kB"

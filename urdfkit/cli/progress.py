@@ -8,8 +8,10 @@ import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from urdfkit.core import limits
+
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from threading import Timer
     from typing import TextIO
 
@@ -34,7 +36,7 @@ class Progress:
         self._start = time.monotonic()
         self._state = (0, 1)
         self._timer: Timer | None = None
-        self._is_drawn = False
+        self._is_visible = False
 
     def __call__(self, done: int, total: int) -> None:
         """Draw it, once the job has lasted for a while; of 0 while nobody knows how many."""
@@ -50,21 +52,21 @@ class Progress:
             self._timer.daemon = True
             self._timer.start()
 
-    def wipe(self) -> None:
+    def clear(self) -> None:
         """Leave nothing behind."""
         if self._timer is not None:
             self._timer.cancel()
             self._timer.join()
-        if self._is_drawn:
+        if self._is_visible:
             self._draw("\r\x1b[K")
-            self._is_drawn = False
+            self._is_visible = False
 
     def _show(self) -> None:
         done, total = self._state
         bar = "#" * (_WIDTH * done // total) if total else ""
         of_total = f" of {total}" if total else ""
         self._draw(f"\r[{bar:<{_WIDTH}}] {done}{of_total}{self._things}{self._rate()}")
-        self._is_drawn = True
+        self._is_visible = True
 
     def _rate(self) -> str:
         """Such as ``, 85.2/s, 0:03:20 left``, with what wipes a longer text."""
@@ -92,11 +94,11 @@ def on_terminal(things: str = "", *, rated: bool = False) -> Progress | None:
 
 
 @contextmanager
-def shown(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]:
+def shown(things: str = "", *, rated: bool = False) -> Iterator[Callable[[int, int], None] | None]:
     """Progress on standard error while a job lasts, if a person looks at it."""
     bar = on_terminal(things, rated=rated)
     try:
-        yield bar
+        yield limits.noting(bar)
     finally:
         if bar is not None:
-            bar.wipe()
+            bar.clear()

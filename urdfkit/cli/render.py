@@ -1,4 +1,4 @@
-"""``urdfkit render``: a picture of a robot."""
+"""``urdfkit render``: an image of a robot."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
@@ -26,7 +26,7 @@ VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
 #: Pixels of an image, of an animation, of two states side by side, and of a thumbnail.
 SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x256"
 
-#: Meshes that are boxes in the picture and named one by one.
+#: Meshes that are boxes in the image and named one by one.
 _NAMED = 5
 
 
@@ -62,6 +62,7 @@ _NAMED = 5
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
 @click.option("--no-ground", is_flag=True, help="Do not draw the ground shadow.")
 @click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
+@limited
 def command(asked: dict[str, Any], **values: Any) -> int:
     """Render images and animations of a robot.
 
@@ -120,11 +121,11 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
     with progress.shown() as bar:
-        image = render.picture(
+        image = render.render_image(
             scene,
             VIEWS if named == ["all"] else named,
             size=_size(values["size"] or SIZE),
-            look=_camera(values),
+            camera_options=_camera(values),
             progress=bar,
             **_drawing(values),
         )
@@ -142,7 +143,7 @@ def _animation(
     size, view = _size(values["size"] or MOVING), _one_view(values)
     if values["turntable"]:
         points = render.swept_circle(scene.points())
-        shots = render.orbit(scene, render.looking(points, view, size=size, **_camera(values)))
+        shots = render.orbit(scene, render.place_camera(points, view, size=size, **_camera(values)))
     else:
         scenes = render.sweep(scene, robot, values["sweep"], pose)
         shots = render.followed(list(scenes), view, size=size, **_camera(values))
@@ -156,11 +157,11 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
+    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
         scenes = []
         chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
-            where = os.path.join(os.path.realpath(folder), name)
+            where = os.path.join(os.path.realpath(directory), name)
             robot = RobotState(file, where, chosen).subject
             scenes.append(_scene(robot, positions(robot, asked), values))
         before, after = scenes
@@ -169,7 +170,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
             after,
             _one_view(values),
             size=_size(values["size"] or DIFFERENCE),
-            look=_camera(values),
+            camera_options=_camera(values),
             **_drawing(values),
         )
     render.save(image, values["output"])
@@ -225,7 +226,7 @@ def _nothing(file: str, robot: Subject) -> str:
 
 
 def _print_notes(scene: Scene) -> None:
-    """Say on standard error which meshes are boxes in the picture, and which letters escapes."""
+    """Say on standard error which meshes are boxes in the image, and which letters escapes."""
     from urdfkit import render
 
     for mesh in scene.missing[:_NAMED]:

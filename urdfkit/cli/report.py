@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -32,6 +32,7 @@ from urdfkit.text.diagnostic import Severity
 @click.option("--quick", is_flag=True, help="Skip images, statics and collisions.")
 @click.option("--table", type=click.Choice([*COLUMNS]), default="findings", help="Of a .csv.")
 @click.option("--fail-on", type=click.Choice(["error", "warning", "info"]), help="Exit with 1.")
+@limited
 def command(
     output_file: str | None,
     lang: str,

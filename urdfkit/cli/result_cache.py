@@ -16,7 +16,7 @@ import sys
 import time
 
 from urdfkit import __version__
-from urdfkit.cli.result_entry import Entry, decode, folder, path_of
+from urdfkit.cli.result_entry import ResultEntry, decode, directory, path_of
 from urdfkit.core import file_log
 
 #: Variables that decide how a result is printed.
@@ -28,11 +28,11 @@ def question(words: list[str]) -> bytes | None:
 
     None if it cannot be answered from the cache.
     """
-    if words[:1] != ["check"] or "--no-cache" in words or "-" in words or folder() is None:
+    if words[:1] != ["check"] or "--no-cache" in words or "-" in words or directory() is None:
         return None
     try:
         here = os.getcwd()
-    except OSError:  # the current folder is gone
+    except OSError:  # the current directory is gone
         return None
     parts = [__version__, __file__, sys.version, here, str(len(words)), *words, *_terminal()]
     # They change with every package that is installed, removed or replaced.
@@ -80,7 +80,7 @@ def replay(words: list[str]) -> int | None:
     return _write(entry)
 
 
-def _write(entry: Entry) -> int:
+def _write(entry: ResultEntry) -> int:
     """Write everything as the check did."""
     for path, data in entry.outputs:
         if path:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 import zlib
 
-from urdfkit.core.cache_folder import cache_folder
+from urdfkit.core.cache_directory import cache_directory
 from urdfkit.core.record import Record
 
 #: Goes up when the layout of entries changes, or what answers mean.
 _LAYOUT = b"urdfkit result 1"
 
 
-class Entry(Record):
+class ResultEntry(Record):
     """What is known of a check.
 
     Attributes:
@@ -30,18 +30,18 @@ class Entry(Record):
     outputs: list[tuple[str, bytes]]
 
 
-def folder() -> str | None:
+def directory() -> str | None:
     """The directory of the entries; None if there is none."""
-    cache = cache_folder()
+    cache = cache_directory()
     return os.path.join(cache, "results") if cache else None
 
 
 def path_of(question: bytes) -> str:
     """The file of the entry that answers a question."""
-    return os.path.join(folder() or "", f"{zlib.crc32(question):08x}")
+    return os.path.join(directory() or "", f"{zlib.crc32(question):08x}")
 
 
-def encode(entry: Entry) -> bytes:
+def encode(entry: ResultEntry) -> bytes:
     """An entry as bytes, with a checksum."""
     fields = [str(entry.since), str(entry.code), str(len(entry.answers)), str(len(entry.outputs))]
     for answer in entry.answers:
@@ -54,7 +54,7 @@ def encode(entry: Entry) -> bytes:
     return b"%s %08x\n%s" % (_LAYOUT, zlib.crc32(body), body)
 
 
-def decode(data: bytes) -> Entry:
+def decode(data: bytes) -> ResultEntry:
     """The entry in some bytes.
 
     Raises:
@@ -77,4 +77,4 @@ def decode(data: bytes) -> Entry:
         at += length
     if len(answers) != count or len(written) != outputs:
         raise ValueError("damaged")
-    return Entry(rest[:asked], since, answers, code, written)
+    return ResultEntry(rest[:asked], since, answers, code, written)

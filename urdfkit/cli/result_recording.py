@@ -6,7 +6,7 @@ import os
 import time
 
 from urdfkit.cli import result_entry
-from urdfkit.cli.result_entry import Entry
+from urdfkit.cli.result_entry import ResultEntry
 from urdfkit.core import atomic, disk
 from urdfkit.core.file_log import FileLog
 from urdfkit.core.own_sources import note_sources
@@ -44,24 +44,24 @@ def keep(code: int, outputs: list[tuple[str, bytes]]) -> None:
     disk.log_to(None)
     if log.is_complete:
         answers = [(kind, path, answer) for (kind, path), answer in log.answers.items()]
-        store(Entry(*_begun, answers, code, outputs))
+        store(ResultEntry(*_begun, answers, code, outputs))
 
 
-def store(entry: Entry) -> None:
+def store(entry: ResultEntry) -> None:
     """Write an entry; that this fails is no concern of a check."""
     path = result_entry.path_of(entry.question)
-    folder = os.path.dirname(path)
+    directory = os.path.dirname(path)
     try:
-        os.makedirs(folder, exist_ok=True)
-        _make_room(folder)
+        os.makedirs(directory, exist_ok=True)
+        _make_room(directory)
         atomic.write(path, result_entry.encode(entry), durable=False)
     except (OSError, UnwritableFile):
         return
 
 
-def _make_room(folder: str) -> None:
+def _make_room(directory: str) -> None:
     """Remove the older half of the entries of a full directory."""
-    with os.scandir(folder) as found:
+    with os.scandir(directory) as found:
         entries = [(entry.stat().st_mtime, entry.stat().st_size, entry.path) for entry in found]
     if sum(size for _, size, _ in entries) < MAX_BYTES:
         return

@@ -18,18 +18,20 @@ from urdfkit.cli.decorators import (
     TARGET,
     TRUST,
     VARIANT,
+    XACRO_MEGABYTES,
+    XACRO_SECONDS,
     Command,
     with_options,
 )
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
+from urdfkit.lint.argument_sets import unknown_arguments
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
-from urdfkit.lint.plan import unknown_arguments
 from urdfkit.mesh.io.facts import counted
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
@@ -39,12 +41,15 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.text.diagnostic import Problem
 
-#: Robots of a folder that an error names.
+#: Robots of a directory that an error names.
 _NAMED = 5
 
 #: The options of reading a robot, and the keys of their values.
-_READING = (TRUST, ISOLATED, CONFIG, VARIANT, PACKAGE)
-_KEYS = (options.FILES, "package", "variant", "config", "isolated", "trust", "joint", "pose")
+_READING = (XACRO_MEGABYTES, XACRO_SECONDS, TRUST, ISOLATED, CONFIG, VARIANT, PACKAGE)
+_KEYS = (
+    *(options.FILES, "package", "variant", "config", "isolated", "trust"),
+    *("xacro_seconds", "xacro_megabytes", "joint", "pose"),
+)
 
 #: Gives a command the options of reading a robot, without the words that name it.
 read_by_options = with_options(*_READING)
@@ -102,14 +107,14 @@ def check_options(values: Mapping[str, Any], file: str) -> Options:
 
 
 def last_file(states: Sequence[str]) -> str:
-    """The state that is a file, whose configuration counts for all; else the current folder."""
+    """The state that is a file, whose configuration counts for all; else the current directory."""
     return next((file for file in reversed(states) if os.path.exists(file)), os.curdir)
 
 
-def _robots_in(folder: str) -> str:
-    """What to name instead of a folder."""
+def _robots_in(directory: str) -> str:
+    """What to name instead of a directory."""
     try:
-        found = discover(folder, Config(), Resolver()).robots
+        found = discover(directory, Config(), Resolver()).robots
     except UnreadableFile:
         return "pass a robot file"
     paths = [shown(robot.file) for robot in found]
@@ -117,12 +122,12 @@ def _robots_in(folder: str) -> str:
     return f"pass one of its robots: {', '.join(paths[:_NAMED])}{more}"
 
 
-class Reading(Record):
+class ReadOptions(Record):
     """How a robot is read: as the command line says, else as the configuration does.
 
     Attributes:
         arguments: for xacro.
-        packages: folders of ROS packages by name.
+        packages: directories of ROS packages by name.
         trust: let the model run any expression.
     """
 
@@ -131,7 +136,7 @@ class Reading(Record):
     trust: bool
 
 
-def reading(asked: Mapping[str, Any], file: str) -> Reading:
+def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
     """How the robot in a file is read.
 
     Args:
@@ -144,7 +149,7 @@ def reading(asked: Mapping[str, Any], file: str) -> Reading:
     config = options.config(asked, file) or Config()
     entry = config.entry(file, options.arguments(asked), asked["variant"])
     packages = {**config.packages, **options.packages(asked)}
-    return Reading(entry.arguments, packages, asked["trust"] or config.trust)
+    return ReadOptions(entry.arguments, packages, asked["trust"] or config.trust)
 
 
 def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None = None) -> Subject:
@@ -170,6 +175,10 @@ def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None 
         )
     except UnreadableRobot as error:
         raise first_of(error, file) from error
+    if not subject.model.links and subject.document.root.tag != "robot":
+        raise UnreadableRobot(
+            f"{file}: the root element is <{subject.document.root.tag}>, not <robot>"
+        )
     for one in subject.launched:
         values = " ".join(f"{name}:={value}" for name, value in one.arguments.items())
         print(printable(f"note: read with {values} of {shown(one.launch)}"), file=sys.stderr)

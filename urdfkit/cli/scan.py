@@ -49,7 +49,7 @@ class _Scan(click.Command):
     ),
 )
 @click.argument("sources", nargs=-1, required=True, metavar="SOURCE...")
-@click.option("-o", "--output", "folder", required=True, metavar="DIR", help="Of the results.")
+@click.option("-o", "--output", "directory", required=True, metavar="DIR", help="Of the results.")
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
 @click.option("--seconds", type=click.FloatRange(0.01), default=60.0, help="Limit for a model.")
 @click.option("--memory", type=click.FloatRange(0.1), default=4.0, help="Limit in GiB.")
@@ -63,7 +63,7 @@ class _Scan(click.Command):
 @click.option("--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package.")
 def command(
     sources: tuple[str, ...],
-    folder: str,
+    directory: str,
     jobs: int | None,
     seconds: float,
     memory: float,
@@ -93,7 +93,7 @@ def command(
     with shown("models", rated=True) as bar:
         count = scan(
             sources,
-            folder,
+            directory,
             Settings(chosen, seconds, int(memory * 2**30)),
             engine=engine,
             address=address,
@@ -102,23 +102,23 @@ def command(
         )
     files = [journal.RESULTS]
     if find_spec("pyarrow"):
-        write_tables(folder)
+        write_tables(directory)
         files += [MODELS, FINDINGS]
     else:
         options.warn("no Parquet files without pyarrow: pip install 'urdfkit[scan]'")
-    output.page([f"{count} models checked; {folder} has {', '.join(files)}"])
+    output.page([f"{count} models checked; {directory} has {', '.join(files)}"])
     return 0
 
 
 @click.command("summary", epilog=examples("urdfkit scan summary results"))
-@click.argument("folder", metavar="DIR")
-def summary(folder: str) -> int:
+@click.argument("directory", metavar="DIR")
+def summary(directory: str) -> int:
     """Summarise the results of a scan: on standard output, and as DIR/summary.html.
 
     Rates per rule, models with the same content, outliers, and models that were not checked.
     """
-    found = summarise(journal.rows(folder))
-    page_text = page.html(found, f"Scan {os.path.basename(os.path.abspath(folder))}")
-    atomic.write(os.path.join(folder, PAGE), output.encode(page_text))
+    found = summarise(journal.rows(directory))
+    page_text = page.html(found, f"Scan {os.path.basename(os.path.abspath(directory))}")
+    atomic.write(os.path.join(directory, PAGE), output.encode(page_text))
     output.page(page.text(found))
     return 0

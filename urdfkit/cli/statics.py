@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
@@ -18,8 +18,9 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.robot.joints import effort_unit
-from urdfkit.robot.model import RobotModel, number
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.stability import VERDICTS, Stability, Standing, standing
+from urdfkit.robot.values import number
 from urdfkit.text.terminal import wrap
 
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ MAX_SAMPLES = 1_000_000
     "--visuals", is_flag=True, help="Use the visual where a contact link has no collision."
 )
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@limited
 def command(
     asked: dict[str, Any],
     payload: tuple[str, ...],

@@ -28,7 +28,7 @@ def command(asked: dict[str, Any], form: str) -> int:
     """
     subject = robot(asked)
     if form == "text":
-        output.page(text.render(subject.tree, output.width()).removesuffix("\n").split("\n"))
+        output.write(text.render(subject.tree, output.width()))
     else:
         output.write(import_module(f"urdfkit.output.diagrams.{form}").render(subject.tree))
     return 0

@@ -1,6 +1,6 @@
 """The gate to the files that are read on behalf of a robot.
 
-Whatever a robot, a configuration or a folder makes urdfkit open, look for or list is asked for
+Whatever a robot, a configuration or a directory makes urdfkit open, look for or list is asked for
 here, so that one place knows what a result depends on (`log_to`). Files of urdfkit itself, and
 what is written, do not pass.
 """
@@ -9,11 +9,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from errno import EFBIG
 from stat import S_ISDIR, S_ISLNK, S_ISREG
-from typing import TYPE_CHECKING
+
+from urdfkit.core.regular_file import opened
+
+TYPE_CHECKING = False  # ``typing`` takes longer to import than all that this does
 
 if TYPE_CHECKING:
     from urdfkit.core.file_log import FileLog
+
+#: Files that are read as a whole are no longer than this: meshes are the longest.
+MAX_BYTES = 128 * 1024 * 1024
 
 _log: FileLog | None = None
 
@@ -43,14 +50,16 @@ def read(path: str | os.PathLike[str], most: int = -1) -> bytes:
         most: so many from its beginning; all if negative.
 
     Raises:
-        OSError: it cannot be opened.
+        OSError: it cannot be opened, is no regular file, or all of it is more than ``MAX_BYTES``.
         ValueError: there is a NUL in its name.
     """
     path = os.fspath(path)
     try:
-        with open(path, "rb") as file:
-            data = file.read(most)
+        with opened(path) as file:
+            data = file.read(MAX_BYTES + 1 if most < 0 else most)
             state = os.fstat(file.fileno()) if _log is not None else None
+        if most < 0 and len(data) > MAX_BYTES:
+            raise OSError(EFBIG, f"larger than {MAX_BYTES // 2**20} MiB", path)
     except OSError:
         if _log is not None:
             _log.read(path, most)
@@ -87,7 +96,7 @@ def is_file(path: str) -> bool:
     return S_ISREG(_mode(path))
 
 
-def is_folder(path: str) -> bool:
+def is_directory(path: str) -> bool:
     """True of a directory, or a link to one."""
     return S_ISDIR(_mode(path))
 
@@ -102,41 +111,41 @@ def has_name(path: str) -> bool:
     return _link_mode(path) != 0
 
 
-def names(folder: str) -> list[str]:
-    """The names in a folder.
+def names(directory: str) -> list[str]:
+    """The names in a directory.
 
     Raises:
         OSError: it is none, or may not be read.
         ValueError: there is a NUL in its name.
     """
-    return [entry.name for entry in entries(folder)]
+    return [entry.name for entry in entries(directory)]
 
 
-def entries(folder: str) -> list[os.DirEntry[str]]:
-    """What is in a folder.
+def entries(directory: str) -> list[os.DirEntry[str]]:
+    """What is in a directory.
 
     Raises:
         OSError: it is none, or may not be read.
         ValueError: there is a NUL in its name.
     """
     try:
-        with os.scandir(folder) as found:
+        with os.scandir(directory) as found:
             inside = list(found)
     except OSError:
         if _log is not None:
-            _log.listed(folder, None)
+            _log.listed(directory, None)
         raise
     if _log is not None:
-        _log.listed(folder, [entry.name for entry in inside])
+        _log.listed(directory, [entry.name for entry in inside])
     return inside
 
 
-def walk(folder: str) -> Iterator[tuple[str, list[str], list[str]]]:
-    """As ``os.walk``: folders, with the names of folders and files in each, from the top."""
-    for parent, folders, inside in os.walk(folder, onerror=_note_closed):
+def walk(directory: str) -> Iterator[tuple[str, list[str], list[str]]]:
+    """As ``os.walk``: directories from the top, with the directories and files in each."""
+    for parent, directories, inside in os.walk(directory, onerror=_note_closed):
         if _log is not None:
-            _log.listed(parent, [*folders, *inside])
-        yield parent, folders, inside
+            _log.listed(parent, [*directories, *inside])
+        yield parent, directories, inside
 
 
 def _note_closed(error: OSError) -> None:

@@ -1,14 +1,16 @@
 """What a run has asked of the file system and of the environment, and whether it still holds.
 
-An answer is a text. That of a folder, or of a file that was read, begins with its time of change,
-size and inode: as long as these are the same and older than the answer, the content is, too. Else
-the content itself is compared, by its hash.
+An answer is a text. That of a directory, or of a file that was read, begins with its time of
+change, size and inode: as long as these are the same and older than the answer, the content is,
+too. Else the content itself is compared, by its hash.
 """
 
 from __future__ import annotations
 
 import os
 from stat import S_IFMT, S_ISLNK
+
+from urdfkit.core.regular_file import opened
 
 TYPE_CHECKING = False
 
@@ -32,7 +34,7 @@ class FileLog:
     Attributes:
         answers: by kind and path. ``r`` is a file that was read, with the number of bytes if not
             the whole; ``t`` its time of change, ``s`` the type and size of a file, ``k`` its type
-            alone, ``l`` whether it is a link, ``d`` the names in a folder, ``p`` where a path
+            alone, ``l`` whether it is a link, ``d`` the names in a directory, ``p`` where a path
             leads, ``v`` a variable.
         is_complete: False if the result depends on something else as well, or a file changed.
     """
@@ -69,13 +71,15 @@ class FileLog:
         """Whether a file is a link was looked at."""
         self._note("l", path, _link(state))
 
-    def listed(self, folder: str, names: Iterable[str] | None) -> None:
-        """The names in a folder were looked at."""
+    def listed(self, directory: str, names: Iterable[str] | None) -> None:
+        """The names in a directory were looked at."""
         try:
-            state = os.stat(folder)
+            state = os.stat(directory)
         except (OSError, ValueError):
             names = None
-        self._note("d", folder, NOTHING if names is None else f"{_time(state)} {_of_names(names)}")
+        self._note(
+            "d", directory, NOTHING if names is None else f"{_time(state)} {_of_names(names)}"
+        )
 
     def real(self, path: str, real: str) -> None:
         """Where a path leads was looked at; it matters if there is a link on the way."""
@@ -135,7 +139,7 @@ def _content_again(kind: str, path: str, answer: str, since: int) -> str | None:
         if kind == "d":
             digest = _of_names(os.listdir(path))
         else:
-            with open(path, "rb") as file:
+            with opened(path) as file:
                 digest = _digest(file.read(int(kind[1:] or -1)))
     except (OSError, ValueError):
         return answer if answer == NOTHING else None

@@ -16,8 +16,8 @@ def note_sources() -> None:
     if log is None or os.path.dirname(_PACKAGE).endswith("-packages"):
         return
     files = {getattr(module, "__file__", None) or "" for module in tuple(sys.modules.values())}
-    for parent, folders, names in disk.walk(_PACKAGE):
-        folders[:] = [name for name in folders if name != "__pycache__"]
+    for parent, directories, names in disk.walk(_PACKAGE):
+        directories[:] = [name for name in directories if name != "__pycache__"]
         files.update(os.path.join(parent, name) for name in names if name.endswith(".json"))
     for file in files:
         if file.startswith(_PACKAGE):

@@ -62,9 +62,9 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
 
 def nearest_file(path: str) -> str | None:
     """The file in the directory of a missing file whose name is most like it, with its suffix."""
-    folder, name = os.path.split(path)
+    directory, name = os.path.split(path)
     stem, suffix = os.path.splitext(name)
-    siblings = map(os.path.splitext, disk.names(folder) if disk.is_folder(folder) else ())
+    siblings = map(os.path.splitext, disk.names(directory) if disk.is_directory(directory) else ())
     suggested = nearest(stem, [other for other, kind in siblings if kind == suffix])
     return suggested and suggested + suffix
 

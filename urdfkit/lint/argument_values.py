@@ -1,4 +1,4 @@
-"""Values for the xacro arguments that a description lacks, from the files around it.
+"""ArgumentValues for the xacro arguments that a description lacks, from the files around it.
 
 A robot's file may want arguments that a launch file gives. Where no launch file gives all of them,
 a value is likely that is declared for the same name, or that names a directory which a path with
@@ -15,7 +15,9 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.words import few
 from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.lint.include_graph import INCLUDE
 from urdfkit.ros.launch.robot_arguments import declared, given
 from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Problem
@@ -26,24 +28,23 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from urdfkit.xacro import Xacro
 
-#: Values of one argument that a message names.
+#: ArgumentValues of one argument that a message names.
 _FEW = 10
 
-_INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"'<>]+)["']""")
 _DECLARATION = re.compile(rb"<xacro:arg\b[^<>]*>")
 _ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
-#: A path in which a whole folder is the value of an argument, or of a parameter called like it.
+#: A path in which a whole directory is the value of an argument, or of a parameter called like it.
 _PATH = r"""["']([^"'<>\n]*/)(?:\$\(arg\s+%s\s*\)|\$\{\s*%s\s*\})(/[^"'<>\n]*)["']"""
 _PACKAGE = rf"{FIND}|^package://([\w.-]+)"
 _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
-class Values(Record):
-    """Values that one argument may have.
+class ArgumentValues(Record):
+    """ArgumentValues that one argument may have.
 
     Attributes:
         values: in the order in which they are found.
-        origin: path of the launch file, xacro file or folder that they are from.
+        origin: path of the launch file, xacro file or directory that they are from.
     """
 
     values: tuple[str, ...]
@@ -51,7 +52,7 @@ class Values(Record):
 
 
 def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -> Iterator[Problem]:
-    """What reading met; with the values that are found for arguments without one.
+    """The problems of a description, with the values that are found for arguments without one.
 
     Args:
         problems: of a description.
@@ -64,23 +65,23 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
         yield problem._replace(help=f"{problem.help}; {reported(found)}") if found else problem
 
 
-def reported(found: Values) -> str:
-    """Values of an argument, and where they are from."""
-    few = ", ".join(found.values[:_FEW])
-    more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
-    verb = "has" if disk.is_folder(found.origin) else "gives"
-    return f"{shown(found.origin)} {verb} {few}{more}"
+def reported(found: ArgumentValues) -> str:
+    """ArgumentValues of an argument, and where they are from."""
+    verb = "has" if disk.is_directory(found.origin) else "gives"
+    return f"{shown(found.origin)} {verb} {few(found.values, _FEW)}"
 
 
-def found_values(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
     """The values that one argument of a description may have; None if there are none."""
     robot = xacro.sources[0].path
     if sets := given(robot, (name,), resolver):
-        return Values(tuple(dict.fromkeys(one.arguments[name] for one in sets)), sets[0].launch)
+        return ArgumentValues(
+            tuple(dict.fromkeys(one.arguments[name] for one in sets)), sets[0].launch
+        )
     for launch, choices in declared(robot, resolver):
         if name in choices:
-            return Values(tuple(choices[name]), launch)
-    return _of_includes(name, xacro, resolver) or _of_folders(name, xacro, resolver)
+            return ArgumentValues(tuple(choices[name]), launch)
+    return _of_includes(name, xacro, resolver) or _of_directories(name, xacro, resolver)
 
 
 def combinations(
@@ -91,7 +92,7 @@ def combinations(
     One argument takes each of its values, and the others then their first one. There are none
     unless each of them has a value.
     """
-    found: dict[str, Values] = {}
+    found: dict[str, ArgumentValues] = {}
     for name in names:
         values = found_values(name, xacro, resolver)
         if values is None:
@@ -106,17 +107,17 @@ def combinations(
         yield first | change
 
 
-def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
     """The default in an included file to which the expansion does not come."""
     read = {disk.real(source.path) for source in xacro.sources}
     for source in xacro.sources:
-        for file in _INCLUDE.findall(without_comments(source.data)):
+        for file in INCLUDE.findall(without_comments(source.data)):
             path = _plain_path(file.decode("utf-8", "replace"), source, resolver)
             if not path or disk.real(path) in read or not resolver.allows(path, source.path):
                 continue
             default = _default(name, path, resolver)
             if default is not None:
-                return Values((default,), path)
+                return ArgumentValues((default,), path)
     return None
 
 
@@ -138,20 +139,20 @@ def _attributes(tag: bytes, *names: bytes) -> Mapping[bytes, str]:
     return {name: at.group(1).decode("utf-8", "replace") for name, at in found.items() if at}
 
 
-def _of_folders(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
-    """The names of the folders to which all paths with the argument lead."""
+def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
+    """The names of the directories to which all paths with the argument lead."""
     word = re.escape(name)
     common: set[str] | None = None
     origin = ""
     for source in xacro.sources:
         text = without_comments(source.data).decode("utf-8", "replace")
         for head, rest in dict.fromkeys(re.findall(_PATH % (word, word), text)):
-            folder = _plain_path(head, source, resolver)
-            if not folder or not resolver.allows(folder, source.path):
+            directory = _plain_path(head, source, resolver)
+            if not directory or not resolver.allows(directory, source.path):
                 continue
-            there = set(_leading_to(rest, name, folder, resolver))
-            common, origin = (there, folder) if common is None else (common & there, origin)
-    return Values(tuple(sorted(common)), origin) if common else None
+            there = set(_leading_to(rest, name, directory, resolver))
+            common, origin = (there, directory) if common is None else (common & there, origin)
+    return ArgumentValues(tuple(sorted(common)), origin) if common else None
 
 
 def _plain_path(text: str, source: Source, resolver: Resolver) -> str:
@@ -168,12 +169,12 @@ def _plain_path(text: str, source: Source, resolver: Resolver) -> str:
     return "" if "$" in text else os.path.normpath(os.path.join(here, text))
 
 
-def _leading_to(rest: str, name: str, folder: str, resolver: Resolver) -> Iterator[str]:
-    """The folders below one in which the rest of a path is there."""
+def _leading_to(rest: str, name: str, directory: str, resolver: Resolver) -> Iterator[str]:
+    """The directories below one in which the rest of a path is there."""
     itself = re.compile(rf"\$\(arg\s+{re.escape(name)}\s*\)|\$\{{\s*{re.escape(name)}\s*\}}")
-    for entry, is_folder in (resolver.folders.entries(folder) or {}).items():
-        if is_folder and re.fullmatch(r"\w[\w.-]*", entry):
+    for entry, is_directory in (resolver.directories.entries(directory) or {}).items():
+        if is_directory and re.fullmatch(r"\w[\w.-]*", entry):
             plain = map(glob.escape, _EXPRESSION.split(itself.sub(entry, rest)))
-            pattern = glob.escape(os.path.join(folder, entry)) + "*".join(plain)
+            pattern = glob.escape(os.path.join(directory, entry)) + "*".join(plain)
             if any(True for _ in glob.iglob(pattern)):
                 yield entry

@@ -33,7 +33,7 @@ class Fingerprint(Record):
     """What a finding is known by.
 
     Attributes:
-        path: of the file, relative to the baseline's folder, with forward slashes.
+        path: of the file, relative to the baseline's directory, with forward slashes.
         code: of the rule.
         text: of the line where the finding is, without indentation.
     """
@@ -43,10 +43,10 @@ class Fingerprint(Record):
     text: str
 
 
-def fingerprint(diagnostic: Diagnostic, folder: str) -> Fingerprint:
-    """What a finding is known by, in a baseline in a folder."""
+def fingerprint(diagnostic: Diagnostic, directory: str) -> Fingerprint:
+    """What a finding is known by, in a baseline in a directory."""
     span = diagnostic.span
-    path = os.path.relpath(os.path.abspath(span.source.path), os.path.abspath(folder))
+    path = os.path.relpath(os.path.abspath(span.source.path), os.path.abspath(directory))
     text = " ".join(span.source.line(span.line).split())
     return Fingerprint(path.replace(os.sep, "/"), diagnostic.code, text)
 
@@ -66,14 +66,14 @@ def fingerprints(diagnostics: Iterable[Diagnostic]) -> list[str]:
     return marks
 
 
-def dump(report: Report, folder: str) -> str:
+def dump(report: Report, directory: str) -> str:
     """The text of a baseline of a report; the same findings give the same text.
 
-    It has what is silenced as well, for its cause is tolerated from now on.
+    It has what is superseded as well, for its cause is tolerated from now on.
     """
-    silenced = (one for group in report.silenced for one in group.findings)
-    found = {_identity(one): one for one in (*report.diagnostics, *silenced)}
-    counts = Counter(fingerprint(diagnostic, folder) for diagnostic in found.values())
+    superseded = (one for group in report.superseded for one in group.findings)
+    found = {_identity(one): one for one in (*report.diagnostics, *superseded)}
+    counts = Counter(fingerprint(diagnostic, directory) for diagnostic in found.values())
     findings = [{**key._asdict(), "count": count} for key, count in sorted(counts.items())]
     document = {"version": VERSION, "findings": findings}
     return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
@@ -100,23 +100,23 @@ def load(path: str) -> Counter[Fingerprint]:
         raise BaselineError(f"{path}: not a urdfkit baseline ({error})") from error
 
 
-def sift(report: Report, known: Counter[Fingerprint], folder: str) -> Report:
+def apply_baseline(report: Report, known: Counter[Fingerprint], directory: str) -> Report:
     """A report without what a baseline tolerates.
 
     A tolerated finding silences nothing: what follows from it is reported, unless the baseline has
     that, too.
     """
-    tolerated = _Tolerated(known, folder)
-    new = [one for one in report.diagnostics if not tolerated.takes(one)]
+    known_findings = _KnownFindings(known, directory)
+    new = [one for one in report.diagnostics if not known_findings.takes(one)]
     stands = set(map(_identity, new))
     found = {
         _identity(one): one
-        for group in report.silenced
+        for group in report.superseded
         if stands.isdisjoint(map(_identity, group.causes))
         for one in group.findings
     }
-    new += [one for one in found.values() if not tolerated.takes(one)]
-    return report._replace(diagnostics=in_reading_order(new), tolerated=tolerated.count)
+    new += [one for one in found.values() if not known_findings.takes(one)]
+    return report._replace(diagnostics=in_reading_order(new), tolerated=known_findings.count)
 
 
 def _identity(diagnostic: Diagnostic) -> tuple[object, ...]:
@@ -125,26 +125,26 @@ def _identity(diagnostic: Diagnostic) -> tuple[object, ...]:
     return (diagnostic.code, disk.real(span.source.path), *span[1:], diagnostic.message)
 
 
-class _Tolerated:
+class _KnownFindings:
     """What a baseline still tolerates.
 
     Args:
         known: the findings in it, with how often each is tolerated.
-        folder: of the baseline.
+        directory: of the baseline.
     """
 
-    def __init__(self, known: Counter[Fingerprint], folder: str) -> None:
+    def __init__(self, known: Counter[Fingerprint], directory: str) -> None:
         self.count = 0
-        self._folder = folder
+        self._directory = directory
         paths = {key.path for key in known}
-        gone = {path for path in paths if not disk.has_name(os.path.join(folder, path))}
+        gone = {path for path in paths if not disk.has_name(os.path.join(directory, path))}
         self._left: Counter[Fingerprint] = Counter()
         for key, count in known.items():
             self._left[key._replace(path="") if key.path in gone else key] += count
 
     def takes(self, diagnostic: Diagnostic) -> bool:
         """True if a finding is tolerated, which is then used up."""
-        own = fingerprint(diagnostic, self._folder)
+        own = fingerprint(diagnostic, self._directory)
         key = own if self._left[own] > 0 else own._replace(path="")
         if self._left[key] <= 0:
             return False

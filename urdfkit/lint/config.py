@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping
 
 from urdfkit.core import disk
+from urdfkit.core.expansion_limits import Limits
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.diagnostic import Confidence, Severity
@@ -19,7 +20,7 @@ class FileIgnore(Record):
     """Rules that are left out for some files.
 
     Attributes:
-        files: patterns of paths, relative to the configuration's folder.
+        files: patterns of paths, relative to the configuration's directory.
         codes: of the rules.
         but_errors: of rules whose errors stay.
         reason: why, for whoever reads the configuration.
@@ -54,19 +55,20 @@ class Config(Record):
         but_errors: codes of rules whose findings are left out, but their errors.
         fail_on: the mildest severity that counts.
         targets: names of consumers; inferred from each model if empty.
-        packages: folders of packages by name, absolute.
+        packages: directories of packages by name, absolute.
         arguments: for every xacro.
         severities: other severities by code.
         file_ignores: rules left out for some files.
         robots: the entry points; found by the include graph if empty.
-        exclude: patterns of paths that the check of a folder leaves out.
-        foreign_rules: codes of the rules of other packages that run, too.
+        exclude: patterns of paths that the check of a directory leaves out.
+        external_rules: codes of the rules of other packages that run, too.
         preview: True if preview rules run.
         named: codes that ``select`` names by their whole code or name.
         min_confidence: findings that are less sure are left out.
         options: values of options of rules, by code and name.
         trust: True if models may run any expression and read any file.
-        width: columns of a line that is laid out; 0 for the usual.
+        width: columns of a formatted line; 0 for the default.
+        limits: of the expansion of each description.
         warnings: what is odd about the configuration, and does not change what is checked.
     """
 
@@ -81,7 +83,7 @@ class Config(Record):
     file_ignores: tuple[FileIgnore, ...] = ()
     robots: tuple[RobotEntry, ...] = ()
     exclude: tuple[str, ...] = ()
-    foreign_rules: tuple[str, ...] = ()
+    external_rules: tuple[str, ...] = ()
     preview: bool = False
     named: frozenset[str] = frozenset()
     min_confidence: Confidence = Confidence.GUESSED
@@ -90,10 +92,11 @@ class Config(Record):
     width: int = 0
     warnings: tuple[str, ...] = ()
     but_errors: frozenset[str] = frozenset()
+    limits: Limits = Limits()
 
     @property
-    def folder(self) -> str:
-        """The folder that its paths start from."""
+    def directory(self) -> str:
+        """The directory that its paths start from."""
         return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
 
     def entries(
@@ -144,7 +147,7 @@ class Config(Record):
 
     def relative(self, path: str) -> str:
         """A path as the patterns of the configuration see it."""
-        return os.path.relpath(os.path.abspath(path), self.folder).replace(os.sep, "/")
+        return os.path.relpath(os.path.abspath(path), self.directory).replace(os.sep, "/")
 
     def ignores(self, code: str, path: str, severity: Severity) -> bool:
         """True if findings of a rule with some severity are left out for a file."""
@@ -157,7 +160,7 @@ class Config(Record):
 
 
 def matches(path: str, patterns: tuple[str, ...]) -> bool:
-    """True if a path or a folder above it matches a pattern; ``*`` also matches ``/``."""
+    """True if a path or a directory above it matches a pattern; ``*`` also matches ``/``."""
     import fnmatch  # not needed where nothing is left out
 
     return any(

@@ -12,6 +12,7 @@ from math import inf
 from typing import Any, TypeVar
 
 from urdfkit.core import disk
+from urdfkit.core.expansion_limits import Limits
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.lint import rule_index
@@ -29,7 +30,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
         path: of the file.
         trusted: False if it comes with a robot from anywhere. What would let it run code, the
             setting ``trust`` and modules as ``rule-packages``, is then an error, and so are
-            packages and robots outside of its workspace.
+            packages and robots outside of its workspace, and higher limits than the usual.
 
     Raises:
         ConfigError: there is none, or it cannot be understood.
@@ -37,7 +38,7 @@ def load(path: str, *, trusted: bool = True) -> Config:
     table = _table(path)
     if table is None:
         raise ConfigError(f"{path}: no [tool.urdfkit] in this file")
-    return _read(_Reader(path, table, "", trusted=trusted), trusted=trusted)
+    return _read(_SettingsReader(path, table, "", trusted=trusted), trusted=trusted)
 
 
 def _table(path: str) -> dict[str, Any] | None:
@@ -62,8 +63,8 @@ def _table(path: str) -> dict[str, Any] | None:
     return table if isinstance(table, dict) else None
 
 
-def _read(reader: _Reader, *, trusted: bool) -> Config:
-    foreign = reader.rule_packages(trusted=trusted)  # before other settings name their codes
+def _read(reader: _SettingsReader, *, trusted: bool) -> Config:
+    external = reader.rule_packages(trusted=trusted)  # before other settings name their codes
     ignoring = reader.tables("per-file-ignores")
     select, named = reader.codes("select")
     ignored = reader.ignored("ignore")
@@ -79,23 +80,24 @@ def _read(reader: _Reader, *, trusted: bool) -> Config:
         severities=reader.severities(),
         file_ignores=tuple(_file_ignore(inner) for inner in ignoring),
         robots=tuple(
-            robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
+            robot for inner in reader.tables("robot") for robot in _robots(inner, reader.directory)
         ),
         exclude=reader.texts("exclude"),
-        foreign_rules=foreign,
+        external_rules=external,
         preview=reader.take("preview", bool, False),
         named=named,
         min_confidence=reader.choice("min-confidence", Confidence.GUESSED),
         options=reader.options(),
         trust=reader.trust(trusted=trusted),
         width=reader.width(),
+        limits=reader.limits(trusted=trusted),
     )
     reader.finish()
     warnings = [warning for each in (reader, *ignoring) for warning in each.warnings]
     return config._replace(warnings=tuple(warnings))
 
 
-def _file_ignore(reader: _Reader) -> FileIgnore:
+def _file_ignore(reader: _SettingsReader) -> FileIgnore:
     files, ignored = reader.texts("files"), reader.ignored("codes")
     reason = str(reader.take("reason", str, ""))
     entry = FileIgnore(files, ignored.codes, ignored.but_errors, reason)
@@ -105,9 +107,9 @@ def _file_ignore(reader: _Reader) -> FileIgnore:
     return entry
 
 
-def _robots(reader: _Reader, folder: str) -> list[RobotEntry]:
+def _robots(reader: _SettingsReader, directory: str) -> list[RobotEntry]:
     """The variants of one entry point; every one with the common arguments too."""
-    file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
+    file = os.path.normpath(os.path.join(directory, reader.take("file", str, "")))
     reader.require_inside("file", file)
     if not disk.is_file(file):
         raise reader.error(f"file not found: '{file}'")
@@ -119,7 +121,7 @@ def _robots(reader: _Reader, folder: str) -> list[RobotEntry]:
     robots = []
     for name, arguments in variants.items():
         where = f"{reader.where}.variants.{name}"
-        inner = _Reader(reader.path, {"arguments": arguments}, where, trusted=True)
+        inner = _SettingsReader(reader.path, {"arguments": arguments}, where, trusted=True)
         robots.append(RobotEntry(file, name, {**common, **inner.arguments("arguments")}))
     return robots
 
@@ -134,13 +136,13 @@ _KINDS = {
 }
 
 
-class _Reader:
+class _SettingsReader:
     """Takes settings out of a table one by one; what is left at the end does not exist."""
 
     def __init__(self, path: str, table: dict[str, Any], where: str, *, trusted: bool) -> None:
         self.path = path
         self._trusted = trusted
-        self.folder = os.path.dirname(os.path.abspath(path))
+        self.directory = os.path.dirname(os.path.abspath(path))
         self.where = where
         self.warnings: list[str] = []
         self._left = dict(table)
@@ -178,7 +180,7 @@ class _Reader:
         from urdfkit.lint.rule_packages import add
 
         try:
-            return tuple(add(names, modules=trusted, folder=self.folder))
+            return tuple(add(names, modules=trusted, directory=self.directory))
         except RuleError as error:
             raise self.error(f"'rule-packages': {error}") from error
 
@@ -189,6 +191,22 @@ class _Reader:
                 "'trust' must be confirmed on the command line: pass --trust or --config FILE"
             )
         return wanted
+
+    def limits(self, *, trusted: bool) -> Limits:
+        """The limits of an expansion; higher ones than the usual take the user's word."""
+        usual = Limits()
+        chosen = {}
+        for name, most in (("seconds", usual.seconds), ("megabytes", usual.megabytes)):
+            key = f"xacro-{name}"
+            value = chosen[name] = self.take(key, int, int(most))
+            if isinstance(value, bool) or value < 1:
+                raise self.error(f"'{key}' must be a whole number from 1, not {value}")
+            if value > most and not trusted:
+                raise self.error(
+                    f"'{key}' above {most:g} must be confirmed on the command line: pass --{key} "
+                    "or --config FILE"
+                )
+        return Limits(**chosen)
 
     def codes(self, key: str) -> tuple[frozenset[str], frozenset[str]]:
         """The codes that a list of words means, and those that it names whole."""
@@ -219,7 +237,7 @@ class _Reader:
                 raise self.error(f"'rules': {error}") from error
             if not isinstance(values, dict):
                 raise self.error(f"'rules.{word}' must be a table of options, not {values!r}")
-            inner = _Reader(self.path, values, f"rules.{word}", trusted=True)
+            inner = _SettingsReader(self.path, values, f"rules.{word}", trusted=True)
             found[rule.code] = {
                 name: inner.number(name, default) for name, default in rule.options.items()
             }
@@ -285,18 +303,20 @@ class _Reader:
 
     def packages(self) -> dict[str, str]:
         table = self.take("packages", dict, {})
-        folders = {name: os.path.join(self.folder, str(value)) for name, value in table.items()}
-        for name, folder in folders.items():
-            self.require_inside(f"packages.{name}", folder)
-            if not disk.is_folder(folder):
-                raise self.error(f"'packages.{name}': no such directory '{folder}'")
-        return {name: os.path.normpath(folder) for name, folder in folders.items()}
+        directories = {
+            name: os.path.join(self.directory, str(value)) for name, value in table.items()
+        }
+        for name, directory in directories.items():
+            self.require_inside(f"packages.{name}", directory)
+            if not disk.is_directory(directory):
+                raise self.error(f"'packages.{name}': no such directory '{directory}'")
+        return {name: os.path.normpath(directory) for name, directory in directories.items()}
 
     def require_inside(self, key: str, path: str) -> None:
         """See that the configuration names a path of its own workspace, or is trusted."""
         if self._trusted:
             return
-        from urdfkit.workspace.package_folders import is_within
+        from urdfkit.workspace.package_directories import is_within
         from urdfkit.workspace.resolve import Resolver
 
         packages = Resolver().packages
@@ -319,12 +339,12 @@ class _Reader:
             for name, value in table.items()
         }
 
-    def tables(self, key: str) -> list[_Reader]:
+    def tables(self, key: str) -> list[_SettingsReader]:
         values = self.take(key, object, [])
         if not (isinstance(values, list) and all(isinstance(value, dict) for value in values)):
             raise self.error(f"'{key}' must be tables, written [[{key}]]")
         return [
-            _Reader(self.path, value, f"{key}[{i}]", trusted=self._trusted)
+            _SettingsReader(self.path, value, f"{key}[{i}]", trusted=self._trusted)
             for i, value in enumerate(values, 1)
         ]
 

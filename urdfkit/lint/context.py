@@ -16,7 +16,7 @@ from urdfkit.text.source import Source
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.report import Launched
+    from urdfkit.lint.report import Launched, UncheckedValues
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.robot import Dynamics
@@ -42,11 +42,10 @@ if TYPE_CHECKING:
 __all__ = [
     "MAX_BODIES",
     "NotApplicable",
-    "Outcome",
     "Reading",
+    "RunState",
     "Subject",
     "Unavailable",
-    "UncheckedValues",
     "need_coal",
     "need_pinocchio",
 ]
@@ -80,32 +79,18 @@ def need_pinocchio() -> None:
         raise Unavailable(_WITHOUT_PINOCCHIO.format("no module 'pinocchio'"))
 
 
-class Outcome(Record):
-    """What the rules found so far, for the rules about the checking itself.
+class RunState(Record):
+    """What the runner tells the rules of the check that they are part of.
 
     Attributes:
-        diagnostics: of the other rules, before suppression.
-        chosen: codes of all rules of this check.
+        rule_options: configured options of rules, by code and name.
+        diagnostics: of the other rules, before suppression; for the rules about the checking.
+        chosen: codes of all rules; None until the others have run.
     """
 
+    rule_options: Mapping[str, Mapping[str, float]] = {}
     diagnostics: tuple[Diagnostic, ...] = ()
     chosen: frozenset[str] | None = None
-
-
-class UncheckedValues(Record):
-    """Values of an argument with which a robot is not checked, though files give them.
-
-    Attributes:
-        name: of the argument.
-        values: of it.
-        total: how many values it has.
-        why: they are left out.
-    """
-
-    name: str
-    values: tuple[str, ...]
-    total: int
-    why: str
 
 
 class Subject(DescriptionFile):
@@ -113,12 +98,13 @@ class Subject(DescriptionFile):
 
     Attributes:
         parameters: the parameter files of the launch file that loads it.
-        cache: True if measures of meshes may be kept for the next run.
-        progress: called with the number of mesh files read and of all.
-        outcome: what the rules before the present one found; set by the runner alone.
-        rule_options: configured options of rules, by code and name; set by the runner.
+        run: of the check; set by the runner alone.
         launched: the arguments that were not given, and where they are from; set by `loading`.
         unchecked: other values of its arguments, with which nobody checks it; set by the plan.
+
+    Args:
+        cache: True if measures of meshes may be kept for the next run.
+        progress: called with the number of mesh files read and of all.
     """
 
     def __init__(
@@ -136,11 +122,10 @@ class Subject(DescriptionFile):
     ) -> None:
         super().__init__(source, resolver, arguments, trust=trust, frame=frame)
         self.parameters = parameters
-        self.cache = cache
-        self.progress = progress
+        self._cache = cache
+        self._progress = progress
         self._given_targets = targets
-        self.outcome = Outcome()
-        self.rule_options: Mapping[str, Mapping[str, float]] = {}
+        self.run = RunState()
         self.launched: tuple[Launched, ...] = ()
         self.unchecked: tuple[UncheckedValues, ...] = ()
         self._other_robots: dict[tuple[object, ...], Subject] = {}
@@ -148,7 +133,7 @@ class Subject(DescriptionFile):
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self.is_srdf:
+        if self._is_srdf:
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
@@ -160,7 +145,7 @@ class Subject(DescriptionFile):
         return deviations(self.document, plain=False, claimed=claimed)
 
     @cached_property
-    def is_srdf(self) -> bool:
+    def _is_srdf(self) -> bool:
         """True for a semantic description (MoveIt's SRDF), whose root is ``<robot>``, too."""
         from urdfkit.text.schema import SRDF_TAGS
 
@@ -179,7 +164,7 @@ class Subject(DescriptionFile):
         from urdfkit.workspace.includes import is_included
 
         xacro = self.reading.xacro
-        if (xacro is not None and xacro.is_library) or self.is_srdf:
+        if (xacro is not None and xacro.is_library) or self._is_srdf:
             return True
         if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
@@ -294,7 +279,7 @@ class Subject(DescriptionFile):
                 self.resolver,
                 arguments,
                 trust=self.trust,
-                cache=self.cache,
+                cache=self._cache,
             )
         return self._other_robots[key]
 
@@ -370,8 +355,8 @@ class Subject(DescriptionFile):
         from urdfkit.mesh import measure_cache
         from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
 
-        kept = measure_cache.shared(cached=self.cache)
-        return MeasuredMeshes(self.model, self.files, kept, self.progress)
+        kept = measure_cache.shared(cached=self._cache)
+        return MeasuredMeshes(self.model, self.files, kept, self._progress)
 
     def measures(self, shape: Shape) -> Measures | str:
         """Of the mesh of a shape; or why there are none, as a predicate whose subject is the file.
@@ -388,4 +373,4 @@ class Subject(DescriptionFile):
         """The triangles of those files."""
         from urdfkit.robot.assets.triangles import Meshes
 
-        return Meshes(self.files, self.progress)
+        return Meshes(self.files, self._progress)

@@ -30,17 +30,33 @@ class NotApplicable(Unavailable):
 
 
 class Reading(Record):
-    """A description as it was read.
+    """A file as it was read.
 
     Attributes:
-        document: after expansion; None if it could not be read.
+        document: after expansion; None of a launch file, or if it could not be read.
         problems: what is wrong with the text.
-        xacro: what the expansion met; None for plain XML.
+        xacro: the expansion; None for plain XML.
     """
 
     document: Document | None
     problems: tuple[Problem, ...]
     xacro: Xacro | None
+
+    @property
+    def missing_arguments(self) -> tuple[str, ...]:
+        """The arguments without which a xacro cannot be expanded."""
+        return tuple(dict.fromkeys(one.argument for one in self.problems if one.argument))
+
+    @property
+    def missing_argument_codes(self) -> frozenset[str]:
+        """The codes of the problems that are nothing but arguments without a value."""
+        return frozenset(one.code for one in self.problems if one.argument)
+
+    @property
+    def is_fragment(self) -> bool:
+        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
+        infos = (one.code for one in self.problems if one.severity is Severity.INFO)
+        return "XAC001" in infos
 
 
 class DescriptionFile:
@@ -51,6 +67,8 @@ class DescriptionFile:
         resolver: finds packages and files.
         arguments: ``name:=value`` for xacro.
         trust: True if the model's expressions and files are not sandboxed.
+
+    Args:
         frame: the launch file that loads it; None if it was named itself.
     """
 
@@ -67,25 +85,28 @@ class DescriptionFile:
         self.resolver = resolver
         self.arguments = dict(arguments or {})
         self.trust = trust
-        self.frame = frame
+        self._frame = frame
         resolver.admit(source.path, trust=trust)
 
     @cached_property
     def reading(self) -> Reading:
+        """The text, read and expanded."""
+        if is_launch(self.source.path):
+            return Reading(None, tuple(self.launch.problems), None)
         if not is_xacro(self.source):
-            document, problems = read_xml(self.source, self.frame)
+            document, problems = read_xml(self.source, self._frame)
             return Reading(document, tuple(problems), None)
         from urdfkit.xacro import expand
 
         xacro = expand(
-            self.source, self.resolver, self.arguments, trust=self.trust, frame=self.frame
+            self.source, self.resolver, self.arguments, trust=self.trust, frame=self._frame
         )
-        met = xacro.problems
-        if any(problem.argument for problem in met):
+        found = xacro.problems
+        if any(problem.argument for problem in found):
             from urdfkit.lint.argument_values import with_values
 
-            met = tuple(with_values(met, xacro, self.resolver))
-        return Reading(xacro.document, met, xacro)
+            found = tuple(with_values(found, xacro, self.resolver))
+        return Reading(xacro.document, found, xacro)
 
     @property
     def is_readable(self) -> bool:
@@ -93,30 +114,12 @@ class DescriptionFile:
         return is_launch(self.source.path) or self.reading.document is not None
 
     def problems(self, code: str) -> list[Problem]:
-        """What reading met that a rule explains, in a description or a launch file."""
-        read = self.launch if is_launch(self.source.path) else self.reading
-        return [problem for problem in read.problems if problem.code == code]
-
-    @property
-    def without_arguments(self) -> frozenset[str]:
-        """The codes of problems that are but arguments without a value."""
-        problems = () if is_launch(self.source.path) else self.reading.problems
-        return frozenset(one.code for one in problems if one.argument)
-
-    @property
-    def missing_arguments(self) -> tuple[str, ...]:
-        """The arguments without which a xacro cannot be expanded."""
-        problems = () if is_launch(self.source.path) else self.reading.problems
-        return tuple(dict.fromkeys(one.argument for one in problems if one.argument))
-
-    @property
-    def is_fragment(self) -> bool:
-        """True for a part of a robot that cannot be expanded alone; XAC001 says so, as an info."""
-        return any(problem.severity is Severity.INFO for problem in self.problems("XAC001"))
+        """The problems that a rule explains, in a description or a launch file."""
+        return [problem for problem in self.reading.problems if problem.code == code]
 
     @property
     def xacro(self) -> Xacro:
-        """What the expansion met.
+        """The expansion.
 
         Raises:
             NotApplicable: the description is plain XML.
@@ -203,7 +206,7 @@ class DescriptionFile:
     def ignores(self) -> tuple[Ignore, ...]:
         """The ignore comments in its files."""
         sources: tuple[Source, ...] = (self.source,)
-        if not is_launch(self.source.path) and self.reading.xacro:
+        if self.reading.xacro:
             sources = self.reading.xacro.sources
         if not any(b"urdfkit" in source.data for source in sources):
             return ()

@@ -2,43 +2,27 @@
 
 from __future__ import annotations
 
-import gc
 import os
-import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Mapping
 
 from urdfkit.core import disk
-from urdfkit.core.file_log import FileLog
-from urdfkit.core.own_sources import note_sources
-from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index, rules
+from urdfkit.lint.argument_sets import as_launched
+from urdfkit.lint.check_job import check_job, check_one_of_many, check_subject, reader
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.merging import Checked, merged_report
 from urdfkit.lint.options import Options
-from urdfkit.lint.plan import Job, Plan, as_launched, planned, unknown_arguments
-from urdfkit.lint.report import Report, Skipped, crash
-from urdfkit.lint.runner import FileResult, diagnose, run_rules
-from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.lint.plan import Job, Plan, planned
+from urdfkit.lint.report import Report
+from urdfkit.lint.runner import diagnose
+from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
-if TYPE_CHECKING:
-    from concurrent.futures import Future, ProcessPoolExecutor
-    from typing import TypeAlias
-
-#: What a process must know: rules of other packages, options, whether it notes what it depends
-#: on, and what files the user named.
-Known: TypeAlias = "tuple[Mapping[str, str], Options, bool, tuple[str, ...]]"
-#: The results of some robots, and what they depend on if that is noted.
-Batch: TypeAlias = "tuple[list[list[Checked]], FileLog | None]"
-
 #: Robots for each process that make a further one worth while.
-FEW = 10
-#: Robots that go to a process at a time.
-MOST_OF_A_BATCH = 16
+ROBOTS_PER_PROCESS = 10
 
 
 def check(
@@ -65,7 +49,7 @@ def check(
     Args:
         files: URDF, xacro or launch files, Sources, or directories, whose entry points are checked.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         select: codes, beginnings of codes or names; only these rules run. All if empty.
         ignore: codes, beginnings of codes or names of rules that do not run.
         targets: names of the programs to check for; inferred from each model if empty.
@@ -104,7 +88,7 @@ def check_with(
     Args:
         options: how.
         files: as of ``check``.
-        resolver: what an earlier check with these packages has found of packages and folders;
+        resolver: what an earlier check with these packages has found of packages and directories;
             for many checks in a row, while nothing changes on disk.
         spills: keep the findings of very many robots on disk, for a report that is only printed.
 
@@ -134,9 +118,9 @@ def check_robots(
     Raises:
         UrdfkitError: as of ``check``.
     """
-    plan, read = planned([file], resolver, options), _reader(options, resolver)
+    plan, read = planned([file], resolver, options), reader(options, resolver)
     robots = [pair for job in plan.jobs for pair in as_launched(job, read)]
-    checked = [(job, _result(job, subject, options)) for job, subject in robots]
+    checked = [(job, check_subject(job, subject, options)) for job, subject in robots]
     return merged_report(plan, checked, ()), [subject for _, subject in robots]
 
 
@@ -151,37 +135,13 @@ def subjects(
     options = options.with_config()
     resolver = Resolver(options.packages, texts=options.texts)
     for planned_job in planned(files, resolver, options).jobs:
-        for job, subject in as_launched(planned_job, _reader(options, resolver)):
+        for job, subject in as_launched(planned_job, reader(options, resolver)):
             yield None if is_launch(job.path) or job.codes else subject
-
-
-def _reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
-    """Reads the description of a job."""
-    targets = None
-    if options.targets:
-        from urdfkit.ros.targets import parse
-
-        targets = parse(options.targets)
-
-    def read(job: Job) -> Subject:
-        return Subject(
-            job.text(resolver),
-            resolver,
-            job.arguments,
-            trust=options.trust,
-            targets=targets,
-            frame=job.frame,
-            parameters=job.parameters,
-            cache=options.cache,
-            progress=options.progress,
-        )
-
-    return read
 
 
 def _checked(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[Checked]:
     if len(jobs) == 1:
-        yield from _check_job(jobs[0], options, resolver)
+        yield from check_job(jobs[0], options, resolver)
         return
     progress, options = options.progress, options._replace(progress=None)
     for done, some in enumerate(_each(jobs, options, resolver), 1):
@@ -191,17 +151,19 @@ def _checked(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[
 
 
 def _each(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[list[Checked]]:
-    count = processes(options.jobs, len(jobs))
+    count = process_count(options.jobs, len(jobs))
     if count > 1:
+        from urdfkit.lint.processes import in_processes
+
         admitted = tuple(resolver.admitted.values())
-        known = (rule_index.foreign(), options, disk.log() is not None, admitted)
-        yield from _in_processes(jobs, known, count)
+        known = (rule_index.external(), options, disk.log() is not None, admitted)
+        yield from in_processes(jobs, known, count)
         return
     for job in jobs:
-        yield _check_one_of_many(job, options, resolver)
+        yield check_one_of_many(job, options, resolver)
 
 
-def processes(asked: int, robots: int) -> int:
+def process_count(asked: int, robots: int) -> int:
     """How many processes check some robots.
 
     Args:
@@ -210,159 +172,7 @@ def processes(asked: int, robots: int) -> int:
     """
     if asked:
         return min(asked, robots)
-    return min(os.cpu_count() or 1, robots // FEW)
-
-
-def _in_processes(jobs: list[Job], known: Known, count: int) -> Iterator[list[Checked]]:
-    """The results of some jobs in their order, by several processes.
-
-    A process that dies takes the others of its pool with it. What they had not done is checked
-    again one by one, which shows the robot that it dies of.
-    """
-    from collections import deque
-    from concurrent.futures.process import BrokenProcessPool
-
-    size = max(1, min(MOST_OF_A_BATCH, len(jobs) // (8 * count)))
-    batches = deque(jobs[start : start + size] for start in range(0, len(jobs), size))
-    waiting: deque[tuple[list[Job], Future[Batch]]] = deque()
-    with _pool(count, known) as pool:
-        try:
-            while batches or waiting:
-                while batches and len(waiting) < 4 * count:  # results must not pile up
-                    waiting.append((batches[0], pool.submit(_check_batch, batches[0])))
-                    batches.popleft()
-                done = waiting[0][1].result()
-                waiting.popleft()
-                yield from _noted(done)
-        except BrokenProcessPool:
-            _wait_for_ctrl_c()
-    if waiting:
-        yield from _one_by_one([job for batch, _ in waiting for job in batch], known)
-    if batches:
-        yield from _in_processes([job for batch in batches for job in batch], known, count)
-
-
-def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
-    """The results of some jobs, each of which may kill its process."""
-    from concurrent.futures.process import BrokenProcessPool
-
-    done = 0
-    while done < len(jobs):
-        with _pool(1, known) as pool:
-            try:
-                for job in jobs[done:]:
-                    yield from _noted(pool.submit(_check_batch, [job]).result())
-                    done += 1
-            except BrokenProcessPool:
-                _wait_for_ctrl_c()
-                died = RuntimeError("the process of its check died")
-                yield [(jobs[done], _failed(jobs[done], died))]
-                done += 1
-
-
-def _wait_for_ctrl_c() -> None:
-    """The processes may have heard it first; then it is raised here."""
-    import time
-
-    time.sleep(1)
-
-
-def _pool(count: int, known: Known) -> ProcessPoolExecutor:
-    from concurrent.futures import ProcessPoolExecutor
-
-    return ProcessPoolExecutor(count, initializer=_begin, initargs=known)
-
-
-#: Of a process of a pool: the options, and what it has found of packages and folders.
-_own: tuple[Options, Resolver]
-
-
-def _begin(
-    foreign: Mapping[str, str], options: Options, is_noting: bool, admitted: tuple[str, ...]
-) -> None:
-    """A process begins, which knows no rules of other packages and has noted nothing."""
-    import signal
-
-    # Ctrl-C reaches every process of the terminal; only the first one has something to say.
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
-    rule_index.register(foreign)
-    disk.log_to(FileLog() if is_noting else None)
-    global _own  # noqa: PLW0603 - a process has one
-    _own = (options, Resolver(options.packages, texts=options.texts))
-    for path in admitted:
-        _own[1].admit(path, trust=options.trust)
-
-
-def _check_batch(jobs: list[Job]) -> Batch:
-    options, resolver = _own
-    checked = [_check_one_of_many(job, options, resolver) for job in jobs]
-    log = disk.log()
-    if log is not None:
-        note_sources()
-        disk.log_to(FileLog())
-    return checked, log
-
-
-def _noted(batch: Batch) -> list[list[Checked]]:
-    """The results of a batch; what they depend on is noted in this process, too."""
-    checked, log = batch
-    own = disk.log()
-    if own is not None and log is not None:
-        own.add(log)
-    return checked
-
-
-def _check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
-    """Check one of several robots, and keep nothing but the result.
-
-    A robot is full of references in circles. The meshes that they hold are no more than a few
-    objects to the collector, but hundreds of megabytes: it would let dozens of robots pile up.
-    """
-    checked = _check_job(job, options, resolver)
-    if "numpy" in sys.modules:
-        gc.collect()
-    return checked
-
-
-def _check_job(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
-    try:
-        return [
-            (launched, _result(launched, subject, options))
-            for launched, subject in as_launched(job, _reader(options, resolver))
-        ]
-    except UrdfkitError:
-        raise
-    except Exception as error:  # a bug in urdfkit must not hide the findings of other robots
-        return [(job, _failed(job, error))]
-
-
-def _failed(job: Job, error: Exception) -> FileResult:
-    """The result of a robot on which urdfkit itself fails."""
-    return FileResult((), (), (crash("", job.path, error),), frozenset(), None, 0)
-
-
-def _result(job: Job, subject: Subject, options: Options) -> FileResult:
-    chosen = [code for code in options.select if not job.codes or code in job.codes]
-    # That a robot of a folder cannot be expanded by itself is no defect of it.
-    lacking = subject.without_arguments if job.found else ()
-    codes = [code for code in chosen if code not in lacking]
-    result = _skipped_as_one(run_rules(subject, codes, options), subject)
-    return result._replace(unknown_arguments=unknown_arguments(subject, options.arguments))
-
-
-def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
-    """A description that cannot be read, of which no error says so, is skipped as a whole."""
-    errors = {
-        d.code
-        for d in result.diagnostics
-        if d.severity is Severity.ERROR or d.code in rule_index.NOT_EXPANDED
-    }
-    if subject.is_readable or subject.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
-        return result
-    from urdfkit.lint.unchecked import why_unchecked
-
-    why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
-    return result._replace(skipped=(Skipped("", subject.source.path, why),))
+    return min(os.cpu_count() or 1, robots // ROBOTS_PER_PROCESS)
 
 
 def _unchecked(plan: Plan, options: Options) -> Iterator[Diagnostic]:

@@ -12,7 +12,7 @@ from urdfkit.lint.rules import Finding
 from urdfkit.text.document import Attribute, Element, Tag
 
 
-def without_disputed_fixes(findings: list[Finding], uses: Mapping[Tag, int]) -> list[Finding]:
+def without_inconsistent_fixes(findings: list[Finding], uses: Mapping[Tag, int]) -> list[Finding]:
     """The findings, those without their fix whose place is used elsewhere without that fix.
 
     Args:

@@ -1,4 +1,4 @@
-"""What forbids a fix: that it makes anything worse, for anybody, or that it does not help."""
+"""Why a fix is dropped: it causes a regression in some robot, or has no effect."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
 
 
 def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
-    """What forbids the fixes between two checks of the same robots; empty if nothing does.
+    """Why the fixes between two checks of the same robots are dropped; empty if they are kept.
 
     Only what both versions can see is compared. Errors of rules that could not look before were
     there, but hidden, and so were those of elements that the document did not have before.
@@ -107,7 +107,7 @@ def _kind(element: Element) -> tuple[str, str]:
     return (element.parent.path if element.parent else "", element.tag)
 
 
-def useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
+def ineffective(before: Report, after: Report, applied: list[Diagnostic]) -> str:
     """Says so if a fix left its finding as it was; it would be applied for ever."""
     expected = Counter(map(key_of, before.diagnostics))
     expected.subtract(Counter(map(key_of, applied)))
@@ -189,7 +189,7 @@ class RegressionGuard:
         self._checker = checker
         self._found: dict[frozenset[str], list[str]] = {}
 
-    def disputes(
+    def conflicts(
         self, chosen: Iterable[Diagnostic], texts: Mapping[str, bytes], report: Report
     ) -> set[Key]:
         """The findings whose fix edits what another robot uses without asking for the edit.
@@ -225,7 +225,7 @@ class RegressionGuard:
     def regression(
         self, before: Mapping[str, bytes], after: Mapping[str, bytes], known: Iterable[str]
     ) -> str:
-        """What forbids the change from some texts to others; empty if nothing does.
+        """Why the change from some texts to others is dropped; empty if it is kept.
 
         Args:
             before: texts in the place of those on disk.

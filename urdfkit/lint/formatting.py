@@ -1,4 +1,4 @@
-"""format_files(): the layout of descriptions, file by file."""
+"""format_files(): descriptions formatted, file by file."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from urdfkit.text.editing.apply import encoded
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 from urdfkit.text.source import Source, shown
-from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.ownership import OUTSIDE, READ_ONLY, Ownership
 from urdfkit.workspace.resolve import Resolver
 
 
 class Formatted(Record):
-    """What laying out some files came to; nothing is written before ``write``.
+    """The outcome of formatting some files; nothing is written before ``write``.
 
     Attributes:
         files: that change.
-        unchanged: paths of files that are laid out already.
+        unchanged: paths of files that are formatted already.
         skipped: paths of files that are left alone, each with the reason.
-        failed: paths of files that were named and cannot be laid out, each with the reason.
+        failed: paths of files that were named and cannot be formatted, each with the reason.
     """
 
     files: tuple[Rewrite, ...]
@@ -55,20 +55,20 @@ def format_files(
     check: bool = False,
     config: Config | None = None,
 ) -> Formatted:
-    """Lay out URDF and xacro files; what they say stays the same.
+    """Format URDF and xacro files; what they say stays the same.
 
     >>> format_files("models/good/gripper.urdf").unchanged
     ('models/good/gripper.urdf',)
 
     Args:
-        files: descriptions, or folders, of which all descriptions are laid out.
+        files: descriptions, or directories, of which all descriptions are formatted.
         width: columns of a line; as the configuration says, or 100, if it is 0.
-        force: lay out files as well that are generated, read-only or that git ignores.
+        force: format files as well that are generated, read-only or that git ignores.
         check: nothing will be written, so that read-only files count as well.
         config: of the project; it may exclude files.
 
     Raises:
-        UnreadableFile: a file or folder cannot be read, or a folder holds no description.
+        UnreadableFile: a file or directory cannot be read, or a directory holds no description.
     """
     changed: list[Rewrite] = []
     unchanged: list[str] = []
@@ -76,21 +76,15 @@ def format_files(
     failed: list[tuple[str, str]] = []
     config = config or Config()
     width = width or config.width or WIDTH
-    for path, folder in _files(files, config):
-        owner = os.path.join(folder, "x") if folder else path
-        ownership, is_named = Ownership([owner], Resolver()), not folder
-        if folder and not ownership.owns(path):  # a link: it is not even read
-            skipped.append((path, OUTSIDE))
-            continue
-        source = Source.read(path)
-        reason = "" if force else ownership.refusal(source)
+    for path, directory in _files(files, config):
+        reason = _why_skipped(path, directory, force=force)
         if reason and not (check and reason == READ_ONLY):
             skipped.append((path, reason))
             continue
         try:
-            rewrite = _formatted(source, width)
+            rewrite = _formatted(Source.read(path), width)
         except UrdfkitError as error:
-            (failed if is_named else skipped).append((path, str(error)))
+            (skipped if directory else failed).append((path, str(error)))
             continue
         if rewrite.after == rewrite.before:
             unchanged.append(path)
@@ -99,33 +93,41 @@ def format_files(
     return Formatted(tuple(changed), tuple(unchanged), tuple(skipped), tuple(failed))
 
 
+def _why_skipped(path: str, directory: str, *, force: bool) -> str:
+    """Why a file is not formatted; empty if it may be."""
+    ownership = Ownership([os.path.join(directory, "x") if directory else path], Resolver())
+    if directory and not ownership.owns(path):  # a link: it is not even read
+        return OUTSIDE
+    return "" if force else ownership.why_protected(Source.read(path))
+
+
 def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterator[tuple[str, str]]:
-    """The paths to lay out, each once, and the directory that they were found in, if any."""
+    """The paths to format, each once, and the directory that they were found in, if any."""
     seen: set[str] = set()
     for given in files:
         file = os.fspath(given)
-        is_folder = disk.is_folder(file)
-        for path in _below(file, config) if is_folder else (file,):
+        is_directory = disk.is_directory(file)
+        for path in _below(file, config) if is_directory else (file,):
             real = disk.real(path)
             if real not in seen:
                 seen.add(real)
-                yield path, file if is_folder else ""
+                yield path, file if is_directory else ""
 
 
-def _below(folder: str, config: Config) -> list[str]:
-    below = descriptions(folder, config, Folders())
+def _below(directory: str, config: Config) -> list[str]:
+    below = descriptions(directory, config, Directories())
     found = [path for path in map(shown, below) if _is_robot(path)]
     if not found:
-        raise UnreadableFile(f"{folder}: contains no .urdf and no .xacro with a <robot>")
+        raise UnreadableFile(f"{directory}: contains no .urdf and no .xacro with a <robot>")
     return found
 
 
 def _is_robot(path: str) -> bool:
-    """True for a file of a folder that is a description, as far as its text shows."""
+    """True for a file of a directory that is a description, as far as its text shows."""
     return b"<robot" in (on_disk(path) or b"")
 
 
 def _formatted(source: Source, width: int) -> Rewrite:
-    before = on_disk(source.path) or b""
+    before = rewriting.unchanged(source)
     after = encoded(formatted(source, width), source.encoding, before)
     return Rewrite(source.path, before, after)

@@ -23,9 +23,9 @@ def grouped(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     groups: dict[object, list[Diagnostic]] = {}
     for number, one in enumerate(diagnostics):
         key: object = number
-        if one.alike:
+        if one.group_key:
             path = "" if one.code in _ACROSS_FILES else one.span.source.path
-            key = (one.code, one.severity, one.alike, path, one.variants)
+            key = (one.code, one.severity, one.group_key, path, one.variants)
         groups.setdefault(key, []).append(one)
     found: list[Diagnostic] = []
     for group in groups.values():

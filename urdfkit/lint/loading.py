@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableRobot
+from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.context import Subject
-from urdfkit.lint.plan import Job, as_launched
+from urdfkit.lint.plan import Job
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -37,7 +38,7 @@ def read(
     Args:
         file: URDF or xacro; which of the two is decided by content.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
         cache: keep what is measured of mesh files for the next run.
         progress: called with the number of mesh files read and of all, when they are asked for.
@@ -105,7 +106,7 @@ def load(
     Args:
         file: URDF or xacro; which of the two is decided by content.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:
@@ -133,7 +134,7 @@ def expand(
     Args:
         file: the xacro file.
         arguments: as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.lint.finding_store import FindingStore
 from urdfkit.lint.plan import Job, Plan
-from urdfkit.lint.report import Launched, Report, Silenced
+from urdfkit.lint.report import Launched, Report, Superseded
 from urdfkit.lint.runner import FileResult
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import shown
@@ -76,7 +76,7 @@ class _Merger:
         self._proposals: list[tuple[Edit, ...]] = []
         self._launched: list[Launched] = []
         self._unknown: dict[str, str] | None = None
-        self._silenced: list[Silenced] = []
+        self._silenced: list[Superseded] = []
 
     def add(self, job: Job, result: FileResult) -> None:
         """One description."""
@@ -94,13 +94,13 @@ class _Merger:
         if self._unknown is None:
             self._unknown = dict(unknown)
         self._unknown = {name: one for name, one in self._unknown.items() if name in unknown}
-        if result.silenced.findings:
-            self._silenced.append(result.silenced)
+        if result.superseded.findings:
+            self._silenced.append(result.superseded)
         if not self._spills:
             self._add_for_fixes(result)
 
     def _add_for_fixes(self, result: FileResult) -> None:
-        every = (*result.diagnostics, *result.silenced.findings)
+        every = (*result.diagnostics, *result.superseded.findings)
         self._errors.append(tuple(one for one in every if one.severity is Severity.ERROR))
         fixes = [one.fix for one in result.diagnostics if one.fix]
         self._proposals.append(tuple(edit for fix in fixes for edit in fix.edits))
@@ -119,7 +119,7 @@ class _Merger:
             proposals=tuple(self._proposals),
             launched=tuple(self._launched),
             unknown_arguments=tuple((self._unknown or {}).items()),
-            silenced=tuple(self._silenced),
+            superseded=tuple(self._silenced),
         )
 
 

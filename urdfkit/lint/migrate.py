@@ -50,7 +50,7 @@ def migrate(
         path: of the model.
         target: one of ``urdfkit.ros.targets.GAZEBO``.
         arguments: for xacro.
-        packages: folders of ROS packages by name.
+        packages: directories of ROS packages by name.
         trust: do not sandbox the expressions of the model, and let it read any file.
 
     Raises:

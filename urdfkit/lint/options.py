@@ -19,7 +19,7 @@ class Options(Record):
 
     Attributes:
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         select: codes, beginnings of codes or names; only these rules run. All if empty.
         ignore: codes, beginnings of codes or names of rules that do not run.
         targets: names of the programs to check for; inferred from each model if empty.
@@ -89,7 +89,7 @@ class Options(Record):
             UnknownTarget: a name is no target.
             RuleError: a package of rules is missing or cannot be used.
         """
-        foreign = foreign_codes(self)
+        external = external_codes(self)
         options = self.with_config()
         if options.targets:
             from urdfkit.ros.targets import parse
@@ -97,7 +97,7 @@ class Options(Record):
             parse(options.targets)
         select, ignore = self.select, self.ignore
         return options._replace(
-            select=tuple(choose(select, ignore, self.config, foreign)),
+            select=tuple(choose(select, ignore, self.config, external)),
             ignore=(),
             config=_overridden(self.config, select, ignore, self.min_confidence),
             preview=previewed(self.preview, select, self.config),
@@ -108,9 +108,9 @@ class Options(Record):
         return self.preview is True or (self.preview is not False and code in self.preview)
 
 
-def foreign_codes(options: Options) -> tuple[str, ...]:
+def external_codes(options: Options) -> tuple[str, ...]:
     """The codes of the rules of other packages that run, which are known from now on."""
-    return (*options.config.foreign_rules, *added_rules(options.rules))
+    return (*options.config.external_rules, *added_rules(options.rules))
 
 
 def added_rules(packages: Iterable[str]) -> list[str]:
@@ -140,7 +140,7 @@ def choose(
     select: Iterable[str],
     ignore: Iterable[str],
     config: Config = Config(),
-    foreign: Iterable[str] = (),
+    external: Iterable[str] = (),
 ) -> list[str]:
     """The codes that one of ``select`` means and none of ``ignore``.
 
@@ -148,10 +148,10 @@ def choose(
     of rules finds anything.
 
     Args:
-        select: codes, beginnings of codes or names; all of urdfkit's and ``foreign`` if empty.
+        select: codes, beginnings of codes or names; all of urdfkit's and ``external`` if empty.
         ignore: codes, beginnings of codes or names.
         config: what the project selects and ignores.
-        foreign: codes of the rules of other packages.
+        external: codes of the rules of other packages.
 
     Raises:
         UnknownRule: one of the words means no rule. To ignore a typo would check with other
@@ -163,7 +163,7 @@ def choose(
         raise left_out.unknown[0]
     # What the call selects runs, whatever the configuration leaves out.
     ignored = left_out.codes | (config.ignore - selected)
-    chosen = selected or config.select or {*rule_index.codes(), *foreign}
+    chosen = selected or config.select or {*rule_index.codes(), *external}
     return sorted((chosen | {rule_index.NOT_CHECKED}) - ignored)
 
 

@@ -26,7 +26,7 @@ class Launched(Record):
 
     Attributes:
         path: of the robot.
-        launch: of the launch file that gives them, or of the xacro file or folder they are from.
+        launch: of the launch file that gives them, or of the xacro file or directory they are from.
         arguments: those that the robot lacks by itself.
     """
 
@@ -70,7 +70,7 @@ class Fixable(Record):
     left: tuple[tuple[str, int], ...]
 
 
-class Silenced(Record):
+class Superseded(Record):
     """Findings that follow from others, which are reported in their place.
 
     Attributes:
@@ -100,8 +100,8 @@ class Report(Record):
         launched: the robots that have their arguments from launch files, or from elsewhere.
         unknown_arguments: those given that no description mentions, each with the one that was
             meant, or nothing.
-        fixable: what ``urdfkit fix`` would do; None where nobody asked.
-        silenced: what is not reported because its cause is, of each description that has some.
+        fixable: what ``urdfkit fix`` would do; None if it was not computed.
+        superseded: what is not reported because its cause is, of each description that has some.
     """
 
     files: tuple[str, ...]
@@ -117,7 +117,7 @@ class Report(Record):
     launched: tuple[Launched, ...] = ()
     unknown_arguments: tuple[tuple[str, str], ...] = ()
     fixable: Fixable | None = None
-    silenced: tuple[Silenced, ...] = ()
+    superseded: tuple[Superseded, ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""
@@ -135,3 +135,19 @@ class Report(Record):
         if self.crashed:
             return 3
         return int(any(self.count(one) for one in Severity if one.rank <= fail_on.rank))
+
+
+class UncheckedValues(Record):
+    """Values of an argument with which a robot is not checked, though files give them.
+
+    Attributes:
+        name: of the argument.
+        values: of it.
+        total: how many values it has.
+        why: they are left out.
+    """
+
+    name: str
+    values: tuple[str, ...]
+    total: int
+    why: str

@@ -2,10 +2,10 @@
 
 A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a fix: robots as
 text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
-beside the robot, by relative path, ``FIXED_FILES`` those of them as fixes leave them; ``FOLDER``
-stands for the folder that holds them all. Rules of other packages are tested with the same
-functions. ``NAME`` is the name of the example's file where it is no ``example.urdf``; ``TARGETS``
-are the consumers that it is checked for where it does not give them away.
+next to the robot, by relative path, ``FIXED_FILES`` those of them as fixes leave them;
+``DIRECTORY`` stands for the directory that holds them all. Rules of other packages are tested with
+the same functions. ``NAME`` is the name of the example's file where it is no ``example.urdf``;
+``TARGETS`` are the consumers that it is checked for where they are not detected.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
-#: In an example, the absolute path of the folder of the robot.
-FOLDER = "/home/student/arm_description"
+#: In an example, the absolute path of the directory of the robot.
+DIRECTORY = "/home/student/arm_description"
 
 #: What an example may begin with that is only the inside of a robot.
 _PIECE = re.compile(r"\s*<(link|joint|material|gazebo|transmission|ros2_control)\b")
@@ -42,18 +42,18 @@ def whole_robot(text: str) -> str:
 
 @contextmanager
 def laid_out(rule: Rule, text: str) -> Iterator[Source]:
-    """An example in a folder of its own, with the other files of its rule."""
+    """An example in a directory of its own, with the other files of its rule."""
     module = sys.modules[rule.module]
     files: Mapping[str, bytes] = getattr(module, "FILES", {})
     example = _file_name(rule)
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as directory:
         for name, data in files.items():
-            path = os.path.join(folder, name)
+            path = os.path.join(directory, name)
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, "wb") as file:
                 file.write(data)
-        robot = whole_robot(text).replace(FOLDER, folder)
-        yield Source(os.path.join(folder, example), robot.encode("utf-8", "surrogateescape"))
+        robot = whole_robot(text).replace(DIRECTORY, directory)
+        yield Source(os.path.join(directory, example), robot.encode("utf-8", "surrogateescape"))
 
 
 def targets_of(rule: Rule) -> tuple[str, ...]:
@@ -102,20 +102,21 @@ def apply_fixes(rule: Rule, text: str) -> dict[str, str]:
     """The files of an example that one rule's fixes change, by relative path; "" is the robot."""
     with laid_out(rule, text) as source:
         found = diagnose(rule, list(rule.check(subject_of(rule, source))))
-        folder = source.path.removesuffix(_file_name(rule)).rstrip(os.sep)
+        directory = source.path.removesuffix(_file_name(rule)).rstrip(os.sep)
         edits: dict[str, dict[Edit, None]] = {}
         for one in found:
             for edit in one.fix.edits if one.fix else ():
                 path = edit.span.source.path
-                name = "" if path == source.path else os.path.relpath(path, folder)
+                name = "" if path == source.path else os.path.relpath(path, directory)
                 edits.setdefault(name, {})[edit] = None
         return {
-            name: _edited(parts).replace(folder, FOLDER) for name, parts in sorted(edits.items())
+            name: _edited(parts).replace(directory, DIRECTORY)
+            for name, parts in sorted(edits.items())
         }
 
 
 def _file_name(rule: Rule) -> str:
-    """The name of the file of an example, perhaps in a folder."""
+    """The name of the file of an example, perhaps in a directory."""
     name: str = getattr(sys.modules[rule.module], "NAME", "example.urdf")
     return name
 

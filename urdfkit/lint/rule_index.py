@@ -48,12 +48,12 @@ FAMILIES = {
     "XML": "XML",
 }
 
-#: The folder with a folder for each family of rules.
+#: The directory with a directory for each family of rules.
 _CHECKS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "checks")
 
 #: The module of every rule that is known, by code: urdfkit's own first.
 _modules: dict[str, str] = {}
-_foreign: set[str] = set()
+_external: set[str] = set()
 _redirects: dict[str, str] = {}
 
 
@@ -72,12 +72,12 @@ def _known() -> dict[str, str]:
 
 def codes() -> list[str]:
     """The codes of urdfkit's own rules, sorted."""
-    return [code for code in _known() if code not in _foreign]
+    return [code for code in _known() if code not in _external]
 
 
 def family_of(code: str) -> str:
-    """The family of a rule, a folder of ``urdfkit/checks``; empty for one of another package."""
-    return "" if code in _foreign else _known()[code].split(".")[2]
+    """The family of a rule, a directory of ``urdfkit/checks``; empty for one of another package."""
+    return "" if code in _external else _known()[code].split(".")[2]
 
 
 def of_family(family: str) -> frozenset[str]:
@@ -115,12 +115,12 @@ def register(modules: Mapping[str, str]) -> None:
         if known.get(code, module) != module:
             raise RuleError(f"{module}: the code {code} is taken by {known[code]}")
     known.update(modules)
-    _foreign.update(modules)
+    _external.update(modules)
 
 
-def foreign() -> dict[str, str]:
+def external() -> dict[str, str]:
     """The modules of the rules of other packages, by code."""
-    return {code: _modules[code] for code in _foreign}
+    return {code: _modules[code] for code in _external}
 
 
 def get(code: str) -> Rule:
@@ -131,14 +131,14 @@ def get(code: str) -> Rule:
         RuleError: the module of another package holds no such rule.
     """
     module = _known()[code]
-    if code in _foreign:
-        return _foreign_rule(code, module)
+    if code in _external:
+        return _external_rule(code, module)
     found = import_module(module).check
     assert isinstance(found, Rule)
     return found
 
 
-def _foreign_rule(code: str, module: str) -> Rule:
+def _external_rule(code: str, module: str) -> Rule:
     try:
         found = getattr(import_module(module), "check", None)
     except Exception as error:

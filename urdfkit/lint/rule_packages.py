@@ -29,13 +29,13 @@ def installed() -> dict[str, str]:
     return {point.name: point.module for point in entry_points(group=GROUP)}
 
 
-def add(names: Iterable[str], *, modules: bool, folder: str = "") -> list[str]:
+def add(names: Iterable[str], *, modules: bool, directory: str = "") -> list[str]:
     """Make the rules of some packages known to this process.
 
     Args:
         names: of entry points; or of modules, each a rule or a package that holds rules.
         modules: whether modules may be named. To import one runs its code.
-        folder: searched for modules after the directories of Python.
+        directory: searched for modules after the directories of Python.
 
     Returns:
         The codes of the rules.
@@ -50,8 +50,8 @@ def add(names: Iterable[str], *, modules: bool, folder: str = "") -> list[str]:
         if module is None:
             if not modules:
                 raise RuleError(f"no rule package is installed as '{name}'{_hint(name)}")
-            if folder and os.path.abspath(folder) not in sys.path:
-                sys.path.append(os.path.abspath(folder))
+            if directory and os.path.abspath(directory) not in sys.path:
+                sys.path.append(os.path.abspath(directory))
             module = name
         found = _rules_of(module)
         rule_index.register(found)

@@ -65,8 +65,8 @@ class Finding(Record):
         related: other places that explain it.
         confidence: how sure it is.
         weight: the larger, the worse; orders the calls of one macro.
-        alike: the same for findings of one cause that robots have in numbers: more than a few of
-            them are shown as one.
+        group_key: the same for findings of one cause that robots have in numbers: more than a
+            few of them are shown as one.
         severity: where it is not that of the rule, whatever the targets.
         targets: those for which it has this severity; empty if it does not depend on them.
         data: where the numbers stand that expressions took out of data files; the judge finds it.
@@ -79,7 +79,7 @@ class Finding(Record):
     related: tuple[Related, ...] = ()
     confidence: Confidence = Confidence.MEASURED
     weight: float = 0.0
-    alike: str = ""
+    group_key: str = ""
     severity: Severity | None = None
     targets: tuple[str, ...] = ()
     data: tuple[Related, ...] = ()
@@ -97,7 +97,7 @@ Findings = Iterator[Finding]
 
 
 def reported(subject: Subject, code: str) -> Findings:
-    """The findings of a rule that only reports what reading met."""
+    """The findings of a rule that only reports problems of reading."""
     for problem in subject.problems(code):
         at = Location(problem.span, problem.frame)
         yield Finding(
@@ -168,7 +168,7 @@ class Rule(Record):
 
     def option(self, subject: Subject, name: str) -> float:
         """The value of an option: as configured, else its default."""
-        return subject.rule_options.get(self.code, self.options).get(name, self.options[name])
+        return subject.run.rule_options.get(self.code, self.options).get(name, self.options[name])
 
     def may_report_errors(self, configured: Severity | None) -> bool:
         """True if a finding may be an error, with the severity that the configuration gives it."""

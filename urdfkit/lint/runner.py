@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, TypeVar
 from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
+from urdfkit.lint.context import NotApplicable, RunState, Subject, Unavailable
 from urdfkit.lint.options import Options
-from urdfkit.lint.report import Crashed, Silenced, Skipped, crash
+from urdfkit.lint.report import Crashed, Skipped, Superseded, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
 from urdfkit.text.document import Attribute, Element, Step
@@ -47,7 +47,7 @@ class FileResult(Record):
         targets: the programs that severities depend on; None if none does.
         suppressed: how many findings the model's comments or the configuration suppress.
         unknown_arguments: those given that the description never mentions, with the one meant.
-        silenced: findings that follow from others, which are reported in their place.
+        superseded: findings that follow from others, which are reported in their place.
     """
 
     diagnostics: tuple[Diagnostic, ...]
@@ -57,7 +57,7 @@ class FileResult(Record):
     targets: Targets | None
     suppressed: int
     unknown_arguments: Mapping[str, str] = {}
-    silenced: Silenced = Silenced((), ())
+    superseded: Superseded = Superseded((), ())
 
 
 def run_rules(
@@ -73,28 +73,28 @@ def run_rules(
         options: whose configuration changes severities and options of rules, and leaves findings
             out; resolved.
     """
-    subject.rule_options = options.config.options
-    run = _Run(subject, options)
+    subject.run = RunState(options.config.options)
+    run = _RuleRun(subject, options)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
-    subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
+    subject.run = RunState(options.config.options, tuple(run.diagnostics), frozenset(chosen))
     run.ignores = run.guarded(lambda: subject.ignores, ())
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
-        lacking = subject.without_arguments
+        lacking = subject.reading.missing_argument_codes
         wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
-        is_unexplained = wants_arguments or not run.says_why()
+        is_unexplained = wants_arguments or not run.explains_failure()
         is_unchecked = run.skipped and not subject.is_readable and is_unexplained
         if is_unchecked or subject.unchecked:
             run.rules([rule_index.NOT_CHECKED])
-            subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
+            subject.run = subject.run._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules(own)
-    return run.verdict()
+    return run.result()
 
 
-class _Run:
+class _RuleRun:
     """Gathers what the rules say about one subject."""
 
     def __init__(self, subject: Subject, options: Options) -> None:
@@ -120,7 +120,7 @@ class _Run:
         """Run those of some rules whose family applies to the subject.
 
         Raises:
-            Cancelled: nobody waits for the result any more.
+            Cancelled: the result is not wanted any more.
         """
         families: dict[str, list[str]] = {}
         for code in chosen:
@@ -133,7 +133,7 @@ class _Run:
                 self._rule(rule)
 
     def _is_chosen(self, rule: Rule) -> bool:
-        """False for a preview rule that nobody asked for, and for one that takes too long."""
+        """False for a preview rule that is not selected, and for one that takes too long."""
         if rule.preview and not self.options.previews(rule.code):
             return False
         configured = self.config.severities.get(rule.code)
@@ -146,7 +146,7 @@ class _Run:
         if not findings:
             return
         try:
-            findings = self._undisputed(findings)
+            findings = self._with_consistent_fixes(findings)
             # Detected only where severities depend on them.
             targets = self.subject.targets.names if findings and rule.by_target else ()
             findings = [self._of_what_is_loaded(rule, finding, targets) for finding in findings]
@@ -191,21 +191,21 @@ class _Run:
 
     def _with_data(self, finding: Finding) -> Finding:
         """A finding with the places of its numbers in data files."""
-        if finding.node is None or is_launch(self.subject.source.path):
+        if finding.node is None:
             return finding
         places = self.subject.data_places(finding.node)
         return finding._replace(data=places) if places else finding
 
-    def _undisputed(self, findings: list[Finding]) -> list[Finding]:
+    def _with_consistent_fixes(self, findings: list[Finding]) -> list[Finding]:
         """Findings with the fixes on which all uses of a macro agree."""
-        if not any(finding.fix for finding in findings) or is_launch(self.subject.source.path):
+        if not any(finding.fix for finding in findings):
             return findings
         reading = self.subject.reading
         if reading.xacro is None or reading.document is None:
             return findings
-        from urdfkit.lint.fix_consistency import without_disputed_fixes
+        from urdfkit.lint.fix_consistency import without_inconsistent_fixes
 
-        return without_disputed_fixes(findings, self.subject.uses)
+        return without_inconsistent_fixes(findings, self.subject.uses)
 
     def _of_what_is_loaded(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:
         """A finding, which is no error in a visual that no target loads."""
@@ -220,7 +220,7 @@ class _Run:
         severity = self.config.severities.get(diagnostic.code)
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
-    def says_why(self) -> bool:
+    def explains_failure(self) -> bool:
         """True if an error that nothing suppresses says why the robot is not read."""
         return any(
             found.severity is Severity.ERROR or found.code in rule_index.NOT_EXPANDED
@@ -232,14 +232,14 @@ class _Run:
         diagnostics = tuple(d for d in self.diagnostics if not self._left_out(d))
         if not self.ignores:
             return diagnostics
-        from urdfkit.lint.suppress import sift
+        from urdfkit.lint.suppress import apply_suppressions
 
-        return sift(diagnostics, self.ignores).kept
+        return apply_suppressions(diagnostics, self.ignores).kept
 
-    def verdict(self) -> FileResult:
+    def result(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
-        diagnostics, silenced = _without_consequences(diagnostics, self._asked)
+        diagnostics, superseded = _without_consequences(diagnostics, self._asked)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return FileResult(
             diagnostics,
@@ -248,7 +248,7 @@ class _Run:
             frozenset(self.ran),
             targets,
             left_out,
-            silenced=silenced,
+            superseded=superseded,
         )
 
     def _distinct_crashes(self) -> Iterator[Crashed]:
@@ -277,11 +277,11 @@ def _is_of_visual(node: Element | Attribute | None) -> bool:
 
 def _without_consequences(
     diagnostics: tuple[Diagnostic, ...], rules: Mapping[str, Rule]
-) -> tuple[tuple[Diagnostic, ...], Silenced]:
+) -> tuple[tuple[Diagnostic, ...], Superseded]:
     """Findings without what follows from others, which are then as severe as that; and that."""
     causes = [one for one in diagnostics if _hides_parts(one, rules[one.code])]
     if not causes:
-        return diagnostics, Silenced((), ())
+        return diagnostics, Superseded((), ())
     kept: list[Diagnostic] = []
     hidden: list[Diagnostic] = []
     for one in diagnostics:
@@ -290,7 +290,7 @@ def _without_consequences(
         if found in causes:
             worst = min((found, *hidden), key=lambda one: one.severity.rank)
             kept[place] = found._replace(severity=worst.severity)
-    return tuple(kept), Silenced(tuple(causes), tuple(hidden))
+    return tuple(kept), Superseded(tuple(causes), tuple(hidden))
 
 
 def _hides_parts(diagnostic: Diagnostic, rule: Rule) -> bool:
@@ -318,7 +318,7 @@ def _bounded(finding: Finding) -> Finding:
 def diagnose(
     rule: Rule, findings: Iterable[Finding], targets: tuple[str, ...] = ()
 ) -> list[Diagnostic]:
-    """Stamp findings with their rule; what one macro body caused N times becomes one."""
+    """Findings as diagnostics of their rule; what one macro body caused N times becomes one."""
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for number, finding in enumerate(findings):
         span, via = place(finding)
@@ -348,7 +348,7 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
         worst.help or rule.help,
         worst.fix,
         suffering,
-        worst.alike,
+        worst.group_key,
     )
 
 

@@ -25,7 +25,9 @@ class SuppressionResult(Record):
     hits: frozenset[Span]
 
 
-def sift(diagnostics: Iterable[Diagnostic], comments: Sequence[Ignore]) -> SuppressionResult:
+def apply_suppressions(
+    diagnostics: Iterable[Diagnostic], comments: Sequence[Ignore]
+) -> SuppressionResult:
     """Take out what comments suppress: whole findings, or single calls of a macro."""
     kept: list[Diagnostic] = []
     suppressed = 0

@@ -37,8 +37,8 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
     why = f"it needs the {'argument' if len(names) == 1 else 'arguments'} {quoted}"
     why += f" (found for {known}, with which it does not expand)" if known else ""
     config = nearest(source.path)
-    folder = os.path.dirname(config) if config else resolver.packages.workspace(source.path)
-    file = os.path.relpath(source.path, folder).replace(os.sep, "/")
+    directory = os.path.dirname(config) if config else resolver.packages.workspace(source.path)
+    file = os.path.relpath(source.path, directory).replace(os.sep, "/")
     values = {name: one.values[0] if one else "VALUE" for name, one in found.items()}
     words = " ".join(f"{name}:={value}" for name, value in values.items())
     lines = ["[[robot]]", f'file = "{file}"']

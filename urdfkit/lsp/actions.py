@@ -10,7 +10,7 @@ from urdfkit.text.diagnostic import Diagnostic, Edit, Fix
 from urdfkit.text.source import Span
 
 
-class Action(Record):
+class QuickFix(Record):
     """Something to do about a finding.
 
     Attributes:
@@ -26,7 +26,7 @@ class Action(Record):
     preferred: bool = False
 
 
-def actions(page: Page, diagnostic: Diagnostic) -> Iterator[Action]:
+def actions(page: Page, diagnostic: Diagnostic) -> Iterator[QuickFix]:
     """What can be done about a finding.
 
     Args:
@@ -35,9 +35,9 @@ def actions(page: Page, diagnostic: Diagnostic) -> Iterator[Action]:
     """
     fix: Fix | None = diagnostic.fix
     if fix is not None:
-        yield Action(_capital(fix.title), fix.edits, diagnostic, fix.safe)
+        yield QuickFix(_capital(fix.title), fix.edits, diagnostic, fix.safe)
     if edit := _comment(page, diagnostic):
-        yield Action(f"Suppress {diagnostic.code} here with a comment", (edit,), diagnostic)
+        yield QuickFix(f"Suppress {diagnostic.code} here with a comment", (edit,), diagnostic)
 
 
 def _comment(page: Page, diagnostic: Diagnostic) -> Edit | None:

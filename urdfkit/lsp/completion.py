@@ -8,12 +8,13 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 
 from urdfkit.core.record import Record
+from urdfkit.lsp.grammar import NAMING, USERS, grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
-from urdfkit.lsp.names import NAMING, USERS, parameters, path_in
-from urdfkit.lsp.workspace import OpenRobot
+from urdfkit.lsp.names import parameters, path_in
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
-from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
-from urdfkit.workspace.folders import Folders
+from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK
+from urdfkit.workspace.directories import Directories
 
 #: Files and directories of one directory that are offered.
 MAX_FILES = 500
@@ -51,7 +52,7 @@ class CompletionItem(Record):
 
     Attributes:
         text: to insert, and the label.
-        kind: ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``folder`` or ``end``.
+        kind: ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``directory`` or ``end``.
         detail: a few words about it.
         start: offset of the word that it takes the place of; it ends at the cursor.
         needed: True for what must be there, which is offered first.
@@ -196,7 +197,7 @@ def _values(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
         yield CompletionItem(text, "name", detail, start)
     if written.name == "filename" and node.name in _FILES:
         for name in sorted(robot.resolver.packages.known(node.source.path)):
-            yield CompletionItem(f"package://{name}/", "folder", "package", start)
+            yield CompletionItem(f"package://{name}/", "directory", "package", start)
         typed = node.source.data[start : here.offset].decode("utf-8", "replace")
         directory = os.path.dirname(os.path.abspath(node.source.path))
         yield from _files(directory, typed, start, _FILES[node.name])
@@ -242,7 +243,9 @@ def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterato
         yield from _of_command(robot, match, packages, word)
     elif match := _PACKAGE_NAME.search(before):
         for name in sorted(packages):
-            yield CompletionItem(f"package://{name}/", "folder", "package", start + match.start())
+            yield CompletionItem(
+                f"package://{name}/", "directory", "package", start + match.start()
+            )
 
 
 def _of_command(
@@ -307,7 +310,7 @@ def _files(
     if os.path.isabs(inner) or ".." in inner.split("/"):
         return
     # Listed anew: a file may have been made since the robot was read.
-    entries = Folders().entries(os.path.join(directory, inner)) or {}
+    entries = Directories().entries(os.path.join(directory, inner)) or {}
     wanted = (
         (name, is_directory)
         for name, is_directory in sorted(entries.items())
@@ -315,37 +318,8 @@ def _files(
     )
     for name, is_directory in islice(wanted, MAX_FILES):
         yield CompletionItem(
-            f"{name}/" if is_directory else name, "folder" if is_directory else "file", "", at
+            f"{name}/" if is_directory else name, "directory" if is_directory else "file", "", at
         )
-
-
-def grammar_of(node: TagNode) -> Grammar | None:
-    """What URDF allows in an element; None where URDF has no grammar."""
-    way = [node.name]
-    for outer in node.around():
-        if outer.name == "robot":
-            break
-        if not outer.name.startswith("xacro:"):
-            way.insert(0, outer.name)
-    if way == ["robot"]:
-        return ROBOT
-    grammar = ROBOT if way[0] in ROBOT.children else _holder(way[0])
-    for name in way:
-        inner = grammar.children.get(name)
-        if inner is None or inner.open:
-            return None
-        grammar = inner
-    return grammar
-
-
-def _holder(tag: str) -> Grammar:
-    """The grammar of an element that may hold a tag, for a macro that makes a part of a link."""
-    queue = [ROBOT]
-    for grammar in queue:
-        if tag in grammar.children:
-            return grammar
-        queue += grammar.children.values()
-    return ROBOT
 
 
 def _word_start(node: TagNode, offset: int) -> int:

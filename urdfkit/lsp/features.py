@@ -30,7 +30,7 @@ _ITEMS = {
     "name": lsp.CompletionItemKind.Reference,
     "word": lsp.CompletionItemKind.Value,
     "file": lsp.CompletionItemKind.File,
-    "folder": lsp.CompletionItemKind.Folder,
+    "directory": lsp.CompletionItemKind.Folder,
     "end": lsp.CompletionItemKind.Text,
 }
 
@@ -39,9 +39,17 @@ def make() -> Server:
     """A server with all its features."""
     server = Server()
     _add_documents(server)
-    _add_reading(server)
-    _add_writing(server)
-    _add_fixes(server)
+    triggers = lsp.CompletionOptions(trigger_characters=["<", '"', "'", "/", "{", "(", " ", ":"])
+    kinds = [lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]
+    server.answer(lsp.TEXT_DOCUMENT_HOVER, _hover, None)
+    server.answer(lsp.TEXT_DOCUMENT_DEFINITION, _definitions, [])
+    server.answer(lsp.TEXT_DOCUMENT_REFERENCES, _references, [])
+    server.answer(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL, _symbols, [])
+    server.answer(lsp.TEXT_DOCUMENT_COMPLETION, _completions, [], triggers)
+    server.answer(lsp.TEXT_DOCUMENT_PREPARE_RENAME, _rename_placeholder, None)
+    server.answer(lsp.TEXT_DOCUMENT_RENAME, _rename, None, lsp.RenameOptions(prepare_provider=True))
+    server.answer(lsp.TEXT_DOCUMENT_FORMATTING, _format, None)
+    server.answer(lsp.TEXT_DOCUMENT_CODE_ACTION, _actions, [], lsp.CodeActionOptions(kinds))
     return server
 
 
@@ -85,111 +93,73 @@ def _add_documents(server: Server) -> None:
             server.check_soon(uri)
 
 
-def _add_reading(server: Server) -> None:
-    @server.feature(lsp.TEXT_DOCUMENT_HOVER)
-    async def _(params: lsp.HoverParams) -> lsp.Hover | None:
-        def answer() -> lsp.Hover | None:
-            robot, page, offset = server.at(params.text_document.uri, params.position)
-            found = server.robots.diagnostics(server.path(params.text_document.uri))
-            text = hover.hover(robot, page, offset, found)
-            return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, text)) if text else None
-
-        return await server.ask(answer, None)
-
-    @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
-    async def _(params: lsp.DefinitionParams) -> list[lsp.Location]:
-        def answer() -> list[lsp.Location]:
-            at = server.at(params.text_document.uri, params.position)
-            return server.locations(navigation.definitions(*at))
-
-        return await server.ask(answer, [])
-
-    @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
-    async def _(params: lsp.ReferenceParams) -> list[lsp.Location]:
-        def answer() -> list[lsp.Location]:
-            at = server.at(params.text_document.uri, params.position)
-            wanted = params.context.include_declaration
-            return server.locations(navigation.references(*at, definitions=wanted))
-
-        return await server.ask(answer, [])
-
-    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
-    async def _(params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
-        def answer() -> list[lsp.DocumentSymbol]:
-            robot, page = server.page(params.text_document.uri)
-            return [_symbol(server.places, entry) for entry in outline.outline(robot, page)]
-
-        return await server.ask(answer, [])
+def _hover(server: Server, params: lsp.HoverParams) -> lsp.Hover | None:
+    robot, page, offset = server.at(params.text_document.uri, params.position)
+    found = server.robots.diagnostics(server.path(params.text_document.uri))
+    text = hover.hover(robot, page, offset, found)
+    return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, text)) if text else None
 
 
-def _add_writing(server: Server) -> None:
-    options = lsp.CompletionOptions(trigger_characters=["<", '"', "'", "/", "{", "(", " ", ":"])
-
-    @server.feature(lsp.TEXT_DOCUMENT_COMPLETION, options)
-    async def _(params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
-        def answer() -> list[lsp.CompletionItem]:
-            robot, page, offset = server.at(params.text_document.uri, params.position)
-            offers = completion.complete(robot, page, offset)
-            places, source, snippets = server.places, page.source, server.takes_snippets
-            return [_item(places, source, offset, one, snippets=snippets) for one in offers]
-
-        return await server.ask(answer, [])
-
-    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
-    async def _(params: lsp.PrepareRenameParams) -> lsp.PrepareRenamePlaceholder | None:
-        def answer() -> lsp.PrepareRenamePlaceholder | None:
-            at = server.at(params.text_document.uri, params.position)
-            name = navigation.renamable(*at)
-            return lsp.PrepareRenamePlaceholder(server.places.range(name.span), name.text)
-
-        return await server.ask(answer, None)
-
-    @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
-    async def _(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
-        def answer() -> lsp.WorkspaceEdit | None:
-            at = server.at(params.text_document.uri, params.position)
-            try:
-                return server.edit(navigation.rename(*at, params.new_name))
-            except navigation.CannotRename as error:
-                reported = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
-                server.window_show_message(reported)
-                return None
-
-        return await server.ask(answer, None)
+def _definitions(server: Server, params: lsp.DefinitionParams) -> list[lsp.Location]:
+    at = server.at(params.text_document.uri, params.position)
+    return server.locations(navigation.definitions(*at))
 
 
-def _add_fixes(server: Server) -> None:
-    @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
-    async def _(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
-        def answer() -> list[lsp.TextEdit]:
-            path = server.path(params.text_document.uri)
-            return server.replaced(path, server.robots.formatted_text(path))
-
-        return await server.ask(answer, None)
-
-    kinds = lsp.CodeActionOptions(
-        code_action_kinds=[lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]
-    )
-
-    @server.feature(lsp.TEXT_DOCUMENT_CODE_ACTION, kinds)
-    async def _(params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
-        def answer() -> list[lsp.CodeAction]:
-            path = server.path(params.text_document.uri)
-            if any(kind.startswith("source") for kind in params.context.only or ()):
-                return _fix_all(server, path)
-            _, page, start = server.at(params.text_document.uri, params.range.start)
-            end = server.places.offset(page.source, params.range.end)
-            return [
-                _action(server, action)
-                for found in server.robots.diagnostics(path)
-                if found.span.start <= end and start <= found.span.end
-                for action in actions.actions(page, found)
-            ]
-
-        return await server.ask(answer, [])
+def _references(server: Server, params: lsp.ReferenceParams) -> list[lsp.Location]:
+    at = server.at(params.text_document.uri, params.position)
+    wanted = params.context.include_declaration
+    return server.locations(navigation.references(*at, definitions=wanted))
 
 
-def _symbol(places: PositionEncoding, entry: outline.Entry) -> lsp.DocumentSymbol:
+def _symbols(server: Server, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
+    robot, page = server.page(params.text_document.uri)
+    return [_symbol(server.places, entry) for entry in outline.outline(robot, page)]
+
+
+def _completions(server: Server, params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
+    robot, page, offset = server.at(params.text_document.uri, params.position)
+    offers = completion.complete(robot, page, offset)
+    places, source, snippets = server.places, page.source, server.takes_snippets
+    return [_item(places, source, offset, one, snippets=snippets) for one in offers]
+
+
+def _rename_placeholder(
+    server: Server, params: lsp.PrepareRenameParams
+) -> lsp.PrepareRenamePlaceholder:
+    name = navigation.renamable(*server.at(params.text_document.uri, params.position))
+    return lsp.PrepareRenamePlaceholder(server.places.range(name.span), name.text)
+
+
+def _rename(server: Server, params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
+    at = server.at(params.text_document.uri, params.position)
+    try:
+        return server.edit(navigation.rename(*at, params.new_name))
+    except navigation.CannotRename as error:
+        reported = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
+        server.window_show_message(reported)
+        return None
+
+
+def _format(server: Server, params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:
+    path = server.path(params.text_document.uri)
+    return server.replaced(path, server.robots.formatted_text(path))
+
+
+def _actions(server: Server, params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
+    path = server.path(params.text_document.uri)
+    if any(kind.startswith("source") for kind in params.context.only or ()):
+        return _fix_all(server, path)
+    _, page, start = server.at(params.text_document.uri, params.range.start)
+    end = server.places.offset(page.source, params.range.end)
+    return [
+        _action(server, action)
+        for found in server.robots.diagnostics(path)
+        if found.span.start <= end and start <= found.span.end
+        for action in actions.actions(page, found)
+    ]
+
+
+def _symbol(places: PositionEncoding, entry: outline.OutlineEntry) -> lsp.DocumentSymbol:
     range_ = places.range(entry.span)
     return lsp.DocumentSymbol(
         entry.name,
@@ -229,7 +199,7 @@ def _ends_a_name(source: Source, offset: int) -> bool:
     return re.match(rb"[\w:-]|\s*=", source.data[offset : offset + 20]) is None
 
 
-def _action(server: Server, action: actions.Action) -> lsp.CodeAction:
+def _action(server: Server, action: actions.QuickFix) -> lsp.CodeAction:
     return lsp.CodeAction(
         action.title,
         lsp.CodeActionKind.QuickFix,

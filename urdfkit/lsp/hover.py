@@ -8,17 +8,19 @@ from collections.abc import Iterable, Iterator
 from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.ignore_comments import ignores
-from urdfkit.lsp.completion import grammar_of
+from urdfkit.lsp.grammar import grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import NameUse, path_in
-from urdfkit.lsp.workspace import OpenRobot
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.model import Joint, Link
 from urdfkit.ros.catalog import extensions, plugins
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.document import Attribute
+from urdfkit.text.markdown import escape
 from urdfkit.text.source import Span
+from urdfkit.text.terminal import printable
 from urdfkit.xacro.origin import Origin
 
 #: Values of one expression, levels of definitions and lines of a macro that are shown.
@@ -53,7 +55,7 @@ def _values(robot: OpenRobot, here: Cursor) -> Iterator[str]:
     shown = [f"`{_code(value)}`" for value in values[:MAX_SHOWN]]
     if len(values) > MAX_SHOWN:
         shown.append(f"and {len(values) - MAX_SHOWN} more")
-    lines = [f"**{written.name}** = {', '.join(shown)}"]
+    lines = [f"**{escape(written.name)}** = {', '.join(shown)}"]
     if len(found) > 1:
         lines[0] += f" in {len(found)} calls"
     lines += _origins(robot, found[0])
@@ -100,7 +102,8 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> Iterator[str]:
     elif name.kind == "package":
         known = robot.resolver.packages.known(page.source.path)
         directory = known.get(name.text)
-        yield f"**package** `{name.text}`: {f'`{directory}`' if directory else 'not found'}"
+        where = f"`{_code(directory)}`" if directory else "not found"
+        yield f"**package** `{_code(name.text)}`: {where}"
 
 
 def _of_model(robot: OpenRobot, name: NameUse) -> Iterator[str]:
@@ -172,7 +175,7 @@ def _mesh(robot: OpenRobot, here: Cursor) -> Iterator[str]:
 def _file(robot: OpenRobot, node: TagNode, reference: str) -> Iterator[str]:
     located = robot.resolver.locate(reference, node.source.path, robot.path)
     if located.path is None:
-        missing = "no such file" if located.folder or not located.package else "no such package"
+        missing = "no such file" if located.directory or not located.package else "no such package"
         yield f"**{node.name}** `{_code(reference)}`: {missing}"
         for tried in (located.tried or located.searched)[:MAX_SHOWN]:
             yield f"- tried `{_code(tried)}`"
@@ -258,15 +261,15 @@ def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterat
         except UnknownRule:
             continue
         text = f"**{rule.code}** {rule.name}\n\n{rule.explanation}"
-        yield text + (f"\n\nHelp: {rule.help}." if rule.help else "")
+        yield text + (f"\n\nHelp: {escape(rule.help)}." if rule.help else "")
 
 
 def _place(span: Span) -> str:
     line, column = span.source.position(span.start)
-    return f"`{os.path.basename(span.source.path)}:{line}:{column}`"
+    return f"`{_code(os.path.basename(span.source.path))}:{line}:{column}`"
 
 
 def _code(text: str) -> str:
     """A text for a piece of code in Markdown."""
-    text = " ".join(text.split()).replace("`", "'")
+    text = printable(" ".join(text.split())).replace("`", "'")
     return text if len(text) <= 200 else text[:200] + "..."

@@ -1,7 +1,6 @@
 """The tags of a text that may not be XML yet: it is read while somebody writes it.
 
-A tag ends where the next one begins, a value at the next tag at the latest; an end tag without
-a start tag is ignored. Nothing here raises, whatever the text.
+An end tag without a start tag is ignored. Nothing here raises, whatever the text.
 """
 
 from __future__ import annotations
@@ -12,18 +11,12 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
+from urdfkit.text.tokens import AttributeToken, Token, TokenKind, tokens
 
-_MARK = re.compile(
-    rb"<(?:!--.*?(?:-->|\Z)|!\[CDATA\[.*?(?:\]\]>|\Z)|[?!][^<>]*>?"
-    rb"|/\s*(?P<end>[^\s<>/]*)[^<>]*>?|(?P<start>[^\s<>/=\"'!?]*))",
-    re.DOTALL,
-)
-_ATTRIBUTE = re.compile(
-    rb"""\s*([^\s=<>/"']+)(?:\s*=\s*(?:"(?P<double>[^"<]*)|'(?P<single>[^'<]*))?)?["']?"""
-)
-_TAG_END = re.compile(rb"\s*(/?)(>?)")
 #: Elements in one another; whatever is deeper belongs to the one at this depth.
 MAX_DEPTH = 200
+
+_TAGS = (TokenKind.START, TokenKind.EMPTY, TokenKind.UNFINISHED)
 
 
 class WrittenAttribute(Record):
@@ -48,7 +41,7 @@ class TagNode:
     """An element in a text.
 
     Attributes:
-        name: with its prefix; empty right behind a ``<``.
+        name, name_span: with its prefix; empty right behind a ``<``.
         source: the text.
         start: of the start tag.
         tag_end: offset behind the start tag.
@@ -69,27 +62,25 @@ class TagNode:
         "end",
         "end_name",
         "name",
+        "name_span",
         "parent",
         "source",
         "start",
         "tag_end",
     )
 
-    def __init__(self, name: str, source: Source, start: int, parent: TagNode | None) -> None:
-        self.name = name
+    def __init__(self, token: Token, source: Source, parent: TagNode | None) -> None:
+        self.name = token.name
+        self.name_span = Span(source, *token.name_span)
         self.source = source
-        self.start = start
-        self.tag_end = self.end = start
-        self.closed = False
+        self.start = token.start
+        self.tag_end = self.end = token.end
+        self.closed = token.kind is TokenKind.EMPTY
         self.end_name: Span | None = None
-        self.attributes: list[WrittenAttribute] = []
+        self.attributes = [_attribute(one, source) for one in token.attributes]
         self.parent = parent
         self.children: list[TagNode] = []
         self.depth: int = parent.depth + 1 if parent else 0
-
-    @property
-    def name_span(self) -> Span:
-        return Span(self.source, self.start + 1, self.start + 1 + len(self.name.encode()))
 
     @property
     def span(self) -> Span:
@@ -143,63 +134,36 @@ class Page:
         self._starts = [node.start for node in self.nodes]
 
     def _read(self) -> None:
-        data = self.source.data
         open_: list[TagNode] = []
-        at = 0
-        while (at := data.find(b"<", at)) >= 0:
-            mark = _MARK.match(data, at)
-            assert mark is not None
-            if mark["end"] is not None:
-                self._ends.append(mark.start("end"))
-                self._close(open_, mark)
-                at = mark.end()
-            elif mark["start"] is None:
-                self._other.append(mark.span())
-                at = mark.end()
-            else:
-                at = self._open(open_, mark)
+        for token in tokens(self.source.data):
+            if token.kind is TokenKind.END:
+                self._ends.append(token.name_span[0])
+                self._close(open_, token)
+            elif token.kind in _TAGS:
+                self._open(open_, token)
+            elif token.kind is not TokenKind.TEXT:
+                self._other.append((token.start, token.end))
         for node in open_:
-            node.end = len(data)
+            node.end = len(self.source.data)
 
-    def _open(self, open_: list[TagNode], mark: re.Match[bytes]) -> int:
-        """A start tag; the offset behind it."""
-        node = TagNode(
-            _text(mark["start"]), self.source, mark.start(), open_[-1] if open_ else None
-        )
-        at = mark.end()
-        data = self.source.data
-        while found := _ATTRIBUTE.match(data, at):
-            node.attributes.append(self._attribute(found))
-            at = found.end()
-        end = _TAG_END.match(data, at)
-        assert end is not None
-        node.tag_end = node.end = end.end()
+    def _open(self, open_: list[TagNode], token: Token) -> None:
+        """A start tag."""
+        node = TagNode(token, self.source, open_[-1] if open_ else None)
         self.nodes.append(node)
         if node.parent:
             node.parent.children.append(node)
-        node.closed = bool(end[1] and end[2])
-        if end[2] and not end[1] and node.name and node.depth < MAX_DEPTH:
+        if token.kind is TokenKind.START and node.name and node.depth < MAX_DEPTH:
             open_.append(node)
-        return max(end.end(), mark.start() + 1)
 
-    def _attribute(self, found: re.Match[bytes]) -> WrittenAttribute:
-        group = "double" if found["double"] is not None else "single"
-        value = None if found[group] is None else Span(self.source, *found.span(group))
-        return WrittenAttribute(_text(found[1]), Span(self.source, *found.span(1)), value)
-
-    def _close(self, open_: list[TagNode], mark: re.Match[bytes]) -> None:
+    def _close(self, open_: list[TagNode], token: Token) -> None:
         """An end tag: of the nearest open element of that name; those in it end here, too."""
-        name = _text(mark["end"])
-        if not any(node.name == name for node in open_[-MAX_DEPTH:]):
+        if not any(node.name == token.name for node in open_[-MAX_DEPTH:]):
             return
-        while open_:
-            node = open_.pop()
-            if node.name == name:
-                node.end = mark.end()
-                node.closed = True
-                node.end_name = Span(self.source, *mark.span("end"))
-                return
-            node.end = mark.start()
+        while (node := open_.pop()).name != token.name:
+            node.end = token.start
+        node.end = token.end
+        node.closed = True
+        node.end_name = Span(self.source, *token.name_span)
 
     def node_at(self, offset: int) -> TagNode | None:
         """The innermost element whose tags or content hold a place between two characters."""
@@ -266,5 +230,6 @@ def cursor(page: Page, offset: int) -> Cursor:
     return Cursor(offset, node, "text")
 
 
-def _text(data: bytes) -> str:
-    return data.decode("utf-8", "replace")
+def _attribute(token: AttributeToken, source: Source) -> WrittenAttribute:
+    name = Span(source, *token.name)
+    return WrittenAttribute(name.text, name, Span(source, *token.value) if token.value else None)

@@ -87,7 +87,7 @@ def _files(directory: str, resolver: Resolver) -> Iterator[str]:
     """The files of a package that may name something, up to a number."""
     count, queue = 0, [(directory, 0)]
     for place, depth in queue:  # grows while it is walked
-        for name, is_directory in sorted((resolver.folders.entries(place) or {}).items()):
+        for name, is_directory in sorted((resolver.directories.entries(place) or {}).items()):
             path = os.path.join(place, name)
             if is_directory and depth < MAX_DEPTH and not name.startswith("."):
                 queue.append((path, depth + 1))

@@ -12,10 +12,11 @@ from functools import cached_property
 from html import unescape
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.markup import Page, TagNode, WrittenAttribute
+from urdfkit.lsp.grammar import NAMING, USERS, kind_of_value
+from urdfkit.lsp.markup import Page, TagNode
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.document import Document
-from urdfkit.text.schema import JOINT, LINK, ROBOT, XACRO_TAGS
+from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Source, Span
 
 #: Kinds of names. A ``frame`` is a link or a joint; a ``parameter`` belongs to one macro.
@@ -28,21 +29,6 @@ _PACKAGE = re.compile(rb"\b(?:package|model)://([\w-]+)")
 _PARAMETER = re.compile(rb"([*\w]+)\s*(?::=[^\s]*|=[^\s]*)?")
 _OWN_TAGS = frozenset((*XACRO_TAGS, "call", "element", "attribute"))
 
-#: Attributes that name a link or a joint outside of URDF's grammar: of SRDF and of Gazebo.
-NAMING = {
-    ("gazebo", "reference"): "frame",
-    ("disable_collisions", "link1"): "link",
-    ("disable_collisions", "link2"): "link",
-    ("enable_collisions", "link1"): "link",
-    ("enable_collisions", "link2"): "link",
-    ("chain", "base_link"): "link",
-    ("chain", "tip_link"): "link",
-    ("end_effector", "parent_link"): "link",
-    ("virtual_joint", "child_link"): "link",
-    ("passive_joint", "name"): "joint",
-}
-#: Elements in which ``<link name>`` and ``<joint name>`` are uses.
-USERS = ("transmission", "ros2_control", "group", "group_state")
 #: A frame may be a link or a joint.
 _SAME_KINDS = {
     "link": ("link", "frame"),
@@ -235,7 +221,7 @@ class NameIndex:
             defined = any(child.name in ("color", "texture") for child in node.children)
             yield from self._value(node, "material", "name", is_definition=defined)
         for written in node.attributes:
-            kind = NAMING.get((node.name, written.name)) or _by_grammar(node, written)
+            kind = NAMING.get((node.name, written.name)) or kind_of_value(node, written)
             if kind:
                 yield from self._value(node, kind, written.name, is_definition=False)
         yield from self._in_plugin(node)
@@ -302,15 +288,6 @@ def parameters(macro: TagNode) -> list[str]:
 
 def _id(macro: TagNode) -> tuple[str, int]:
     return (macro.source.path, macro.start)
-
-
-def _by_grammar(node: TagNode, written: WrittenAttribute) -> str:
-    """``link`` or ``joint`` for an attribute that refers to one by URDF's grammar."""
-    parent = node.parent.name if node.parent else ""
-    grammar = ROBOT.children.get(parent)
-    inner = grammar.children.get(node.name) if grammar else None
-    rule = inner.attributes.get(written.name) if inner else None
-    return rule.type if rule and rule.type in (LINK, JOINT) else ""
 
 
 def path_in(node: TagNode, plugin: TagNode) -> str:

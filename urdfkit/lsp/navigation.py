@@ -9,7 +9,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page, cursor
 from urdfkit.lsp.mentions import mention_at, mentions
 from urdfkit.lsp.names import NameUse
-from urdfkit.lsp.workspace import OpenRobot
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span

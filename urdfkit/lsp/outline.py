@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from urdfkit.lsp.markup import Page, TagNode
-from urdfkit.lsp.workspace import OpenRobot
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.robot.model import Joint, Link
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
@@ -26,7 +26,7 @@ _DEFINITIONS = {
 }
 
 
-class Entry:
+class OutlineEntry:
     """An entry of the outline.
 
     Attributes:
@@ -44,15 +44,15 @@ class Entry:
         self.detail = detail
         self.kind = kind
         self.span = span
-        self.children: list[Entry] = []
+        self.children: list[OutlineEntry] = []
 
 
-def outline(robot: OpenRobot, page: Page) -> list[Entry]:
+def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
     """The entries of a file."""
     top = [_definition(node) for node in page.nodes if _is_definition(node)]
     if robot.document is None:
         plain = [node for node in page.nodes if node.name in ("link", "joint") and _is_top(node)]
-        return top + [Entry(node.get("name"), "", node.name, node.span) for node in plain]
+        return top + [OutlineEntry(node.get("name"), "", node.name, node.span) for node in plain]
     return [*_tree(robot, page), *top]
 
 
@@ -64,16 +64,16 @@ def _is_top(node: TagNode) -> bool:
     return node.parent is not None and node.parent.name in ("robot", "xacro:if", "xacro:unless")
 
 
-def _definition(node: TagNode) -> Entry:
+def _definition(node: TagNode) -> OutlineEntry:
     name = node.get("name") or node.get("reference") or node.name
     detail = node.get("value") or node.get("default") or node.get("params")
-    return Entry(name, " ".join(detail.split())[:80], _DEFINITIONS[node.name], node.span)
+    return OutlineEntry(name, " ".join(detail.split())[:80], _DEFINITIONS[node.name], node.span)
 
 
-def _tree(robot: OpenRobot, page: Page) -> list[Entry]:
+def _tree(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
     """The links and joints that a file makes, each below its parent."""
     model, tree = robot.subject.model, robot.subject.tree
-    tops: list[Entry] = []
+    tops: list[OutlineEntry] = []
     seen: set[str] = set()
     names = [*(link.name for link in tree.roots), *model.links_by_name]  # the rest are loops
     stack = [(name, tops, 0) for name in reversed(names)]
@@ -92,15 +92,15 @@ def _tree(robot: OpenRobot, page: Page) -> list[Entry]:
     return tops
 
 
-def _add(holder: list[Entry], part: Link | Joint, page: Page) -> list[Entry]:
+def _add(holder: list[OutlineEntry], part: Link | Joint, page: Page) -> list[OutlineEntry]:
     """Add an entry if the file makes the part; the list for its children."""
     span = _here(part.at, page)
     if span is None:
         return holder
     if isinstance(part, Link):
-        entry = Entry(part.name, f"{part.mass:g} kg" if part.mass else "", "link", span)
+        entry = OutlineEntry(part.name, f"{part.mass:g} kg" if part.mass else "", "link", span)
     else:
-        entry = Entry(part.name, part.kind, "joint", span)
+        entry = OutlineEntry(part.name, part.kind, "joint", span)
     holder.append(entry)
     return entry.children
 

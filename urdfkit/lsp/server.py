@@ -17,7 +17,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from difflib import SequenceMatcher
 from itertools import accumulate
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from lsprotocol import types as lsp
 from pygls.lsp.server import LanguageServer
@@ -25,8 +25,9 @@ from pygls.lsp.server import LanguageServer
 from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.text import PositionEncoding, to_bytes, to_path, to_uri
-from urdfkit.lsp.workspace import OpenRobot, Workspace
+from urdfkit.lsp.workspace import Workspace
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Span
 
@@ -61,7 +62,7 @@ class Server(LanguageServer):
         self.uris: dict[str, str] = {}
         self.places = PositionEncoding()
         self._waiting: dict[str, asyncio.Task[None]] = {}
-        self._shown_trouble = ""
+        self._shown_failure = ""
 
     async def ask(self, question: Callable[[], Answer], otherwise: Answer) -> Answer:
         """Let the worker answer; ``otherwise`` if it fails."""
@@ -72,6 +73,27 @@ class Server(LanguageServer):
         except Exception:  # a bug must not end the server
             _log.exception("no answer")
         return otherwise
+
+    def answer(
+        self,
+        request: str,
+        question: Callable[[Server, Any], object],
+        otherwise: object,
+        options: object = None,
+    ) -> None:
+        """Let the worker answer a kind of requests.
+
+        Args:
+            request: the method of the protocol.
+            question: computes the answer of the parameters of a request.
+            otherwise: the answer where that fails.
+            options: of the method, which the client is sent.
+        """
+
+        async def handle(params: Any) -> object:
+            return await self.ask(lambda: question(self, params), otherwise)
+
+        self.feature(request, options)(handle)
 
     def path(self, uri: str) -> str:
         """The real path of a URI."""
@@ -133,10 +155,10 @@ class Server(LanguageServer):
         )
         if checked is None:
             return
-        if checked.trouble != self._shown_trouble:
-            self._shown_trouble = checked.trouble
-            if checked.trouble:
-                params = lsp.ShowMessageParams(lsp.MessageType.Warning, checked.trouble)
+        if checked.failure != self._shown_failure:
+            self._shown_failure = checked.failure
+            if checked.failure:
+                params = lsp.ShowMessageParams(lsp.MessageType.Warning, checked.failure)
                 self.window_show_message(params)
         for file, found in checked.diagnostics.items():
             self.publish(file, found)

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator
-from functools import cache, cached_property
+from functools import cache
 
+from urdfkit.core import expansion_limits
 from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled, UrdfkitError
 from urdfkit.lint import rule_index
@@ -21,18 +22,14 @@ from urdfkit.lint.engine import check_with
 from urdfkit.lint.fix import fix
 from urdfkit.lint.options import Options
 from urdfkit.lint.rules import Need
-from urdfkit.lsp.markup import Page
-from urdfkit.lsp.names import NameIndex
-from urdfkit.robot.model import RobotModel
+from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.ros.launch.robot_arguments import given
 from urdfkit.text.diagnostic import Diagnostic
-from urdfkit.text.document import Attribute, Document
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
 from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.xacro import Xacro, expand
 
 #: Robots that are checked when a file of macros changes; the others wait for their own turn.
 MAX_ROBOTS = 8
@@ -47,113 +44,11 @@ class CheckedFile(Record):
 
     Attributes:
         diagnostics: by real path, of every file in which there are some.
-        trouble: why something could not be checked; empty if all was.
+        failure: why something could not be checked; empty if all was.
     """
 
     diagnostics: dict[str, list[Diagnostic]]
-    trouble: str = ""
-
-
-class OpenRobot:
-    """One description and what can be asked about it, for the texts as they are.
-
-    Args:
-        entry: the file and its arguments.
-        resolver: has the texts.
-        config: of the project.
-        before: the same robot before the last change, for the names of a text that is broken.
-    """
-
-    def __init__(
-        self, entry: EntryPoint, resolver: Resolver, config: Config, before: OpenRobot | None
-    ) -> None:
-        self.path = entry.file
-        self.resolver = resolver
-        arguments = {**config.arguments, **entry.arguments}
-        self.subject = Subject(resolver.given(entry.file), resolver, arguments, trust=config.trust)
-        if before is not None and before.document is None:
-            before = before.before
-        self.before: OpenRobot | None = before if self.document is None else None
-        self._others: dict[str, Source] = {}
-
-    @cached_property
-    def document(self) -> Document | None:
-        """Expanded; None while it cannot be read."""
-        return None if is_launch(self.path) else self.subject.reading.document
-
-    @property
-    def model(self) -> RobotModel | None:
-        """The robot; while it cannot be read, what it was before."""
-        if self.document is not None:
-            return self.subject.model
-        return self.before.model if self.before else None
-
-    @cached_property
-    def sources(self) -> dict[str, Source]:
-        """Its texts by real path."""
-        xacro = None if is_launch(self.path) else self.subject.reading.xacro
-        sources = xacro.sources if xacro else (self.subject.source,)
-        return {os.path.realpath(source.path): source for source in sources}
-
-    @cached_property
-    def names(self) -> NameIndex:
-        """The names in its texts, in those that it had before it broke, and in its SRDF."""
-        pages = [Page(source) for source in self.sources.values()]
-        before = self.before.sources if self.before else {}
-        pages += [Page(self.source(path)) for path in before if path not in self.sources]
-        srdf = self.subject.srdf if self.document else None
-        if srdf is not None:
-            pages.append(Page(self.source(srdf.path)))
-        return NameIndex(pages, self.document)
-
-    def source(self, path: str) -> Source:
-        """One of its texts; of a file that it does not read at the moment, too."""
-        real = os.path.realpath(path)
-        found = self.sources.get(real) or self._others.get(real)
-        if found is None:
-            found = self._others[real] = self.resolver.read(path)
-        return found
-
-    def page(self, path: str) -> Page:
-        """The elements of one of its texts."""
-        source = self.source(path)
-        pages = self.names.pages
-        if source.path not in pages:
-            pages[source.path] = Page(source)
-        return pages[source.path]
-
-    def given(self, *kinds: str) -> list[str]:
-        """The names of some kinds that it gives; while it is broken, those of before as well."""
-        found = set(self.names.given(*kinds))
-        if self.before is not None:
-            found.update(self.before.names.given(*kinds))
-        return sorted(found)
-
-    @cached_property
-    def _written(self) -> dict[tuple[str, int, str], list[Attribute]]:
-        found: dict[tuple[str, int, str], list[Attribute]] = {}
-        xacro = self.traced
-        document = xacro.document if xacro else self.document
-        for element in document.root.walk() if document else ():
-            at = element.tag_at
-            for attribute in element.attributes.values():
-                key = (os.path.realpath(at.source.path), at.start, attribute.name)
-                found.setdefault(key, []).append(attribute)
-        return found
-
-    @cached_property
-    def traced(self) -> Xacro | None:
-        """The xacro expanded once more, with the origin of every value; None of a plain URDF."""
-        if self.document is None or self.subject.reading.xacro is None:
-            return None
-        subject = self.subject
-        return expand(
-            subject.source, self.resolver, subject.arguments, trust=subject.trust, traced=True
-        )
-
-    def expanded(self, source: Source, start: int, name: str) -> list[Attribute]:
-        """What an attribute of the tag at a place became: an attribute for every call."""
-        return self._written.get((os.path.realpath(source.path), start, name), [])
+    failure: str = ""
 
 
 class Workspace:
@@ -204,14 +99,14 @@ class Workspace:
         """The configuration for a file, and what is wrong with it; never a trusting one."""
         directory = os.path.dirname(path)
         if directory not in self._configs:
-            trouble, found = "", Config()
+            failure, found = "", Config()
             try:
                 file = nearest(path)
                 found = load(file, trusted=False) if file else found
-                trouble = "; ".join(found.warnings)
+                failure = "; ".join(found.warnings)
             except UrdfkitError as error:
-                trouble = str(error)
-            self._configs[directory] = found, trouble
+                failure = str(error)
+            self._configs[directory] = found, failure
         return self._configs[directory]
 
     def entries(self, path: str) -> tuple[EntryPoint, ...]:
@@ -242,7 +137,7 @@ class Workspace:
             subject = Subject(resolver.given(robot.file), resolver, config.arguments)
         except UrdfkitError:
             return robot
-        if names := subject.missing_arguments:
+        if names := subject.reading.missing_arguments:
             for one in given(robot.file, names, resolver)[:1]:
                 self._launched[robot.file] = one.arguments
                 return robot._replace(arguments=one.arguments)
@@ -267,6 +162,7 @@ class Workspace:
         """Directories are listed once, until files on disk change: there may be thousands."""
         if config.path not in self._resolvers:
             self._resolvers[config.path] = Resolver(config.packages)
+        expansion_limits.allow(config.limits)
         return self._resolvers[config.path].with_texts(self.texts)
 
     def check(
@@ -286,7 +182,7 @@ class Workspace:
         Raises:
             Cancelled: it is true now; the findings stay those of the last whole check.
         """
-        config, trouble = self.config(path)
+        config, failure = self.config(path)
         before = set(self._files())
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
         for root in roots:
@@ -295,14 +191,14 @@ class Workspace:
             except Cancelled:
                 raise
             except UrdfkitError as error:
-                trouble, found = trouble or str(error), []
+                failure, found = failure or str(error), []
             by_file: dict[str, list[Diagnostic]] = {}
             for diagnostic in found:
                 file = os.path.realpath(diagnostic.span.source.path)
                 by_file.setdefault(file, []).append(diagnostic)
             self._found[root] = by_file
         files = before | set(self._files()) | {path}
-        return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, trouble)
+        return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, failure)
 
     def _check_root(
         self, root: str, config: Config, thorough: bool, is_cancelled: Callable[[], bool] | None

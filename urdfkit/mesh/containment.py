@@ -10,6 +10,7 @@ from urdfkit.mesh import solids
 from urdfkit.mesh.convex_hull import half_spaces, hull_corners
 from urdfkit.mesh.distance import one_way
 from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh
+from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.mesh.welding import weld
 
 #: Edges to which triangles are cut where pieces meet, as a part of the diagonal of the surface.
@@ -89,14 +90,14 @@ def missing(pieces: Mesh, mesh: Mesh) -> float:
         mesh: any with triangles.
     """
     planes = [half_spaces(part.vertices) for part in pieces.parts]
-    points, faces = weld(mesh.vertices, mesh.faces)
-    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    surface = soup_of(mesh)
+    size = surface.size
 
     def are_outside(points: Floats) -> Flags:
         least = np.min([excess(points, one) for one in planes], axis=0)
         return np.asarray(least > ROUNDING * size)
 
-    return one_way(points, faces, pieces.vertices, pieces.faces, are_outside)
+    return one_way(surface.points, surface.faces, pieces.vertices, pieces.faces, are_outside)
 
 
 def protrusion(pieces: Mesh, mesh: Mesh) -> float:
@@ -110,4 +111,5 @@ def protrusion(pieces: Mesh, mesh: Mesh) -> float:
     outside = solids.beyond(pieces, mesh) if len(pieces.parts) > 1 else pieces
     if not len(outside.faces):
         return 0.0
-    return one_way(outside.vertices, outside.faces, mesh.vertices, mesh.faces)
+    surface = soup_of(mesh)
+    return one_way(outside.vertices, outside.faces, surface.points, surface.faces)

@@ -16,7 +16,7 @@ from urdfkit.mesh.convex_hull import (
 )
 from urdfkit.mesh.distance import one_way
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshMaterial, MeshPart
-from urdfkit.mesh.welding import weld
+from urdfkit.mesh.repair.soup import soup_of
 
 #: The engines that cut into convex pieces.
 ENGINES = ("vhacd", "coacd")
@@ -45,7 +45,8 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
         NoHull: all points lie in a plane.
     """
     shell = hull(mesh)
-    beyond = one_way(shell.vertices, shell.faces, mesh.vertices, mesh.faces)
+    sound = soup_of(mesh)
+    beyond = one_way(shell.vertices, shell.faces, sound.points, sound.faces)
     if most == 1 or beyond <= _CONVEX * np.ptp(shell.vertices, axis=0).max():
         return shell
     return cut(mesh, most=most, engine=engine)
@@ -69,7 +70,8 @@ def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
         NoHull: all points lie in a plane.
     """
     shell = hull(mesh)  # raises where there is no volume
-    points, faces = weld(mesh.vertices, mesh.faces)
+    sound = soup_of(mesh)  # V-HACD does not end where a corner is not finite
+    points, faces = sound.points, sound.faces
     pieces = _vhacd(points, faces, most) if engine == "vhacd" else _coacd(points, faces, most)
     pieces = [corners for corners in pieces if _has_inside(corners)]
     parts: list[MeshPart] = []

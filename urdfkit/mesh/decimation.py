@@ -10,6 +10,7 @@ import numpy as np
 from urdfkit.mesh.edges import three_cornered
 from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.health import examine
+from urdfkit.mesh.manifolds import solid
 from urdfkit.mesh.repair.soup import TriangleSoup, soup_of
 
 #: From one tolerance to the next.
@@ -105,19 +106,14 @@ def _is_solid(soup: TriangleSoup) -> bool:
 
 def _coarser_solid(soup: TriangleSoup) -> _Coarser:
     """By manifold3d, which keeps the parts of a solid as runs of triangles."""
-    from manifold3d import Manifold, Mesh64
+    from manifold3d import Manifold
 
     order = np.argsort(soup.parts, kind="stable")
     numbers, starts = np.unique(soup.parts[order], return_index=True)
     first = Manifold.reserve_ids(len(numbers))
-    body = Manifold(
-        Mesh64(
-            vert_properties=soup.points,
-            tri_verts=soup.faces[order].astype(np.uint64),
-            run_index=np.append(3 * starts, 3 * len(order)).astype(np.uint64),
-            run_original_id=np.arange(first, first + len(numbers), dtype=np.uint32),
-        )
-    )
+    bounds = np.append(3 * starts, 3 * len(order)).astype(np.uint64)
+    ids = np.arange(first, first + len(numbers), dtype=np.uint32)
+    body = solid(soup.points, soup.faces[order], runs=(bounds, ids))
     if body.is_empty():  # no solid, or bodies that touch along an edge
         return _coarser_cells(soup)
 

@@ -101,6 +101,7 @@ class Mesh(Record):
 
 
 def areas(vertices: Floats, faces: Integers) -> Floats:
-    """(m,), of each face."""
+    """(m,), of each face; infinite or nan where no number is so large."""
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)

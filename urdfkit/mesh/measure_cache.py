@@ -12,7 +12,7 @@ import re
 from functools import lru_cache
 
 from urdfkit.core import atomic, disk
-from urdfkit.core.cache_folder import cache_folder
+from urdfkit.core.cache_directory import cache_directory
 from urdfkit.errors import UnwritableFile
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MAX_BYTES
@@ -36,7 +36,7 @@ def shared(*, cached: bool) -> Store:
 
 def default_directory() -> str | None:
     """The directory of the cache; None if the environment wants none."""
-    cache = cache_folder()
+    cache = cache_directory()
     return os.path.join(cache, "meshes") if cache else None
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from urdfkit.mesh.components import Pieces
 from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.mesh.manifolds import solid
 
 if TYPE_CHECKING:
     from manifold3d import Manifold
@@ -67,9 +68,9 @@ def nested(
     for piece in closed[np.argsort(-np.abs(pieces.volumes[closed]), kind="stable")]:
         own, is_cavity = pieces.of_face == piece, bool(pieces.volumes[piece] < 0)
         corners = faces[own][:, ::-1] if is_cavity else faces[own]
-        solid = _solid(places, corners, None if parts is None else parts[own])
-        if not solid.is_empty():  # a surface that touches itself may be none
-            shells.append(Shell(int(piece), solid, is_cavity))
+        body = _solid(places, corners, None if parts is None else parts[own])
+        if not body.is_empty():  # a surface that touches itself may be none
+            shells.append(Shell(int(piece), body, is_cavity))
     return shells
 
 
@@ -85,11 +86,9 @@ def united(shells: Sequence[Shell]) -> Manifold:
 
 def _solid(places: Floats, faces: Integers, parts: Integers | None = None) -> Manifold:
     """A closed surface, which may have numbers for its faces."""
-    from manifold3d import Manifold, Mesh64
-
     used, corners = np.unique(faces, return_inverse=True)
     numbers = None if parts is None else parts.astype(np.uint64)
-    return Manifold(Mesh64(places[used], corners.reshape(-1, 3).astype(np.uint64), face_id=numbers))
+    return solid(places[used], corners.reshape(-1, 3), numbers=numbers)
 
 
 def bodies(places: Floats, faces: Integers, pieces: Pieces) -> list[Manifold]:
@@ -97,9 +96,9 @@ def bodies(places: Floats, faces: Integers, pieces: Pieces) -> list[Manifold]:
 
     Arguments as for `overlap`.
     """
-    solid = np.flatnonzero(pieces.is_closed & (pieces.volumes > 0))
-    if len(solid) > MAX_PIECES or len(faces) > MAX_TRIANGLES:
+    outward = np.flatnonzero(pieces.is_closed & (pieces.volumes > 0))
+    if len(outward) > MAX_PIECES or len(faces) > MAX_TRIANGLES:
         return []
     order = np.argsort(pieces.of_face, kind="stable")
-    bounds = np.searchsorted(pieces.of_face[order], [solid, solid + 1]).T
+    bounds = np.searchsorted(pieces.of_face[order], [outward, outward + 1]).T
     return [_solid(places, faces[order[start:end]]) for start, end in bounds]

@@ -68,12 +68,12 @@ def gltf() -> bytes:
     return dumps(content).encode()
 
 
-def collada(asset: str = "", look: str = "", more: str = "") -> bytes:
+def collada(asset: str = "", effect: str = "", more: str = "") -> bytes:
     """A COLLADA file with one triangle.
 
     Args:
         asset: what stands in its ``<asset>``.
-        look: what stands in the ``<lambert>`` of its material.
+        effect: what stands in the ``<lambert>`` of its material.
         more: what stands in its ``<mesh>`` besides.
     """
     return f"""<?xml version="1.0" encoding="utf-8"?>
@@ -81,7 +81,7 @@ def collada(asset: str = "", look: str = "", more: str = "") -> bytes:
   <asset>{asset}</asset>
   <library_images><image id="image"><init_from>wood.png</init_from></image></library_images>
   <library_effects><effect id="effect"><profile_COMMON><technique sid="common">
-    <lambert>{look}</lambert></technique></profile_COMMON></effect></library_effects>
+    <lambert>{effect}</lambert></technique></profile_COMMON></effect></library_effects>
   <library_materials>
     <material id="wood"><instance_effect url="#effect"/></material>
   </library_materials>

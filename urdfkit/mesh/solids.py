@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from manifold3d import CrossSection, JoinType, Manifold, Mesh64, OpType
+from manifold3d import CrossSection, JoinType, Manifold, OpType
 
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.convex_hull import arrays_of
@@ -69,11 +69,12 @@ def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
     """
     from urdfkit.mesh.components import take_apart
     from urdfkit.mesh.edges import Edges, three_cornered
+    from urdfkit.mesh.manifolds import solid
     from urdfkit.mesh.overlap import bodies
     from urdfkit.mesh.welding import weld
 
     whole = Manifold.batch_boolean(
-        [Manifold(Mesh64(part.vertices, part.faces.astype(np.uint64))) for part in pieces.parts],
+        [solid(part.vertices, part.faces) for part in pieces.parts],
         OpType.Add,
     )
     # A part may be a solid of its own that touches others, or one colour of a whole.

@@ -37,8 +37,9 @@ def scaled_part(part: MeshPart, stretch: Floats) -> MeshPart:
     """A part stretched along x, y and z, (3,); a factor may be zero."""
     normals, mirrored = part.normals, np.prod(np.sign(stretch)) < 0
     if normals is not None:
-        # About 1 large first, so that no square overflows.
-        normals = normals / np.where(stretch == 0, 1.0, stretch / (np.abs(stretch).max() or 1.0))
+        # About 1 large first, and none too small, so that no square overflows.
+        ratio = np.where(stretch == 0, 1.0, stretch / (np.abs(stretch).max() or 1.0))
+        normals = normals / np.copysign(np.maximum(np.abs(ratio), 1e-100), ratio)
         lengths = np.linalg.norm(normals, axis=1, keepdims=True)
         normals = normals / np.where(lengths > 0, lengths, 1.0)
     faces = part.faces[:, ::-1].copy() if mirrored else part.faces

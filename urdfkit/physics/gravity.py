@@ -99,11 +99,11 @@ class _Climb:
         self._targets = model.moved[name]
         self._places = model.places(start)
         self._pose = dict(start)
-        self._ways = {target: self._way(target) for target in self._targets}
+        self._paths = {target: self._path(target) for target in self._targets}
         self._names = dict.fromkeys(
             model.bodies[number].law.leader
             for target in self._targets
-            for number in (*self._ways[target], *model.below[target])
+            for number in (*self._paths[target], *model.below[target])
         )
         self._names.pop("", None)
         self.steps = 0
@@ -161,7 +161,7 @@ class _Climb:
     def _sweep(self) -> float:
         """Choose the position of each joint that moves alone, below and above; the torque then."""
         (target,) = self._targets
-        way, body = self._ways[target], self._bodies[target]
+        way, body = self._paths[target], self._bodies[target]
         self.steps += len(way) + len(self._model.below[target])
         befores, up = self._ups(way)
         moment = body.moment
@@ -219,7 +219,7 @@ class _Climb:
         total = 0.0
         for target in self._targets:
             lever = self._model.lever(target, self._moment(target))
-            total += self._bodies[target].law.factor * dot(lever, self._ups(self._ways[target])[1])
+            total += self._bodies[target].law.factor * dot(lever, self._ups(self._paths[target])[1])
         return total
 
     def _ups(self, way: list[int]) -> tuple[list[Vector], Vector]:
@@ -231,7 +231,7 @@ class _Climb:
             up = turned(body, befores[-1], -self._places[number])
         return befores, up
 
-    def _way(self, target: int) -> list[int]:
+    def _path(self, target: int) -> list[int]:
         """The bodies from the root, without it, to one of them."""
         found = []
         while self._bodies[target].parent >= 0:

@@ -15,7 +15,8 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.kinematics import SLIDING, TURNING
-from urdfkit.robot.model import DEGREES_OF_FREEDOM, number, numbers
+from urdfkit.robot.model import DEGREES_OF_FREEDOM
+from urdfkit.robot.values import number, numbers
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:

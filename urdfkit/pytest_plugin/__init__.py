@@ -106,7 +106,7 @@ def _as_text(value: object) -> str:
 def urdf(request: pytest.FixtureRequest) -> Callable[..., Description]:
     """A factory: ``urdf("urdf/arm.urdf.xacro", side="left")`` is that model, expanded.
 
-    Paths are relative to the test's file, else to pytest's root folder.
+    Paths are relative to the test's file, else to pytest's root directory.
     """
 
     def make(path: str | Path, /, **arguments: object) -> Description:

@@ -1,13 +1,13 @@
-"""Pictures of robots, without a display, a graphics card or a graphics library.
+"""Images of robots, without a display, a graphics card or a graphics library.
 
 >>> from urdfkit.lint.loading import read
->>> from urdfkit.render import build, picture
+>>> from urdfkit.render import build, render_image
 >>> scene = build(read("models/good/gripper.urdf"))
->>> picture(scene, ["iso", "top"], size=(640, 360)).size
+>>> render_image(scene, ["iso", "top"], size=(640, 360)).size
 (640, 360)
 
-`build` makes a robot a `Scene` of triangles, and `picture` an image of it; `looking` gives a
-`Camera` that has a scene in view, and `draw` the pixels that it sees.
+`build` makes a robot a `Scene` of triangles, and `render_image` an image of it; `place_camera`
+gives a `Camera` that has a scene in view, and `draw` the pixels that it sees.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ try:
         sweep,
         swept_circle,
     )
-    from urdfkit.render.camera import VIEWS, Camera, CameraOptions, looking
+    from urdfkit.render.camera import VIEWS, Camera, CameraOptions, place_camera
     from urdfkit.render.difference import difference
     from urdfkit.render.draw import QUALITIES, DrawingOptions, draw
     from urdfkit.render.findings import marked
     from urdfkit.render.fonts import unwritable
+    from urdfkit.render.image import ImageError, colour, render_image, save
     from urdfkit.render.layers import LAYERS, explained
     from urdfkit.render.materials import SurfaceMaterial
-    from urdfkit.render.picture import PictureError, colour, picture, save
     from urdfkit.render.pixels import STUDIO, Background
     from urdfkit.render.scene import Label, MissingMesh, Scene, SceneItem, build
 except ImportError as error:
@@ -48,9 +48,9 @@ __all__ = [
     "Camera",
     "CameraOptions",
     "DrawingOptions",
+    "ImageError",
     "Label",
     "MissingMesh",
-    "PictureError",
     "Scene",
     "SceneItem",
     "SurfaceMaterial",
@@ -62,10 +62,10 @@ __all__ = [
     "draw",
     "explained",
     "followed",
-    "looking",
     "marked",
     "orbit",
-    "picture",
+    "place_camera",
+    "render_image",
     "save",
     "save_animation",
     "sweep",

@@ -16,7 +16,7 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject
 from urdfkit.render.arrays import Floats
-from urdfkit.render.camera import Camera, CameraOptions, looking
+from urdfkit.render.camera import Camera, CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import opaque, write
 from urdfkit.render.pixels import STUDIO
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 #: What an animation is saved as, by suffix.
 FORMATS = {".gif": "GIF", ".webp": "WEBP", ".png": "PNG", ".apng": "PNG"}
-#: Pictures of an animation, and how long each is shown in ms.
+#: Images of an animation, and how long each is shown in ms.
 FRAMES, DURATION = 48, 70
 
 Shot = tuple[Scene, Camera]
@@ -57,8 +57,8 @@ def orbit(scene: Scene, camera: Camera, frames: int = FRAMES) -> list[Shot]:
 
     Args:
         scene: the robot.
-        camera: for the first picture.
-        frames: pictures of the turn.
+        camera: for the first image.
+        frames: images of the turn.
     """
     points = scene.points()
     middle = (points.min(axis=0) + points.max(axis=0)) / 2 if len(points) else np.zeros(3)
@@ -88,7 +88,7 @@ def sweep(
         subject: its description.
         joint: name of the joint.
         given: positions of the others, in rad or m.
-        frames: how many pictures.
+        frames: how many images.
 
     Yields:
         The scene, and the positions in it.
@@ -121,11 +121,11 @@ def animated(
     progress: Callable[[int, int], None] | None = None,
     **drawing: Unpack[DrawingOptions],
 ) -> list[Image.Image]:
-    """The pictures of an animation, on one floor.
+    """The images of an animation, on one floor.
 
     Args:
         shots: what is to be seen, and by which camera.
-        progress: called with the number of pictures done and of all.
+        progress: called with the number of images done and of all.
         drawing: as `draw` takes it.
     """
     level = min((float(s.points()[:, 2].min()) for s, _ in shots if len(s.points())), default=None)
@@ -146,11 +146,11 @@ def followed(
     view: str = "iso",
     *,
     size: tuple[int, int],
-    **look: Unpack[CameraOptions],
+    **camera_options: Unpack[CameraOptions],
 ) -> list[Shot]:
-    """Scenes with one camera that has all of them in view; the arguments are those of `looking`."""
+    """Scenes with one camera that has all in view; the arguments are those of `place_camera`."""
     points = np.concatenate([scene.points() for scene, _ in scenes])
-    camera = looking(points, view, size=size, **look)
+    camera = place_camera(points, view, size=size, **camera_options)
     return [(scene, camera) for scene, _ in scenes]
 
 
@@ -167,7 +167,7 @@ def animation_format(path: str | os.PathLike[str]) -> str:
 
 
 def save_animation(images: Sequence[Image.Image], path: str | os.PathLike[str]) -> None:
-    """Write pictures as one that moves and repeats: GIF, WebP or APNG, by the suffix.
+    """Write images as one that moves and repeats: GIF, WebP or APNG, by the suffix.
 
     Raises:
         AnimationError: the suffix is another one.
@@ -189,7 +189,7 @@ def save_animation(images: Sequence[Image.Image], path: str | os.PathLike[str]) 
 
 
 def _with_one_palette(images: Sequence[Image.Image]) -> list[Image.Image]:
-    """Pictures in 256 colours that all of them share, so that still parts stay still."""
+    """Images in 256 colours that all of them share, so that still parts stay still."""
     images = [opaque(image) for image in images]
     few = images[:: max(1, len(images) // 8)]
     width, height = few[0].size

@@ -1,4 +1,4 @@
-"""The arrays that pictures are made of; single precision wherever there are many, for speed."""
+"""The arrays that images are made of; single precision wherever there are many, for speed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a picture is taken from. World coordinates in m, z upwards; +x is a robot's front."""
+"""Where an image is taken from. World coordinates in m, z upwards; +x is a robot's front."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ VIEWS = {
 }
 #: Vertical angle of view in degrees: a long lens, which bends a robot little.
 FIELD = 28.0
-#: Part of the picture that stays free on each side.
+#: Part of the image that stays free on each side.
 MARGIN = 0.09
 
 
-#: Pixels of an edge of a picture at least; and of a whole one at most, as of a sheet of paper at
+#: Pixels of an edge of an image at least; and of a whole one at most, as of a sheet of paper at
 #: 600 dpi.
 MIN_EDGE, MAX_PIXELS = 16, 40_000_000
 
@@ -44,9 +44,9 @@ class Camera(NamedTuple):
     Attributes:
         eye: its place.
         axes: rows are the directions right, up and backwards, in the world.
-        size: width and height of the picture in pixels.
+        size: width and height of the image in pixels.
         field: vertical angle of view in degrees.
-        extent: height in m of what an orthographic picture shows; 0 for a perspective one.
+        extent: height in m of what an orthographic image shows; 0 for a perspective one.
         near: distance in m of the plane before which nothing is drawn.
     """
 
@@ -79,11 +79,11 @@ class Camera(NamedTuple):
         )
 
     def project(self, points: Floats) -> tuple[Floats, Floats, Floats]:
-        """Points (n, 3) of the camera's frame in the picture.
+        """Points (n, 3) of the camera's frame in the image.
 
         Returns:
             x and y in pixels from the upper left corner, and the nearness: positive, larger
-            for what is nearer, and linear in the picture on any plane.
+            for what is nearer, and linear in the image on any plane.
         """
         width, height = self.size
         x, y, z = points.T
@@ -117,7 +117,7 @@ class Camera(NamedTuple):
 
 
 class CameraOptions(TypedDict, total=False):
-    """What `looking` takes by name, but for the size."""
+    """What `place_camera` takes by name, but for the size."""
 
     azimuth: float | None
     elevation: float | None
@@ -126,11 +126,11 @@ class CameraOptions(TypedDict, total=False):
 
 
 def _far(camera: Camera) -> float:
-    """A depth that everything in an orthographic picture is before; its nearness is 0."""
+    """A depth that everything in an orthographic image is before; its nearness is 0."""
     return camera.near * 800
 
 
-def looking(
+def place_camera(
     points: Floats,
     view: str = "iso",
     *,
@@ -140,7 +140,7 @@ def looking(
     size: tuple[int, int] = (1280, 720),
     orthographic: bool = False,
 ) -> Camera:
-    """A camera that has points in its picture.
+    """A camera that has points in its image.
 
     Args:
         points: (n, 3), in the world.
@@ -148,24 +148,17 @@ def looking(
         azimuth: instead of the view's, in degrees from +x towards +y.
         elevation: instead of the view's, in degrees above the horizon.
         distance: from the middle of the points, in m; as near as they all can be seen if None.
-        size: of the picture, in pixels.
+        size: of the image, in pixels.
         orthographic: without perspective.
 
     Raises:
         NoSuchView: the view has no name here, or a number is out of bounds.
     """
-    if view not in VIEWS:
-        raise NoSuchView(f"unknown view '{view}'; expected one of {', '.join(VIEWS)}")
     if distance is not None and not 0 < distance < 1e6:
         raise NoSuchView(f"a distance of {distance:g} m: write one above 0")
-    if not all(isfinite(angle or 0.0) for angle in (azimuth, elevation)):
-        raise NoSuchView("invalid angle: use degrees")
     if reason := unfit(size):
         raise NoSuchView(reason)
-    axes = _axes(
-        VIEWS[view][0] if azimuth is None else azimuth,
-        VIEWS[view][1] if elevation is None else elevation,
-    )
+    axes = _axes(view, azimuth, elevation)
     seen = turned(points, axes) if len(points) else np.zeros((1, 3), dtype=np.float32)
     lowest, highest = (end.astype(np.float64) for end in bounds(seen))
     reach = max(float(np.linalg.norm(highest - lowest)) / 2, 1e-3)
@@ -184,7 +177,7 @@ def looking(
 
 
 def unfit(size: tuple[int, int]) -> str:
-    """Why there is no picture of a size in pixels; empty if there can be one."""
+    """Why there is no image of a size in pixels; empty if there can be one."""
     width, height = size
     if min(size) >= MIN_EDGE and width * height <= MAX_PIXELS:
         return ""
@@ -192,9 +185,15 @@ def unfit(size: tuple[int, int]) -> str:
     return f"an image of {width}x{height} pixels: use a size from 16x16 to {most} million pixels"
 
 
-def _axes(azimuth: float, elevation: float) -> Matrix:
+def _axes(view: str, azimuth: float | None, elevation: float | None) -> Matrix:
     """Right, up and backwards of a camera that looks at the middle from an angle."""
-    a, e = radians(azimuth), radians(elevation)
+    if view not in VIEWS:
+        raise NoSuchView(f"unknown view '{view}'; expected one of {', '.join(VIEWS)}")
+    if not all(isfinite(angle or 0.0) for angle in (azimuth, elevation)):
+        raise NoSuchView("invalid angle: use degrees")
+    default = VIEWS[view]
+    a = radians(default[0] if azimuth is None else azimuth)
+    e = radians(default[1] if elevation is None else elevation)
     backwards = (cos(e) * cos(a), cos(e) * sin(a), sin(e))
     right = (-sin(a), cos(a), 0.0)
     return np.array((right, np.cross(backwards, right), backwards))

@@ -50,7 +50,7 @@ def overlaps(subject: Subject, given: Mapping[str, float]) -> Iterator[Overlap]:
     adjacency = Adjacency(subject.tree)
     pairs = list(moving.pairs(examiner.links))
     row = moving.row({axis.joint: given.get(axis.joint, 0.0) for axis in moving.axes})
-    seen = examiner.look(pairs, 0.0).at(row[None], count=True)
+    seen = examiner.query(pairs, 0.0).at(row[None], count=True)
     for (first, second), one in zip(pairs, seen, strict=True):
         if one.hits:
             names = moving.links[first], moving.links[second]

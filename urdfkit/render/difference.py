@@ -8,7 +8,7 @@ import numpy as np
 from PIL import Image
 
 from urdfkit.render.arrays import Bytes
-from urdfkit.render.camera import CameraOptions, looking
+from urdfkit.render.camera import CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import caption
 from urdfkit.render.pixels import STUDIO
@@ -28,7 +28,7 @@ def difference(
     view: str = "iso",
     *,
     size: tuple[int, int] = (1920, 480),
-    look: CameraOptions | None = None,
+    camera_options: CameraOptions | None = None,
     **drawing: Unpack[DrawingOptions],
 ) -> Image.Image:
     """Before, after and the difference, seen by one camera that has both in view.
@@ -40,8 +40,8 @@ def difference(
         before: the first state.
         after: the second one.
         view: name of a view.
-        size: of all three pictures together, in pixels.
-        look: of the camera, as `looking` takes it.
+        size: of all three images together, in pixels.
+        camera_options: as `place_camera` takes it.
         drawing: as `draw` takes it.
 
     Raises:
@@ -49,7 +49,7 @@ def difference(
     """
     cell = (max(size[0] // 3, 16), max(size[1], 16))
     points = np.concatenate((before.points(), after.points()))
-    camera = looking(points, view, size=cell, **(look or {}))
+    camera = place_camera(points, view, size=cell, **(camera_options or {}))
     level = float(points[:, 2].min()) if len(points) else None
     bare, whole = [], Image.new("RGBA", (cell[0] * 3, cell[1]))
     for number, (scene, name) in enumerate(((before, "before"), (after, "after"))):
@@ -65,7 +65,7 @@ def difference(
 
 
 def _compared(before: Bytes, after: Bytes) -> Bytes:
-    """The picture of the difference of two pictures of robots and nothing else."""
+    """The image of the difference of two images of robots and nothing else."""
     old, new = (pixels.astype(np.int32) for pixels in (before, after))
     result = np.full(before.shape, 255, dtype=np.uint8)
     shown = np.where((new[..., 3] > 0)[..., None], new, old)

@@ -1,6 +1,6 @@
-"""A scene and a camera become a picture.
+"""A scene and a camera become an image.
 
-Three passes on bands of rows, so that memory does not grow with the height of a picture:
+Three passes on bands of rows, so that memory does not grow with the height of an image:
 which surfaces the pixels see, how much light reaches them, and their colours. Nothing depends on
 the order of the bands, so the bytes are the same for any number of threads.
 """
@@ -17,23 +17,22 @@ from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface, fragments, surface
 from urdfkit.render.ground import Ground, ground
-from urdfkit.render.light import LATTICE, Rig, ShadowMap, rig, shadow_map, sunlight
+from urdfkit.render.light import LATTICE, ShadowMap, rig, shadow_map, sunlight
 from urdfkit.render.materials import SurfaceMaterial
 from urdfkit.render.occlusion import openness
 from urdfkit.render.pixels import STUDIO, Background, encoded, gradient, matching, means, summed
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.scene import Scene
-from urdfkit.render.shading import Illumination, shaded
-from urdfkit.render.soup import CameraTriangles, cut, extent, rows, soup
-from urdfkit.render.textures import sample, srgb_to_linear, texture
+from urdfkit.render.shading import Illumination
+from urdfkit.render.soup import CameraTriangles, chosen_triangles, cut, extent, rows, soup
+from urdfkit.render.surface_colours import SurfaceColours
+from urdfkit.render.textures import texture
 from urdfkit.render.thread_pool import Workers
 
 #: Rows of pixels of a band.
 BAND = 60
 #: Surfaces that are seen through one another; those behind are left out.
 PEELS = 4
-#: How much is seen of a sign that something hides.
-HIDDEN = 0.45
 #: What is less transparent than this hides what is behind it.
 SOLID = 0.98
 #: How much nearer collisions are drawn than they are, as a part of the robot's size.
@@ -48,7 +47,7 @@ _OPAQUE, _CLEAR, _SIGN = range(3)
 
 
 class Quality(NamedTuple):
-    """How much work a picture is worth.
+    """How much work an image is worth.
 
     Attributes:
         samples: of a pixel, for smooth edges.
@@ -112,11 +111,11 @@ def draw(
         (h, w, 4), red green blue alpha, sRGB, not premultiplied.
     """
     drawing = _Drawing(scene, camera, QUALITIES[quality], Workers(threads), floor, level)
-    return drawing.picture(background, progress or (lambda _done, _total: None))
+    return drawing.image(background, progress or (lambda _done, _total: None))
 
 
 class _Drawing:
-    """One picture on its way."""
+    """One image on its way."""
 
     def __init__(
         self,
@@ -128,13 +127,10 @@ class _Drawing:
         level: float | None,
     ) -> None:
         self.scene, self.camera, self.quality, self.workers = scene, camera, quality, workers
-        self.rig: Rig = rig(camera)
         everything = soup(scene, camera)
-        self.looks = [item.look for item in scene.items]
-        workers.each(
-            sorted({look.texture for look in self.looks if look.texture}, key=str), texture
-        )
-        self.kinds = [_kind(look) for look in self.looks]
+        materials = [item.material for item in scene.items]
+        workers.each(sorted({one.texture for one in materials if one.texture}, key=str), texture)
+        self.kinds = [_kind(one) for one in materials]
         pieces = list(zip(everything.pieces, self.kinds, strict=True))
         solid = [piece for piece, kind in pieces if kind == _OPAQUE]
         robot = [piece for piece, kind in pieces if kind != _SIGN]
@@ -143,29 +139,29 @@ class _Drawing:
         world = turned(everything.points, axes) + np.asarray(camera.eye, dtype=np.float32)
         lowest, highest = extent(world, robot)
         self.size = float((highest - lowest).max()) or 1.0
-        self.sun: ShadowMap = shadow_map(everything, casts, solid, self.rig, workers)
+        self.sun: ShadowMap = shadow_map(everything, casts, solid, rig(camera), workers)
         self.floor: Ground | None = None
         if floor and len(casts):
             self.floor = ground(world, casts, solid, self.sun, camera, level, workers)
-        everything = cut(everything, camera)
-        x, y, near = camera.project(everything.points)
-        self._lift(near, everything, (lowest + highest) / 2)
-        self.screen: Projected
-        self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0])
-        self.soup: CameraTriangles = everything
-        if len(chosen) < len(everything.faces):
-            self.soup = everything._replace(
-                faces=everything.faces[chosen],
-                item=everything.item[chosen],
-                flat=everything.flat[chosen],
-            )
+        self.screen, self.soup = self._projected(cut(everything, camera), (lowest + highest) / 2)
         kind = self._kind(self.soup)
         self.opaque, self.clear, self.signs = (
             np.flatnonzero(kind == one) for one in (_OPAQUE, _CLEAR, _SIGN)
         )
+        self.colours = SurfaceColours(materials, self.soup, self.screen, camera)
         self.offsets = rooks(quality.samples)
 
-    def picture(self, background: Background | None, progress: Callable[[int, int], None]) -> Bytes:
+    def _projected(
+        self, everything: CameraTriangles, middle: Floats
+    ) -> tuple[Projected, CameraTriangles]:
+        """The triangles that may be in the image, there and in the frame of the camera."""
+        x, y, near = self.camera.project(everything.points)
+        self._lift(near, everything, middle)
+        screen, chosen = projected(x, y, near, everything.faces, self.camera.size[0])
+        is_whole = len(chosen) == len(everything.faces)
+        return screen, everything if is_whole else chosen_triangles(everything, chosen)
+
+    def image(self, background: Background | None, progress: Callable[[int, int], None]) -> Bytes:
         width, height = self.camera.size
         bands: dict[int, _Band] = {}
         count, steps = 3 * -(-height // BAND), itertools.count(1)
@@ -222,7 +218,7 @@ class _Drawing:
     # -- the first pass: what is seen --
 
     def _see(self, first: int, last: int, depth: Floats) -> _Band:
-        """The surfaces of a band; their depth goes to the picture's."""
+        """The surfaces of a band; their depth goes to the image's."""
         grid = Grid(self.camera.size[0], first, last, self.offsets)
         opaque = nearest(self.screen, self.opaque, grid)
         found = self._surfaces(fragments(opaque, grid))
@@ -299,7 +295,7 @@ class _Drawing:
         place = matching(some.pixel - start, -there.position[:, 2], depth[first:last], self._near)
         light_there = means((sun, sky), depth, first, last, self._near)
         lit = Illumination(*(image[place] for image in light_there))
-        light, cover = summed(some, self._shade(some, there, lit), start, count)
+        light, cover = summed(some, self.colours.light(some, there, lit), start, count)
         free = 1 - cover
         dark = band.dark if len(band.dark) else np.zeros_like(free)
         if background is None:
@@ -309,62 +305,13 @@ class _Drawing:
             behind = gradient(background, first, last, height)
             light.reshape(-1, width, 3)[:] += (free * (1 - dark)).reshape(-1, width, 1) * behind
         for few, on in (*reversed(band.clear), *reversed(band.signs)):
-            opacity = self._opacity(few, on, depth)
+            opacity = self.colours.opacity(few, on, depth)
             ones = np.ones(len(few.pixel), dtype=np.float32)
-            colours = self._shade(few, on, Illumination(ones, ones))
+            colours = self.colours.light(few, on, Illumination(ones, ones))
             over, part = summed(few._replace(weight=few.weight * opacity), colours, start, count)
             light = over + light * (1 - part)[:, None]
             alpha = part + alpha * (1 - part)
         return encoded(light, alpha).reshape(last - first, width, 4)
-
-    def _opacity(self, some: Fragments, there: FragmentSurface, depth: Floats) -> Floats:
-        """How much fragments hide of what is behind them, (k,); less of it if they are hidden."""
-        rgba = np.array([look.rgba[3] for look in self.looks], dtype=np.float32)
-        signs = np.array([look.sign for look in self.looks])
-        item = self.soup.item[some.number]
-        hidden = signs[item] & (depth.reshape(-1)[some.pixel] < -there.position[:, 2])
-        opacity: Floats = rgba[item] * np.where(hidden, np.float32(HIDDEN), np.float32(1))
-        return opacity
-
-    def _shade(self, some: Fragments, there: FragmentSurface, lit: Illumination) -> Floats:
-        """The light that fragments send, (k, 3)."""
-        item = self.soup.item[some.number]
-        rgb = np.array([look.rgba[:3] for look in self.looks] or [(1, 1, 1)], dtype=np.float32)
-        albedo = srgb_to_linear(rgb)[item]
-        if there.color is not None:
-            albedo = albedo * srgb_to_linear(there.color[:, :3])
-        for index, look in enumerate(self.looks):
-            if look.texture is not None:
-                of_it = np.flatnonzero(item == index)
-                if len(of_it):
-                    albedo[of_it] *= self._textured(look, some, there, of_it)
-        return shaded(
-            albedo,
-            there.position,
-            there.normal,
-            lit,
-            self.rig,
-            parallel=self.camera.is_orthographic,
-        )
-
-    def _textured(
-        self, look: SurfaceMaterial, some: Fragments, there: FragmentSurface, of_it: Integers
-    ) -> Floats:
-        """What a texture shows on fragments, (k, 3)."""
-        assert look.texture is not None
-        image = texture(look.texture)
-        if image is None:
-            return np.ones((len(of_it), 3), dtype=np.float32)
-        faces = self.soup.faces[some.number[of_it]]
-        assert self.soup.uv is not None
-        assert there.uv is not None
-        uv = [self.soup.uv[faces[:, corner]] for corner in range(3)]
-        xy = [
-            np.stack((self.screen.x[faces[:, i]], self.screen.y[faces[:, i]]), axis=1)
-            for i in range(3)
-        ]
-        ratio = _area(*uv) / np.maximum(_area(*xy), np.float32(1e-6))
-        return sample(image, there.uv[of_it], np.sqrt(ratio))
 
     def _near(self, depth: Floats) -> Floats:
         """How far apart in depth what belongs to one surface may be, across a lattice square."""
@@ -374,12 +321,7 @@ class _Drawing:
         return near
 
 
-def _kind(look: SurfaceMaterial) -> int:
-    if look.sign:
+def _kind(material: SurfaceMaterial) -> int:
+    if material.sign:
         return _SIGN
-    return _OPAQUE if look.rgba[3] > SOLID else _CLEAR
-
-
-def _area(a: Floats, b: Floats, c: Floats) -> Floats:
-    u, v = b - a, c - a
-    return np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    return _OPAQUE if material.rgba[3] > SOLID else _CLEAR

@@ -33,7 +33,8 @@ def marked(scene: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) ->
     """
     found = by_link(subject, diagnostics)
     items = tuple(
-        item if item.look.sign else _painted(item, found.get(item.link, ())) for item in scene.items
+        item if item.material.sign else _painted(item, found.get(item.link, ()))
+        for item in scene.items
     )
     labels = tuple(
         Label(_text(reported), link, middle(scene, link))
@@ -57,13 +58,13 @@ def by_link(subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, li
 
 def _painted(item: SceneItem, reported: Sequence[Diagnostic]) -> SceneItem:
     """An item in the colour of its worst finding; the stripes of a missing mesh stay."""
-    alpha = item.look.rgba[3]
+    alpha = item.material.rgba[3]
     if not reported:
-        return item._replace(look=SurfaceMaterial((*QUIET[:3], alpha)), colors=None)
-    if item.look == PLACEHOLDER:
+        return item._replace(material=SurfaceMaterial((*QUIET[:3], alpha)), colors=None)
+    if item.material == PLACEHOLDER:
         return item
     colour = COLOURS[reported[0].severity]
-    return item._replace(look=SurfaceMaterial((*colour[:3], alpha)), colors=None)
+    return item._replace(material=SurfaceMaterial((*colour[:3], alpha)), colors=None)
 
 
 def _text(reported: Sequence[Diagnostic]) -> str:

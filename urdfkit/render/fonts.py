@@ -1,4 +1,4 @@
-"""Fonts for words in pictures: Pillow's own, and the system's for letters that it has not.
+"""Fonts for words in images: Pillow's own, and the system's for letters that it has not.
 
 What Pillow's font can write looks the same on every machine. For Chinese, Japanese and Korean
 names, for instance, a font of the system is taken if one is found, else the letters are escaped.

@@ -22,7 +22,7 @@ class Fragments(NamedTuple):
         pixel: (k,), row times width plus column.
         number: (k,), of the triangle.
         weight: (k,), the part of the pixel that it covers.
-        x, y: (k,), where in the picture it is shaded.
+        x, y: (k,), where in the image it is shaded.
         nearness: (k,), of one of its samples.
     """
 
@@ -94,10 +94,36 @@ def surface(
     Args:
         some: the fragments.
         whole: the triangles.
-        screen: their vertices in the picture.
+        screen: their vertices in the image.
         camera: that sees them.
     """
     corners = [whole.faces[some.number, corner] for corner in range(3)]
+    weights, nearness = _weights(some, corners, screen, camera)
+
+    def blend(values: Floats) -> Floats:
+        result: Floats = sum(w * values[i] for w, i in zip(weights, corners, strict=True))
+        return result
+
+    position = camera.positions(some.x, some.y, nearness)
+    towards = _towards(position, camera)
+    flat = whole.flat[some.number]
+    flat = np.where(dot(flat, towards)[:, None] < 0, -flat, flat)
+    normal = blend(whole.normals)
+    normal = np.where(dot(normal, flat)[:, None] < 0, -normal, normal)
+    normal = unit(np.where(np.abs(normal).max(axis=1, keepdims=True) < 0.1, flat, normal))
+    return FragmentSurface(
+        position,
+        normal,
+        flat,
+        None if whole.uv is None else blend(whole.uv),
+        None if whole.colors is None else blend(whole.colors),
+    )
+
+
+def _weights(
+    some: Fragments, corners: list[Integers], screen: Projected, camera: Camera
+) -> tuple[list[Floats], Floats]:
+    """The weights of the three corners in space, (k, 1) each, and the nearness, (k,)."""
     x = [screen.x[index] for index in corners]
     y = [screen.y[index] for index in corners]
     parts = []
@@ -121,26 +147,7 @@ def surface(
     if not camera.is_orthographic:
         weights = [w * n for w, n in zip(weights, near, strict=True)]
         total = np.maximum(weights[0] + weights[1] + weights[2], np.float32(1e-30))
-    weights = [(w / total)[:, None] for w in weights]
-
-    def blend(values: Floats) -> Floats:
-        result: Floats = sum(w * values[i] for w, i in zip(weights, corners, strict=True))
-        return result
-
-    position = camera.positions(some.x, some.y, nearness)
-    towards = _towards(position, camera)
-    flat = whole.flat[some.number]
-    flat = np.where(dot(flat, towards)[:, None] < 0, -flat, flat)
-    normal = blend(whole.normals)
-    normal = np.where(dot(normal, flat)[:, None] < 0, -normal, normal)
-    normal = unit(np.where(np.abs(normal).max(axis=1, keepdims=True) < 0.1, flat, normal))
-    return FragmentSurface(
-        position,
-        normal,
-        flat,
-        None if whole.uv is None else blend(whole.uv),
-        None if whole.colors is None else blend(whole.colors),
-    )
+    return [(w / total)[:, None] for w in weights], nearness
 
 
 def _towards(position: Floats, camera: Camera) -> Floats:

@@ -43,7 +43,7 @@ class Ground(NamedTuple):
     shade: Floats
 
     def seen(self, camera: Camera, first: int, last: int) -> tuple[Floats, Floats]:
-        """The floor in a band of a picture: its depth in m, and how dark it is, (rows, w) each.
+        """The floor in a band of an image: its depth in m, and how dark it is, (rows, w) each.
 
         The depth is `FAR` where the floor is not seen.
         """

@@ -1,4 +1,4 @@
-"""Words in pictures; pictures on white."""
+"""Words in images; images on white."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ class LabelBox(NamedTuple):
 
 
 def opaque(image: Image.Image) -> Image.Image:
-    """A picture for formats that have no transparency: on white."""
+    """An image for formats that have no transparency: on white."""
     if image.mode != "RGBA":
         return image.convert("RGB")
     return Image.alpha_composite(Image.new("RGBA", image.size, (255,) * 4), image).convert("RGB")
 
 
 def caption(image: Image.Image, text: str) -> None:
-    """Write a word in the upper left corner of a picture."""
+    """Write a word in the upper left corner of an image."""
     size = max(11, min(22, image.height // 22))
     font, written = writing(text, size)
     ImageDraw.Draw(image).text((size * 0.7, size * 0.5), written, fill=INK, font=font)
@@ -53,7 +53,7 @@ def caption(image: Image.Image, text: str) -> None:
 def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
     """Write the labels of a scene next to their points, so that none covers another.
 
-    Where there is no place left for a label it is left out; points outside of the picture have
+    Where there is no place left for a label it is left out; points outside of the image have
     none.
     """
     size = max(10.0, min(20.0, image.height / 52))
@@ -80,7 +80,7 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
 
 
 def _anchors(scene: Scene, camera: Camera) -> dict[int, tuple[float, float]]:
-    """Where the points of labels are in the picture, by the number of the label."""
+    """Where the points of labels are in the image, by the number of the label."""
     found = {}
     rotation, position = camera.to_view(np.eye(3), np.zeros(3))
     for number, label in enumerate(scene.labels):
@@ -100,7 +100,7 @@ def _free(
     wide: float,
     high: float,
     size: float,
-    picture: tuple[int, int],
+    whole: tuple[int, int],
     taken: list[LabelBox],
 ) -> LabelBox | None:
     """The free place that is nearest to a point."""
@@ -109,7 +109,7 @@ def _free(
             left = x + across * distance * size + (wide * (across - 1) / 2)
             top = y + down * distance * size * 0.8 + (high * (down - 1) / 2)
             box = LabelBox(left, top, left + wide, top + high)
-            inside = left >= 0 and top >= 0 and box.right <= picture[0] and box.bottom <= picture[1]
+            inside = left >= 0 and top >= 0 and box.right <= whole[0] and box.bottom <= whole[1]
             if inside and not any(map(box.meets, taken)):
                 return box
     return None

@@ -126,7 +126,7 @@ def sunlight(
         points: (k, 3), in the camera's frame.
         normals: (k, 3).
         pixel: (k,), row times width plus column.
-        width: of the picture.
+        width: of the image.
         taps: samples of each.
     """
     texel = np.float32(1 / map_.scale)

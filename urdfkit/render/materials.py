@@ -1,4 +1,4 @@
-"""How the surfaces of a robot look."""
+"""The materials of the surfaces of a robot."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class SurfaceMaterial(NamedTuple):
     sign: bool = False
 
 
-#: For what says nothing about its looks.
+#: For what says nothing about its material.
 PLAIN = SurfaceMaterial((0.72, 0.74, 0.77, 1.0))
 #: For the box that stands for a missing mesh; the name is drawn as stripes.
 STRIPES = "urdfkit:stripes"
@@ -38,7 +38,7 @@ COLLISION = SurfaceMaterial((0.93, 0.42, 0.12, 0.45))
 
 
 class ModelMaterials:
-    """The looks of one model.
+    """The materials of one model.
 
     A material of the URDF replaces those in a mesh file, as in RViz. Where neither says anything
     the link's Gazebo material counts.
@@ -61,7 +61,7 @@ class ModelMaterials:
     def of(
         self, link: str, role: str, body: Body, embedded: geometry.MeshMaterial | None
     ) -> SurfaceMaterial:
-        """The look of triangles.
+        """The material of triangles.
 
         Args:
             link: name of the link.

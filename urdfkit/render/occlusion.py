@@ -1,4 +1,4 @@
-"""Ambient occlusion: how much of the sky the surroundings of a point in the picture hide.
+"""Ambient occlusion: how much of the sky the surroundings of a point in the image hide.
 
 McGuire, Mara, Luebke: Scalable Ambient Obscurance, 2012, equation 1 of section 3, with exact
 positions instead of a pyramid of them, and the authors' falloff.
@@ -12,7 +12,7 @@ from urdfkit.render.arrays import Floats, Integers
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import lattice, spiral
 
-#: Largest radius in pixels, as a part of the picture's height.
+#: Largest radius in pixels, as a part of the image's height.
 MAX_RADIUS = 0.2
 #: Nothing nearer than this part of the radius hides anything: surfaces do not hide themselves.
 BIAS = 0.02
@@ -35,17 +35,14 @@ def openness(
         camera: that sees it.
         points: (k, 3), in the camera's frame.
         normals: (k, 3).
-        pixel: (k,), where they are in the picture.
+        pixel: (k,), where they are in the image.
         radius: in m; what is further away hides nothing.
         taps: samples of each.
     """
     height, width = depth.shape
     flat = depth.reshape(-1)
     row, column = np.divmod(pixel.astype(np.int32), np.int32(width))
-    reach = np.full(len(pixel), radius * camera.scale, dtype=np.float32)
-    if not camera.is_orthographic:
-        reach /= flat[pixel]
-    np.minimum(reach, np.float32(MAX_RADIUS * height), out=reach)
+    reach = _reach(camera, radius, flat[pixel])
     offsets = spiral(taps, 1.0)
     place = lattice(pixel, width)
     px, py, pz = np.ascontiguousarray(points.T)
@@ -54,20 +51,25 @@ def openness(
     bias = np.float32(BIAS * radius)
     hidden = np.zeros(len(points), dtype=np.float32)
     for tap in range(taps):
-        x = column + (offsets[place, tap, 0] * reach).astype(np.int32)
-        y = row + (offsets[place, tap, 1] * reach).astype(np.int32)
-        np.clip(x, 0, width - 1, out=x)
-        np.clip(y, 0, height - 1, out=y)
+        x = np.clip(column + (offsets[place, tap, 0] * reach).astype(np.int32), 0, width - 1)
+        y = np.clip(row + (offsets[place, tap, 1] * reach).astype(np.int32), 0, height - 1)
         qx, qy, qz = camera.places(x, y, flat[y * np.int32(width) + x])
         qx -= px
         qy -= py
         qz -= pz
         distance = qx * qx + qy * qy + qz * qz
-        rise = qx * nx + qy * ny + qz * nz
-        rise -= bias
-        np.maximum(rise, 0, out=rise)
+        rise = np.maximum(qx * nx + qy * ny + qz * nz - bias, 0)
         falloff = np.maximum(square - distance, 0)
         hidden += falloff * falloff * falloff * rise / (distance + np.float32(0.02) * square)
     factor = np.float32(5 * STRENGTH * radius / (taps * radius**6))
     seen: Floats = np.exp(-hidden * factor)
     return seen
+
+
+def _reach(camera: Camera, radius: float, depth: Floats) -> Floats:
+    """A length in m at some depths (k,), in pixels, (k,)."""
+    reach = np.full(len(depth), radius * camera.scale, dtype=np.float32)
+    if not camera.is_orthographic:
+        reach /= depth
+    np.minimum(reach, np.float32(MAX_RADIUS * camera.size[1]), out=reach)
+    return reach

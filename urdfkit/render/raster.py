@@ -1,4 +1,4 @@
-"""Which triangle is nearest at every sample of a picture: scanlines, on numpy.
+"""Which triangle is nearest at every sample of an image: scanlines, on numpy.
 
 A sample is won by the largest key: the bits of its nearness, and below them the number of the
 triangle. Positive floats are in order as integers, so one ``maximum.at`` does what a depth buffer
@@ -26,11 +26,11 @@ _LOW, _HIGH = (0, 1) if sys.byteorder == "little" else (1, 0)
 
 
 class Projected(NamedTuple):
-    """Triangles in a picture.
+    """Triangles in an image.
 
     Attributes:
         x, y: (n,), vertices in pixels from the upper left corner.
-        nearness: (n,), positive, larger for what is nearer, linear in the picture.
+        nearness: (n,), positive, larger for what is nearer, linear in the image.
         corners: three times (m,), the indices of the vertices.
         top, bottom: (m,), the least and the greatest y of each triangle.
     """
@@ -46,7 +46,7 @@ class Projected(NamedTuple):
 def projected(
     x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int
 ) -> tuple[Projected, Integers]:
-    """Triangles that may be in a picture of some width, and their numbers among all."""
+    """Triangles that may be in an image of some width, and their numbers among all."""
     columns = [np.ascontiguousarray(faces[:, corner], dtype=np.int32) for corner in range(3)]
     xs, ys = ([values[column] for column in columns] for values in (x, y))
     top, bottom = np.minimum.reduce(ys), np.maximum.reduce(ys)
@@ -57,14 +57,14 @@ def projected(
 
 
 class Grid(NamedTuple):
-    """Samples of a band of a picture.
+    """Samples of a band of an image.
 
     Every pixel has ``len(offsets)`` rows of samples, one sample in each row, at an offset of its
     own from the left: rooks on a board that threaten one another nowhere. Edges of all
     directions come out as smooth as with the square of that many samples.
 
     Attributes:
-        width: of the picture in pixels.
+        width: of the image in pixels.
         first, last: rows of pixels, the last one excluded.
         offsets: (s,), of the samples of a pixel, from 0 to 1.
     """
@@ -97,7 +97,7 @@ def nearest(
     """The keys of the samples of a band.
 
     Args:
-        triangles: of the picture.
+        triangles: of the image.
         chosen: numbers of those to draw.
         grid: the samples.
         above: keys that must be beaten to be seen at all; those of what is opaque.

@@ -1,4 +1,4 @@
-"""What a picture shows: the triangles of a robot, link by link, and where the links are."""
+"""What an image shows: the triangles of a robot, link by link, and where the links are."""
 
 from __future__ import annotations
 
@@ -34,24 +34,24 @@ LIMIT = 1e6
 
 
 class SceneItem(NamedTuple):
-    """Triangles of one look that move with one link.
+    """Triangles of one material that move with one link.
 
     Attributes:
         link: name of the link.
         role: ``visual``, ``collision``, or the layer that it belongs to.
         label: what it shows: the name of a mesh file or the kind of a shape.
-        look: its colour or texture.
+        material: its colour or texture.
         vertices: (n, 3), in the frame of the link, in m.
         faces: (m, 3), indices of vertices, counter-clockwise from outside.
         normals: (n, 3), unit vectors; None if every face is flat.
         uv: (n, 2), texture coordinates with v upwards; None without a texture.
-        colors: (n, 4), of the vertices, instead of the colour of the look; None without them.
+        colors: (n, 4), of the vertices, instead of the colour of the material; None without them.
     """
 
     link: str
     role: str
     label: str
-    look: SurfaceMaterial
+    material: SurfaceMaterial
     vertices: Floats
     faces: Integers
     normals: Floats | None = None
@@ -81,7 +81,7 @@ class MissingMesh(NamedTuple):
 
 
 class Label(NamedTuple):
-    """A word in a picture.
+    """A word in an image.
 
     Attributes:
         text: the word.
@@ -116,7 +116,7 @@ class Scene(NamedTuple):
         found = [
             placed(item.vertices, self.frames[item.link])
             for item in self.items
-            if not item.look.sign
+            if not item.material.sign
         ]
         return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
 
@@ -140,7 +140,7 @@ def build(
         Unavailable: the description cannot be read.
     """
     frames = kinematics.frames(subject.tree, positions or {})
-    looks = ModelMaterials(subject, see_through="visual" in roles)
+    materials = ModelMaterials(subject, see_through="visual" in roles)
     items: list[SceneItem] = []
     absent: list[tuple[Link, str, Body, str]] = []
     for link in subject.model.links_by_name.values():
@@ -148,11 +148,8 @@ def build(
             continue
         for role in roles:
             for body in link.visuals if role == "visual" else link.collisions:
-                found = [
-                    kept
-                    for item in _items(subject, looks, link.name, role, body)
-                    if (kept := _sound(item))
-                ]
+                every = map(_sound, _items(subject, materials, link.name, role, body))
+                found = [item for item in every if item]
                 items += found
                 if not found and body.shape and body.shape.kind == "mesh":
                     reason = subject.meshes.reason(body.shape) or "its triangles are nowhere"
@@ -160,21 +157,24 @@ def build(
     roots = {subject.tree.root_of[item.link] for item in items}
     note = f"{len(roots)} roots are drawn in one place: no joint says how they stand to one another"
     scene = Scene(tuple(items), frames, notes=(note,) if len(roots) > 1 else ())
-    if not absent:
-        return scene
+    return _with_placeholders(scene, subject, absent) if absent else scene
+
+
+def _with_placeholders(
+    scene: Scene, subject: Subject, absent: list[tuple[Link, str, Body, str]]
+) -> Scene:
+    """A box for each body whose mesh is missing; of each its link, role and the reason."""
     least = PLACEHOLDER_SIZE * _reach(scene)
     boxes = (_placeholder(subject, link, role, body, least) for link, role, body, _ in absent)
-    return scene._replace(
-        items=(*items, *boxes),
-        missing=tuple(
-            MissingMesh(link.name, role, _filename(body.shape), reason)
-            for link, role, body, reason in absent
-        ),
+    missing = (
+        MissingMesh(link.name, role, _filename(body.shape), reason)
+        for link, role, body, reason in absent
     )
+    return scene._replace(items=(*scene.items, *boxes), missing=tuple(missing))
 
 
 def _items(
-    subject: Subject, looks: ModelMaterials, link: str, role: str, body: Body
+    subject: Subject, materials: ModelMaterials, link: str, role: str, body: Body
 ) -> Iterator[SceneItem]:
     """What one visual or collision shows; nothing if its mesh is not to be had."""
     shape = body.shape
@@ -186,14 +186,14 @@ def _items(
             return
         label = os.path.basename(_filename(shape))
         for part in mesh.parts:
-            look = looks.of(link, role, body, part.material)
+            material = materials.of(link, role, body, part.material)
             scale = np.array(shape.scale, dtype=np.float64) * mesh.unit
-            yield _part(link, role, label, look, part, scale).moved(body.origin)
+            yield _part(link, role, label, material, part, scale).moved(body.origin)
         return
     triangles = _primitive(shape)
     if triangles is not None:
-        look = looks.of(link, role, body, None)
-        yield SceneItem(link, role, shape.kind, look, *triangles).moved(body.origin)
+        material = materials.of(link, role, body, None)
+        yield SceneItem(link, role, shape.kind, material, *triangles).moved(body.origin)
 
 
 def _is_near(frame: Transform) -> bool:
@@ -218,7 +218,12 @@ def _sound(item: SceneItem) -> SceneItem | None:
 
 
 def _part(
-    link: str, role: str, label: str, look: SurfaceMaterial, part: MeshPart, scale: geometry.Floats
+    link: str,
+    role: str,
+    label: str,
+    material: SurfaceMaterial,
+    part: MeshPart,
+    scale: geometry.Floats,
 ) -> SceneItem:
     """A part of a mesh, scaled; smooth where it has no normals and is not as fine as pixels."""
     if len(part.faces) <= MAX_SMOOTH:
@@ -228,7 +233,7 @@ def _part(
         link,
         role,
         label,
-        look,
+        material,
         vertices.astype(np.float32),
         faces.astype(np.int32),
         None if normals is None else normals.astype(np.float32),

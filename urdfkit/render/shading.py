@@ -45,7 +45,7 @@ def shaded(
         normal: (k, 3), unit vectors there.
         lit: what reaches them.
         rig: the lamps.
-        parallel: True if the picture is orthographic.
+        parallel: True if the image is orthographic.
     """
     if parallel:
         viewer = np.broadcast_to(np.array((0, 0, 1), dtype=np.float32), position.shape)

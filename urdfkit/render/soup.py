@@ -44,7 +44,7 @@ def soup(scene: Scene, camera: Camera) -> CameraTriangles:
     total = ends[-1]
     colored = any(item.colors is not None for item in scene.items)
     # Of a texture on a mesh without coordinates, as Interbotix' STL files, one corner shows.
-    textured = any(item.uv is not None or item.look.texture for item in scene.items)
+    textured = any(item.uv is not None or item.material.texture for item in scene.items)
     points, normals = (np.zeros((total, 3), dtype=np.float32) for _ in range(2))
     uv = np.zeros((total, 2), dtype=np.float32) if textured else None
     colors = np.ones((total, 4), dtype=np.float32) if colored else None
@@ -89,15 +89,16 @@ def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
         return whole
     corners = before[whole.faces]
     count = corners.sum(axis=1)
-    kept = _some(whole, count == 0)
+    kept = chosen_triangles(whole, count == 0)
     for number in (1, 2):
         some = count == number
         if some.any():
-            kept = _add(kept, _some(whole, some), corners[some], plane)
+            kept = _add(kept, chosen_triangles(whole, some), corners[some], plane)
     return kept
 
 
-def _some(whole: CameraTriangles, chosen: Bools) -> CameraTriangles:
+def chosen_triangles(whole: CameraTriangles, chosen: Bools | Integers) -> CameraTriangles:
+    """Some of the triangles, with all vertices."""
     return whole._replace(
         faces=whole.faces[chosen], item=whole.item[chosen], flat=whole.flat[chosen]
     )

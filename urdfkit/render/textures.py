@@ -12,7 +12,7 @@ from urdfkit.core import disk
 from urdfkit.render.arrays import Bytes, Floats, Integers
 from urdfkit.render.materials import STRIPES
 
-#: Larger images are halved when they are read; no picture shows more of them.
+#: Larger images are halved when they are read; no rendered image shows more of them.
 MAX_EDGE = 2048
 
 
@@ -86,7 +86,7 @@ def sample(image: Texture, uv: Floats, spread: Floats) -> Floats:
     Args:
         image: the texture.
         uv: (k, 2), v upwards.
-        spread: (k,), the edge of a pixel of the picture, as a part of the image.
+        spread: (k,), the edge of a pixel of the rendered image, as a part of the texture.
     """
     level = np.log2(np.maximum(spread * np.float32(image.edge), np.float32(1)))
     level = np.clip(np.rint(level), 0, int(np.log2(image.edge))).astype(np.int32)

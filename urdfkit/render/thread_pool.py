@@ -1,4 +1,4 @@
-"""Bands of a picture on several threads; what they do does not depend on their number."""
+"""Bands of an image on several threads; what they do does not depend on their number."""
 
 from __future__ import annotations
 

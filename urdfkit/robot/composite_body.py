@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
+from urdfkit.core.words import few
 from urdfkit.robot.inertia import MassProperties, combined
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
@@ -43,10 +44,12 @@ def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> Comp
     heavy = [name for name, link in links.items() if link.mass]
     lost = [name for name in heavy if name not in tree.root_of]
     if lost:
-        return CompositeBody(mass, None, "", f"no root leads to {_listed(lost)}, in a closed loop")
+        return CompositeBody(
+            mass, None, "", f"no root leads to {few(lost, _MOST)}, in a closed loop"
+        )
     roots = list(dict.fromkeys(tree.root_of[name] for name in heavy))
     if len(roots) > 1:
-        reason = f"no joint says how the roots {_listed(roots)} stand to one another"
+        reason = f"no joint says how the roots {few(roots, _MOST)} stand to one another"
         return CompositeBody(mass, None, "", reason)
     root = next(iter((*roots, *(link.name for link in tree.roots))), "")
     bodies = (
@@ -55,8 +58,3 @@ def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> Comp
         if tree.root_of[name] == root
     )
     return CompositeBody(mass, combined(bodies), root, "")
-
-
-def _listed(names: list[str]) -> str:
-    more = f" and {len(names) - _MOST} more" if len(names) > _MOST else ""
-    return ", ".join(names[:_MOST]) + more

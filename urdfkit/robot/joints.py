@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import pi
 
-from urdfkit.robot.model import Joint, Placed, RobotModel, number
+from urdfkit.core.words import listed
+from urdfkit.robot.model import Joint, Placed, RobotModel
+from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.source import Span
 
@@ -125,12 +127,8 @@ def limits_of(joints: Iterable[Joint], key: str) -> list[tuple[Joint, Placed[flo
 
 def several(joints: Sequence[Joint]) -> str:
     """``joint 'a'``, ``joints 'a' and 'b'`` or ``joints 'a', 'b' and 7 more``."""
-    first, *others = [f"'{joint.name}'" for joint in joints]
-    if not others:
-        return f"joint {first}"
-    if len(others) == 1:
-        return f"joints {first} and {others[0]}"
-    return f"joints {first}, {others[0]} and {len(others) - 1} more"
+    names = [f"'{joint.name}'" for joint in joints]
+    return f"{'joints' if len(names) > 1 else 'joint'} {listed(names, 2)}"
 
 
 def related(places: Iterable[tuple[Joint, Span]]) -> tuple[Related, ...]:

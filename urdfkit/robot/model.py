@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from math import isfinite
 from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, from_rpy
+from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Attribute, Document, Element, Step
 from urdfkit.text.source import Span
 
@@ -93,10 +93,8 @@ class Shape(Record):
             return (self.size[0] / 2, self.size[1] / 2, self.size[2] / 2)
         if self.kind == "sphere" and radius is not None:
             return (radius, radius, radius)
-        if self.kind == "cylinder" and radius is not None and length is not None:
-            return (radius, radius, length / 2)
-        if self.kind == "capsule" and radius is not None and length is not None:
-            return (radius, radius, length / 2 + radius)
+        if self.kind in ("cylinder", "capsule") and radius is not None and length is not None:
+            return (radius, radius, length / 2 + (radius if self.kind == "capsule" else 0.0))
         return None
 
 
@@ -215,12 +213,6 @@ class RobotModel:
         return self.links_by_name[link].collisions[number].at
 
     @property
-    def names(self) -> list[Attribute]:
-        """The names of all links and joints, where they have one."""
-        things = [*(link.at for link in self.links), *(joint.at for joint in self.joints)]
-        return [thing.attributes["name"] for thing in things if "name" in thing.attributes]
-
-    @property
     def mass(self) -> float:
         """Of all links together, in kg."""
         return sum(link.mass for link in self.links)
@@ -233,12 +225,8 @@ class RobotModel:
     @property
     def shapes(self) -> list[Shape]:
         """Every shape of every visual and collision."""
-        return [
-            body.shape
-            for link in self.links
-            for body in (*link.visuals, *link.collisions)
-            if body.shape
-        ]
+        bodies = (body for link in self.links for body in (*link.visuals, *link.collisions))
+        return [body.shape for body in bodies if body.shape]
 
 
 Thing = TypeVar("Thing", Link, Joint)
@@ -250,33 +238,6 @@ def _first_by_name(things: tuple[Thing, ...]) -> dict[str, Thing]:
         if thing.name:
             found.setdefault(thing.name, thing)
     return found
-
-
-def number(text: str | None) -> float | None:
-    """A finite number as URDF's readers take it, or None."""
-    if text is None or "_" in text:  # Python alone reads 1_000
-        return None
-    try:
-        value = float(text)
-    except ValueError:
-        return None
-    return value if isfinite(value) else None
-
-
-def numbers(text: str | None) -> tuple[float, ...] | None:
-    """Finite numbers with white space between them, or None."""
-    if text is None or "_" in text:  # Python alone reads 1_000
-        return None
-    try:
-        values = tuple(map(float, text.split()))
-    except ValueError:
-        return None
-    return values if all(map(isfinite, values)) else None
-
-
-def _vector(text: str | None) -> Vector | None:
-    values = numbers(text)
-    return (values[0], values[1], values[2]) if values and len(values) == 3 else None
 
 
 def _placed_number(element: Element | None, name: str) -> Placed[float] | None:
@@ -294,8 +255,8 @@ def _origin(element: Element) -> Transform:
     origin = element.child("origin")
     if origin is None:
         return Transform()
-    xyz = _vector(origin.get("xyz")) or (0.0, 0.0, 0.0)
-    rpy = _vector(origin.get("rpy"))
+    xyz = vector(origin.get("xyz")) or (0.0, 0.0, 0.0)
+    rpy = vector(origin.get("rpy"))
     return Transform(from_rpy(*rpy) if rpy else IDENTITY, xyz)
 
 
@@ -312,10 +273,9 @@ def _link(element: Element) -> Link:
 
 def _inertial(element: Element) -> Inertial:
     tensor = element.child("inertia")
-    moments = [number(tensor.get(key)) for key in Tensor._fields] if tensor else []
-    placed = None
-    if tensor and None not in moments:
-        placed = Placed(Tensor(*(m for m in moments if m is not None)), tensor)
+    read = (number(tensor.get(key)) for key in Tensor._fields) if tensor else ()
+    moments = [moment for moment in read if moment is not None]
+    placed = Placed(Tensor(*moments), tensor) if tensor and len(moments) == 6 else None
     mass = _placed_number(element.child("mass"), "value")
     return Inertial(element, mass, placed, _origin(element))
 
@@ -335,11 +295,11 @@ def _shape(element: Element) -> Shape:
     return Shape(
         element,
         element.tag,
-        _vector(element.get("size")),
+        vector(element.get("size")),
         number(element.get("radius")),
         number(element.get("length")),
         _placed_text(element, "filename") if element.tag == "mesh" else None,
-        _vector(element.get("scale")) or (1.0, 1.0, 1.0),
+        vector(element.get("scale")) or (1.0, 1.0, 1.0),
     )
 
 
@@ -358,7 +318,7 @@ def _material(element: Element) -> Material:
 def _joint(element: Element) -> Joint:
     axis, limit, mimic = (element.child(tag) for tag in ("axis", "limit", "mimic"))
     xyz = axis.attributes.get("xyz") if axis else None
-    direction = _vector(xyz.value) if xyz else None
+    direction = vector(xyz.value) if xyz else None
     return Joint(
         element,
         element.get("name") or "",

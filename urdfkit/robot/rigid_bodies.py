@@ -5,8 +5,6 @@ Gazebo, MuJoCo, Drake and Pinocchio merge them; what matters to a simulator is t
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, rotated
@@ -65,7 +63,6 @@ def properties_of(link: Link, frame: Transform) -> MassProperties:
     return MassProperties(link.mass, own.position, rotated(tensor, own.rotation))
 
 
-@lru_cache(maxsize=2)  # of one robot, several ask
 def rigid_bodies(
     tree: KinematicTree, preserved: frozenset[str] = frozenset()
 ) -> tuple[RigidBody, ...]:

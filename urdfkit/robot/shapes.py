@@ -13,7 +13,8 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate, transposed, vector
 from urdfkit.robot import inertia
 from urdfkit.robot.inertia import MassProperties
-from urdfkit.robot.model import Body, Link, RobotModel, Shape, Tensor, numbers
+from urdfkit.robot.model import Body, Link, RobotModel, Shape, Tensor
+from urdfkit.robot.values import numbers
 from urdfkit.text.document import Attribute
 
 #: Half edges outside this range, in m, are no parts of robots, and their cubes leave the numbers.

@@ -49,9 +49,10 @@ class Section(Record):
         while stack:
             above, mapping = stack.pop()
             for key, value in mapping.items():
+                if not isinstance(key, Key):  # a list or mapping as key names no parameter
+                    continue
                 name = above + key
-                if isinstance(key, Key):
-                    self.places[name] = key.span
+                self.places[name] = key.span
                 if isinstance(value, dict):
                     stack.append((f"{name}.", value))
                 elif value is not None:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.robot.model import number
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import control_plugin
 from urdfkit.ros.targets import Targets
 

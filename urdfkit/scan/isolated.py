@@ -14,6 +14,7 @@ import sys
 import time
 from typing import IO, Any
 
+from urdfkit.core.limits import limit_memory
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.options import Options
@@ -21,7 +22,7 @@ from urdfkit.scan.models import Model
 from urdfkit.scan.rows import ModelRow, check_model
 from urdfkit.workspace.resolve import Resolver
 
-#: The folders of modules are handed over, so that nothing is imported from where we stand.
+#: The directories of modules are handed over, so that nothing is imported from where we stand.
 _BOOT = "import sys; sys.path[:] = sys.argv[1:]; from urdfkit.scan.isolated import main; main()"
 #: Models after which a new process begins, so that nothing that it keeps adds up.
 _MODELS = 2000
@@ -131,7 +132,7 @@ def main() -> None:
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # libraries may print
     settings: Settings = pickle.load(sys.stdin.buffer)
-    _limit(settings.memory)
+    limit_memory(settings.memory)
     try:
         options = settings.options.resolved()
     except UrdfkitError as error:
@@ -149,15 +150,6 @@ def main() -> None:
         row = check_model(model, options, resolver)
         faulthandler.cancel_dump_traceback_later()
         _send(answers, row)
-
-
-def _limit(memory: int) -> None:
-    try:
-        import resource
-    except ImportError:  # Windows
-        return
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
 
 
 def _send(pipe: IO[bytes], value: object) -> None:

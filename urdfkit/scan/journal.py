@@ -26,7 +26,7 @@ class Journal:
         done: the names of the models that have a line.
 
     Args:
-        folder: of the results.
+        directory: of the results.
         options: those that decide what the results are.
 
     Raises:
@@ -34,10 +34,10 @@ class Journal:
             other options.
     """
 
-    def __init__(self, folder: str, options: dict[str, Any]) -> None:
-        atomic.make_folder(folder)
-        _claim(folder, {"urdfkit": __version__, **options})
-        path = os.path.join(folder, RESULTS)
+    def __init__(self, directory: str, options: dict[str, Any]) -> None:
+        atomic.make_directory(directory)
+        _claim(directory, {"urdfkit": __version__, **options})
+        path = os.path.join(directory, RESULTS)
         try:
             self._file = open(path, "a+b")  # noqa: SIM115 - closed at exit
         except OSError as error:
@@ -69,18 +69,20 @@ class Journal:
             raise UnwritableFile(f"{self._file.name}: {error.strerror}") from error
 
 
-def rows(folder: str) -> Iterator[dict[str, Any]]:
+def rows(directory: str) -> Iterator[dict[str, Any]]:
     """The models of a scan, each with its ``findings``, in the order in which they were done.
 
     Raises:
         UnreadableFile: the directory holds no scan.
     """
-    path = os.path.join(folder, RESULTS)
+    path = os.path.join(directory, RESULTS)
     try:
         with open(path, "rb") as file:
             yield from _lines(file)
     except OSError as error:
-        raise UnreadableFile(f"{folder}: holds no results of a scan ({error.strerror})") from error
+        raise UnreadableFile(
+            f"{directory}: holds no results of a scan ({error.strerror})"
+        ) from error
 
 
 def _lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
@@ -102,9 +104,9 @@ def _whole_lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
     file.truncate(end)
 
 
-def _claim(folder: str, options: dict[str, Any]) -> None:
+def _claim(directory: str, options: dict[str, Any]) -> None:
     """Note the options of a scan; those of one that goes on must be the same."""
-    path = os.path.join(folder, SETTINGS)
+    path = os.path.join(directory, SETTINGS)
     text = json.dumps(options, indent=1, sort_keys=True) + "\n"
     try:
         with open(path, encoding="utf-8") as file:
@@ -116,7 +118,7 @@ def _claim(folder: str, options: dict[str, Any]) -> None:
         raise UnwritableFile(f"{path}: {error}") from error
     if known != text:
         raise UnwritableFile(
-            f"{folder}: holds a scan with other options or by another version (see {path}); "
+            f"{directory}: holds a scan with other options or by another version (see {path}); "
             "remove it, or pass another directory"
         )
 

@@ -9,21 +9,30 @@ import shutil
 import tarfile
 import tempfile
 import zipfile
-from collections.abc import Iterable, Iterator
+import zlib
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from typing import IO
 
 from urdfkit.core.record import Record
+from urdfkit.core.regular_file import opened
 from urdfkit.errors import UnreadableFile
 from urdfkit.text.source import why_unreadable
+from urdfkit.workspace.directories import walk
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.folders import walk
 
 #: What a directory or an archive stands for: every file with one of these suffixes.
 SUFFIXES = (".urdf", ".urdf.xacro")
 #: Other xacro files of a directory are robots if the root has a name, which no library needs.
 _NAMED_ROOT, _HEAD = re.compile(rb"<robot\b[^>]*\bname\s*="), 8192
 _LISTS = (".txt", ".lst")
+_LONGEST_LINE = 65_536
 _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
+#: What a damaged or encrypted archive raises.
+_UNREADABLE = (
+    OSError, EOFError, RuntimeError, tarfile.TarError, zipfile.BadZipFile, zlib.error,
+)  # fmt: skip
 
 
 class Model(Record):
@@ -34,20 +43,21 @@ class Model(Record):
             an archive, the path of the archive and that in it.
         path: where it is on disk.
         archive: that it comes from; empty if from none.
-        folder: that the archive was extracted to.
+        directory: that the archive was extracted to.
     """
 
     name: str
     path: str
     archive: str = ""
-    folder: str = ""
+    directory: str = ""
 
 
-def models(sources: Iterable[str]) -> Iterator[Model]:
+def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Iterator[Model]:
     """The models of some sources; those in archives without a path as yet.
 
     Args:
         sources: descriptions, directories, archives, globs, and files that list these.
+        lists: the files that list them.
 
     Raises:
         UnreadableFile: a source does not exist, or is no list or archive though it is called so.
@@ -55,19 +65,22 @@ def models(sources: Iterable[str]) -> Iterator[Model]:
     for source in sources:
         name = source.lower()
         if os.path.isdir(source):
-            yield from (Model(path, path) for path in walk(source) if _is_robot(path))
+            found = (
+                path for path in walk(source) if _is_robot(path, partial(read_head, path, _HEAD))
+            )
+            yield from (Model(path, path) for path in found)
         elif os.path.isfile(source) and name.endswith(_ARCHIVES):
-            members = (member for member in _members(source) if _is_model(member))
-            yield from (Model(f"{source}/{member}", "", source) for member in members)
+            yield from (Model(f"{source}/{member}", "", source) for member in _members(source))
         elif os.path.isfile(source) and name.endswith(_LISTS):
-            yield from models(_listed(source))
+            real = os.path.realpath(source)
+            if real in lists:
+                raise UnreadableFile(f"{source}: this list names itself")
+            yield from models(_listed(source), lists | {real})
         elif glob.has_magic(source) and not os.path.lexists(source):
-            yield from models(glob.iglob(source, recursive=True))
-        elif os.path.isfile(source):
-            yield Model(source, source)
+            yield from models(glob.iglob(source, recursive=True), lists)
         else:
-            reason = why_unreadable(source, FileNotFoundError())
-            raise UnreadableFile(f"{source}: {reason}")
+            _require_readable(source)
+            yield Model(source, source)
 
 
 class Extraction:
@@ -77,14 +90,14 @@ class Extraction:
     """
 
     def __init__(self) -> None:
-        self._folders: dict[str, str] = {}
+        self._directories: dict[str, str] = {}
 
     def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
         return self
 
     def __exit__(self, *error: object) -> None:
-        for folder in self._folders.values():
-            shutil.rmtree(folder, ignore_errors=True)
+        for directory in self._directories.values():
+            shutil.rmtree(directory, ignore_errors=True)
 
     def on_disk(self, model: Model) -> Model:
         """A model with the path where it is.
@@ -94,64 +107,100 @@ class Extraction:
         """
         if not model.archive:
             return model
-        if model.archive not in self._folders:
-            self._folders[model.archive] = folder = tempfile.mkdtemp(prefix="urdfkit-scan-")
-            _extract(model.archive, folder)
-        folder = self._folders[model.archive]
-        path = os.path.join(folder, model.name[len(model.archive) + 1 :])
-        return model._replace(path=path, folder=folder)
+        if model.archive not in self._directories:
+            self._directories[model.archive] = directory = tempfile.mkdtemp(prefix="urdfkit-scan-")
+            _extract(model.archive, directory)
+        directory = self._directories[model.archive]
+        path = os.path.join(directory, model.name[len(model.archive) + 1 :])
+        return model._replace(path=path, directory=directory)
 
 
-def _is_model(path: str) -> bool:
-    return path.lower().endswith(SUFFIXES)  # SolidWorks writes .URDF
+def _require_readable(path: str) -> None:
+    try:
+        opened(path).close()
+    except OSError as error:
+        raise UnreadableFile(f"{path}: {why_unreadable(path, error)}") from error
 
 
-def _is_robot(path: str) -> bool:
-    if _is_model(path):
+def _is_robot(path: str, head: Callable[[], bytes]) -> bool:
+    """True for a file that is a model by its suffix or, if it is another xacro, by its head."""
+    name = path.lower()  # SolidWorks writes .URDF
+    if name.endswith(SUFFIXES):
         return True
-    is_xacro = path.lower().endswith(".xacro")
-    return is_xacro and _NAMED_ROOT.search(read_head(path, _HEAD)) is not None
+    return name.endswith(".xacro") and _NAMED_ROOT.search(head()) is not None
 
 
 def _listed(path: str) -> Iterator[str]:
     """The lines of a list; relative paths start at the directory of the list."""
-    folder = os.path.dirname(path)
+    directory = os.path.dirname(path)
     try:
-        with open(path, encoding="utf-8") as file:
-            for line in map(str.strip, file):
+        with opened(path) as file:
+            while data := file.readline(_LONGEST_LINE):
+                line = data.decode("utf-8").strip()
+                if "\0" in line:
+                    raise ValueError("it holds a NUL")
                 if line and not line.startswith("#"):
-                    yield os.path.join(folder, line)
-    except (OSError, UnicodeDecodeError) as error:
+                    yield os.path.join(directory, line)
+    except (OSError, ValueError) as error:
         raise UnreadableFile(f"{path}: not a list of files ({error})") from error
 
 
 def _members(archive: str) -> Iterator[str]:
-    """The names of the files in an archive, sorted."""
+    """The names of the models in an archive, sorted."""
+    is_tar = archive.lower().endswith(_TARS)
     try:
-        if archive.lower().endswith(_TARS):
-            with tarfile.open(archive) as tar:
-                names = [member.name for member in tar if member.isfile()]
-        else:
-            with zipfile.ZipFile(archive) as packed:
-                names = packed.namelist()
-    except (OSError, EOFError, tarfile.TarError, zipfile.BadZipFile) as error:
+        names = [
+            name
+            for name, opens in (_in_tar if is_tar else _in_zip)(archive)
+            if _is_robot(name, partial(_head, opens))
+        ]
+    except _UNREADABLE as error:
         raise UnreadableFile(f"{archive}: not a readable archive ({error})") from error
-    yield from sorted(os.path.normpath(name) for name in names if not name.endswith("/"))
+    plain = map(os.path.normpath, names)
+    # What lies outside of the archive is not extracted, and a file of that name is another one.
+    yield from sorted(
+        name for name in plain if not os.path.isabs(name) and name.split(os.sep)[0] != os.pardir
+    )
 
 
-def _extract(archive: str, folder: str) -> None:
+def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
+    """The files in an archive, each with what opens it before the next one is asked for."""
+    with tarfile.open(archive) as tar:
+        for member in tar:
+            if member.isfile():
+                yield member.name, partial(tar.extractfile, member)
+
+
+def _in_zip(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
+    """As ``_in_tar``."""
+    with zipfile.ZipFile(archive) as packed:
+        for member in packed.infolist():
+            if not member.is_dir():
+                yield member.filename, partial(packed.open, member)
+
+
+def _head(opens: Callable[[], IO[bytes] | None]) -> bytes:
+    """The first bytes of a member of an archive."""
+    file = opens()
+    if file is None:
+        return b""
+    with file:
+        return file.read(_HEAD)
+
+
+def _extract(archive: str, directory: str) -> None:
     """Extract an archive; neither library writes outside of the directory."""
-    free = shutil.disk_usage(folder).free
+    free = shutil.disk_usage(directory).free
     try:
         if archive.lower().endswith(_TARS):
             with tarfile.open(archive) as tar:
                 _check_room(archive, sum(member.size for member in tar), free)
-                tar.extractall(folder, filter="data")
+                tar.extractall(directory, filter="data")
         else:
             with zipfile.ZipFile(archive) as packed:
                 _check_room(archive, sum(one.file_size for one in packed.infolist()), free)
-                packed.extractall(folder)
-    except (OSError, EOFError, RuntimeError, tarfile.TarError, zipfile.BadZipFile) as error:
+                packed.extractall(directory)
+    except _UNREADABLE as error:
         raise UnreadableFile(f"{archive}: cannot be extracted ({error})") from error
 
 

@@ -18,7 +18,7 @@ from urdfkit.robot.shapes import primitive
 from urdfkit.scan.models import Model
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import shown, without_folder
+from urdfkit.text.source import shown, without_directory
 from urdfkit.workspace.resolve import Resolver
 
 
@@ -217,6 +217,6 @@ def _finding(found: Diagnostic, model: Model) -> FindingRow:
 
 def _portable(text: str, model: Model) -> str:
     """A text with the archive where it names the directory that this was extracted to."""
-    if not model.folder:
+    if not model.directory:
         return text
-    return without_folder(text, model.folder, f"{model.archive}/")
+    return without_directory(text, model.directory, f"{model.archive}/")

@@ -15,7 +15,7 @@ from urdfkit.scan.models import Extraction, Model, models
 
 def scan(
     sources: Iterable[str],
-    folder: str,
+    directory: str,
     settings: Settings,
     *,
     engine: str = "local",
@@ -27,7 +27,7 @@ def scan(
 
     Args:
         sources: descriptions, directories, globs, archives, and files that list these.
-        folder: of the results; a run that was stopped goes on in it.
+        directory: of the results; a run that was stopped goes on in it.
         settings: how models are checked.
         engine: ``local`` or ``dask``.
         address: of a scheduler of Dask; a cluster on this machine if empty.
@@ -44,7 +44,7 @@ def scan(
     """
     sources = tuple(sources)
     settings.options.resolved()  # a wrong option stops here
-    with Journal(folder, _deciding(settings)) as journal, Extraction() as extraction:
+    with Journal(directory, _deciding(settings)) as journal, Extraction() as extraction:
         known = len(journal.done)
         total = _counted(sources)
         wanted = map(extraction.on_disk, _new(models(sources), journal.done))

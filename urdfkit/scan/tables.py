@@ -16,11 +16,11 @@ MODELS, FINDINGS = "models.parquet", "findings.parquet"
 _CHUNK = 1000
 
 
-def write_tables(folder: str) -> None:
+def write_tables(directory: str) -> None:
     """Write the Parquet files next to the results that they are made of, whole or not at all.
 
     Args:
-        folder: of the results of a scan.
+        directory: of the results of a scan.
 
     Raises:
         MissingLibrary: pyarrow is not installed.
@@ -38,12 +38,12 @@ def write_tables(folder: str) -> None:
 
     models = {key: kind for key, kind in ModelRow.__annotations__.items() if key != "findings"}
     findings = {"model": "str", **FindingRow.__annotations__}
-    paths = [os.path.join(folder, name) for name in (MODELS, FINDINGS)]
+    paths = [os.path.join(directory, name) for name in (MODELS, FINDINGS)]
     with (
         ParquetWriter(f"{paths[0]}.tmp", schema(models), compression="zstd") as of_models,
         ParquetWriter(f"{paths[1]}.tmp", schema(findings), compression="zstd") as of_findings,
     ):
-        for chunk in _chunks(journal.rows(folder)):
+        for chunk in _chunks(journal.rows(directory)):
             of_models.write_table(_table(pyarrow, schema(models), chunk))
             flat = [{"model": row["model"], **one} for row in chunk for one in row["findings"]]
             of_findings.write_table(_table(pyarrow, schema(findings), flat))

@@ -276,7 +276,7 @@ def assert_unchanged_since(
 ) -> None:
     """Fail if a model differs from a git revision of it by more than the tolerances.
 
-    The files of that revision are read from git into a temporary folder; the working tree is
+    The files of that revision are read from git into a temporary directory; the working tree is
     not touched. Arguments and settings are the present ones.
     ``urdfkit.output.comparison.differences`` says what is compared.
 
@@ -291,18 +291,18 @@ def assert_unchanged_since(
             was, or git is not there.
     """
     __tracebackhide__ = True
-    with tempfile.TemporaryDirectory() as folder:
-        before = _as_it_was(description, revision, folder)
+    with tempfile.TemporaryDirectory() as directory:
+        before = _as_it_was(description, revision, directory)
         after, allowed = description.model, tolerances or Tolerances()
         found = differences(before, after, allowed, renames(before, after, allowed))
     if found:
         raise AssertionError(f"since {revision}:\n" + "\n".join(map(str, found)))
 
 
-def _as_it_was(description: Description, revision: str, folder: str) -> RobotModel:
-    """The model in a revision, whose files are put into a folder."""
+def _as_it_was(description: Description, revision: str, directory: str) -> RobotModel:
+    """The model in a revision, whose files are put into a directory."""
     config = description.config
-    old = as_it_was(description.path, revision, folder, config.packages)
+    old = as_it_was(description.path, revision, directory, config.packages)
     config = config._replace(packages=old.packages, robots=())
     then = Description(old.path, description.arguments, config)
     try:

@@ -127,7 +127,7 @@ class Diagnostic(Record):
         help: what to do.
         fix: as text edits, or None.
         targets: the consumers that the severity is for; empty if it is for all.
-        alike: the same for findings of one rule that people are shown as one where they are many.
+        group_key: the same for findings of one rule that are shown as one where they are many.
         variants: names of the variants of the robot that it is found in; empty if it is in all.
     """
 
@@ -142,7 +142,7 @@ class Diagnostic(Record):
     help: str
     fix: Fix | None
     targets: tuple[str, ...] = ()
-    alike: str = ""
+    group_key: str = ""
     variants: tuple[str, ...] = ()
 
     @property

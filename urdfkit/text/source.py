@@ -69,7 +69,7 @@ class Source:
         """Read a file.
 
         Raises:
-            UnreadableFile: it is missing, a folder, too large, or may not be opened.
+            UnreadableFile: it is missing, a directory, too large, or may not be opened.
         """
         path = os.fspath(path)
         try:
@@ -87,7 +87,7 @@ class Source:
         """What has been read already, or a file, which is read now.
 
         Raises:
-            UnreadableFile: it is missing, a folder, too large, or may not be opened.
+            UnreadableFile: it is missing, a directory, too large, or may not be opened.
         """
         return file if isinstance(file, Source) else cls.read(file)
 
@@ -156,7 +156,7 @@ class Source:
 
 def why_unreadable(path: str, error: OSError) -> str:
     """Why a file could not be opened, and what to do."""
-    if disk.is_folder(path):
+    if disk.is_directory(path):
         return "is a directory; pass the files in it"
     if isinstance(error, PermissionError):
         return "may not be read; see its permissions"
@@ -164,11 +164,11 @@ def why_unreadable(path: str, error: OSError) -> str:
         return "is a link that leads back to itself"
     if not isinstance(error, FileNotFoundError):
         return error.strerror or str(error)
-    folder, name = os.path.split(path)
+    directory, name = os.path.split(path)
     try:
-        siblings = disk.names(folder or ".")
+        siblings = disk.names(directory or ".")
     except OSError:
-        return f"no such directory '{folder}'"
+        return f"no such directory '{directory}'"
     # By stems: what ends in '.urdf' is similar anyway.
     alike = [other for other in siblings if nearest(_stem(name), [_stem(other)])]
     suggested = nearest(name, alike, cutoff=0)
@@ -213,14 +213,14 @@ class Span(Record):
 def shown(path: str) -> str:
     """A path as people and programs are shown it, wherever a report or a message names a file.
 
-    It is relative to the current folder if the file lies in it, else absolute.
+    It is relative to the current directory if the file lies in it, else absolute.
 
     >>> shown(os.path.abspath("README.md")), shown("./README.md"), shown("/etc/hosts")
     ('README.md', 'README.md', '/etc/hosts')
     """
     try:
         relative = os.path.relpath(path)
-    except (OSError, ValueError):  # the current folder is gone; another drive
+    except (OSError, ValueError):  # the current directory is gone; another drive
         return path
     is_outside = relative == os.pardir or relative.startswith(os.path.join(os.pardir, ""))
     return os.path.abspath(path) if is_outside else relative
@@ -231,21 +231,21 @@ def shown_text(text: str) -> str:
     if os.sep not in text:
         return text
     try:
-        return without_folder(text, os.getcwd())
-    except OSError:  # the current folder is gone
+        return without_directory(text, os.getcwd())
+    except OSError:  # the current directory is gone
         return text
 
 
-def without_folder(text: str, folder: str, instead: str = "") -> str:
-    """A text whose absolute paths in a folder begin at this folder.
+def without_directory(text: str, directory: str, instead: str = "") -> str:
+    """A text whose absolute paths in a directory begin at this directory.
 
-    >>> without_folder("tried /ws/arm/a.stl and /opt/ws/a.stl", "/ws")
+    >>> without_directory("tried /ws/arm/a.stl and /opt/ws/a.stl", "/ws")
     'tried arm/a.stl and /opt/ws/a.stl'
-    >>> without_folder("file:///ws/arm/a.stl", "/ws")
+    >>> without_directory("file:///ws/arm/a.stl", "/ws")
     'arm/a.stl'
     """
-    prefix = os.path.join(folder, "")
-    if prefix not in text or os.path.dirname(folder) == folder:
+    prefix = os.path.join(directory, "")
+    if prefix not in text or os.path.dirname(directory) == directory:
         return text
     text = re.sub(rf"\bfile:/*(?={re.escape(prefix)})", "", text)
     return re.sub(rf"(?<![\w./\\-]){re.escape(prefix)}", lambda _: instead, text)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from urdfkit.text.source import Span
 
 #: A tab in a frame, where its true width cannot be known.
@@ -10,17 +12,21 @@ _TAB = "    "
 _Cell = tuple[str, int, bool]
 #: Stands for what was cut off.
 _CUT = "..."
+_COMMAND = r"(?:(?<=\s)|^):(?=:)|#(?=#(?:\[|vso))"
 
 
 def printable(text: str) -> str:
-    """A text on one line, without anything that could steer a terminal.
+    """A text on one line, without anything that could steer a terminal or a CI server.
 
     A robot's file may hold escape sequences and marks that turn the direction of writing; they
-    are shown by their numbers.
+    are shown by their numbers. So is the first character of what GitHub and Azure take for a
+    command in a log: ``::`` at the beginning of a line, which a word may become, or ``##[``.
     """
-    if text.isprintable():
-        return text
-    return "".join(map(_printable, text))
+    if not text.isprintable():
+        text = "".join(map(_printable, text))
+    if "::" in text or "##" in text:
+        text = re.sub(_COMMAND, lambda found: f"\\x{ord(found[0]):x}", text)
+    return text
 
 
 def _printable(char: str) -> str:
@@ -108,7 +114,8 @@ def _first_line(data: bytes) -> bytes:
 
 
 def _text(data: bytes) -> str:
-    return data.decode("utf-8", "replace")
+    # As wide as before, but no command to a CI server.
+    return data.decode("utf-8", "replace").replace("##[", "#?[").replace("##vso[", "#?vso[")
 
 
 def _cells(text: str, *, marked: bool) -> list[_Cell]:

@@ -11,6 +11,12 @@ from __future__ import annotations
 import re
 
 from urdfkit.text.tag_matching import MAX_ERRORS, SyntaxMistake, TagMatching, TagToken
+from urdfkit.text.xml_characters import (
+    control_characters,
+    control_mistake,
+    hyphen_mistake,
+    is_character,
+)
 
 #: Tags that are fitted to each other; what follows in a larger broken file is not looked at.
 MAX_TAGS = 300_000
@@ -31,9 +37,6 @@ _JUNK = re.compile(
     rb"""[\w.:-]+\s*=\s*(?:"[^"<>]*"|'[^'<>]*')|["']|[^\s/>"'<A-Za-z_:\x80-\xff]+|/"""
 )
 _REFERENCE = re.compile(rb"&(?:#([0-9]+);|#x([0-9A-Fa-f]+);|(%s);)?" % _NAME)
-_CONTROLS = re.compile(rb"\x00+|[\x01-\x08\x0b\x0c\x0e-\x1f]|\xef\xbf[\xbe\xbf]")
-#: What XML forbids between ``<!--`` and ``-->``: two hyphens, or one before the end.
-_HYPHENS = re.compile(rb"--+|-\Z")
 _DECLARATION = re.compile(
     rb"""<\?xml\s+version\s*=\s*(?:"[\w.:-]+"|'[\w.:-]+')"""
     rb"""(?:\s+encoding\s*=\s*(?:"[\w.-]+"|'[\w.-]+'))?"""
@@ -54,7 +57,7 @@ def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
     if other := _other_kind(data):
         message, help = other
         return [SyntaxMistake(0, 0, message, help=help)]
-    controls = _controls(data)
+    controls = control_characters(data)
     count = sum(end - start for start, end in controls)
     if count > MAX_CONTROLS:
         message = f"not a text file: it holds {count} control characters"
@@ -92,8 +95,8 @@ class _Scanner:
         self._cut_off = False  # the rest of the file belongs to something that never ends
 
     def run(self) -> None:
-        for start, end in _controls(self.data):
-            self.mistakes.append(_control(self.data, start, end))
+        for start, end in control_characters(self.data):
+            self.mistakes.append(control_mistake(self.data, start, end))
         position = 3 if self.data.startswith(b"\xef\xbb\xbf") else 0
         position = self._declaration(position)
         size = len(self.data)
@@ -146,7 +149,7 @@ class _Scanner:
                 self._add(*found.span(), f"'{text}' is not defined; XML knows &lt; &gt; &amp; only")
             elif decimal or hexadecimal:
                 digits = (decimal or hexadecimal)[:12]
-                if not _is_character(int(digits, 10 if decimal else 16)):
+                if not is_character(int(digits, 10 if decimal else 16)):
                     self._add(*found.span(), f"'{found.group().decode()[:20]}' is no character")
             position = self.data.find(b"&", found.end(), end)
 
@@ -193,7 +196,7 @@ class _Scanner:
 
     def _comment(self, start: int) -> int:
         end = self._until(start, 4, b"-->", "comment")
-        if not self._cut_off and (mistake := _hyphens(self.data, start + 4, end - 3)):
+        if not self._cut_off and (mistake := hyphen_mistake(self.data, start + 4, end - 3)):
             self.mistakes.append(mistake)
         return end
 
@@ -340,50 +343,3 @@ class _Scanner:
         if end < 0:
             return limit if limit < len(self.data) else self._give_up()
         return -(end + 1)
-
-
-def _controls(data: bytes) -> list[tuple[int, int]]:
-    """The characters that XML forbids."""
-    return [found.span() for found in _CONTROLS.finditer(data)]
-
-
-def _control(data: bytes, start: int, end: int) -> SyntaxMistake:
-    """A control character, or NUL bytes in a row."""
-    code, count = ord(data[start:end].decode()[0]), end - start
-    if code:
-        message = f"the control character U+{code:04X} is not allowed in XML"
-    elif count == 1:
-        message = "a NUL byte is not allowed in XML"
-    else:
-        message = f"{count} NUL bytes are not allowed in XML"
-    return SyntaxMistake(
-        start, end, message, help="remove " + ("it" if count == 1 or code else "them")
-    )
-
-
-def _hyphens(data: bytes, start: int, end: int) -> SyntaxMistake | None:
-    """The hyphens that XML forbids in a comment, whose text is between two offsets."""
-    fix: list[tuple[int, int, str]] = []
-    for found in _HYPHENS.finditer(data[start:end]):
-        at, count = start + found.start(), len(found[0])
-        is_word = count == 2 and found.end() < end - start  # such as an option of a command
-        text = "- -" if is_word else "=" * count
-        fix.append((at, at + count, text if count > 1 else ""))
-    if not fix:
-        return None
-    first, last, _ = fix[0]
-    if last - first == 1:
-        message, help = "'--->' does not end a comment", "write '-->'"
-    else:
-        message, help = "'--' is not allowed inside a comment", "write '- -' or '=='"
-    return SyntaxMistake(first, last, message, help=help, fix=tuple(fix))
-
-
-def _is_character(code: int) -> bool:
-    """True if XML allows the character."""
-    return (
-        code in (0x9, 0xA, 0xD)
-        or 0x20 <= code <= 0xD7FF
-        or 0xE000 <= code <= 0xFFFD
-        or 0x10000 <= code <= 0x10FFFF
-    )

@@ -45,7 +45,7 @@ def read_xml(
     """
     problems = encoding_problems(source, strict=False)
     data = forgiven(source, problems)
-    builder = _Builder(source, frame)
+    builder = _DocumentBuilder(source, frame)
     try:
         builder.parse(data)
     except expat.ExpatError:
@@ -59,7 +59,7 @@ def read_xml(
     return Document(builder.root, (source,)), problems
 
 
-class _Builder:
+class _DocumentBuilder:
     """Builds Elements from expat's events."""
 
     def __init__(self, source: Source, frame: CallFrame | None = None) -> None:
@@ -170,7 +170,7 @@ def _undeclared(prefix: str, first: Element) -> Problem:
 
 def unbound_prefixes(source: Source) -> list[Problem]:
     """The prefixes that a well-formed file uses but does not declare, for a strict reader."""
-    builder = _Builder(source)
+    builder = _DocumentBuilder(source)
     try:
         builder.parse(forgiven(source, []))
     except (expat.ExpatError, DocumentTooLarge):

@@ -43,6 +43,10 @@ MAX_BODY = 100_000
 
 _HEADERS = {
     "Cache-Control": "no-store",
+    # What a page loads is in the page itself; these directives only count here.
+    "Content-Security-Policy": "frame-ancestors 'none'; form-action 'none'; base-uri 'none'",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
@@ -61,10 +65,10 @@ class Viewer:
         error: why the last attempt to read gave nothing; empty if it did.
     """
 
-    def __init__(self, file: str, options: Options, words: Translator) -> None:
+    def __init__(self, file: str, options: Options, translator: Translator) -> None:
         self.file = file
         self.options = options
-        self.words = words
+        self.translator = translator
         self.state: ViewerState = read(file, options)
         self.revision = self.shape = 1
         self.error = ""
@@ -83,7 +87,7 @@ class Viewer:
     async def refresh(self) -> None:
         """Read the robot again, and notify the pages."""
         try:
-            self.state = await asyncio.to_thread(read, self.file, self.options, self.state.stamps)
+            self.state = await asyncio.to_thread(read, self.file, self.options, self.state.versions)
             self.error = ""
             self.shape += 1
             self._completing = asyncio.create_task(self._complete(self.state))
@@ -124,8 +128,8 @@ class Viewer:
         try:
             scene = state.scene or nothing()
         except Unavailable:
-            return page(state.document, self.words, state.drawings)
-        return page(state.document, self.words, state.drawings, scene, load_engine())
+            return page(state.document, self.translator, state.drawings)
+        return page(state.document, self.translator, state.drawings, scene, load_engine())
 
     def message(self, shown: str = "") -> dict[str, object]:
         """The state for a page that is open.
@@ -134,7 +138,7 @@ class Viewer:
             shown: the number of the robot that its 3D view shows.
         """
         return {
-            **self.state.message(self.words, with_scene=shown != str(self.shape)),
+            **self.state.message(self.translator, with_scene=shown != str(self.shape)),
             "revision": self.revision,
             "shape": self.shape,
             "error": self.error,
@@ -225,7 +229,7 @@ def _arguments(body: bytes) -> dict[str, str] | None:
 def serve(
     file: str,
     options: Options,
-    words: Translator,
+    translator: Translator,
     *,
     port: int = 0,
     opened: Callable[[str], None] = print,
@@ -235,7 +239,7 @@ def serve(
     Args:
         file: a URDF or xacro file.
         options: of its check.
-        words: of the reader's language.
+        translator: into the reader's language.
         port: to listen at; a free one if 0.
         opened: called with the address when the page is to be had.
 
@@ -255,7 +259,7 @@ def serve(
     token = secrets.token_urlsafe(24)
 
     async def run() -> None:
-        viewer = Viewer(file, options, words)
+        viewer = Viewer(file, options, translator)
         app = application(viewer, token)
         config = uvicorn.Config(
             app,
@@ -264,11 +268,10 @@ def serve(
             server_header=False,
             timeout_graceful_shutdown=1,
         )
-        server = uvicorn.Server(config)
         watching = asyncio.create_task(viewer.watch())
         opened(f"http://{HOST}:{listening.getsockname()[1]}/{token}/")
         try:
-            await server.serve(sockets=[listening])
+            await uvicorn.Server(config).serve(sockets=[listening])
         finally:
             watching.cancel()
 

@@ -15,13 +15,13 @@ from urdfkit.output.report.document import Document, ReportInput, describe
 from urdfkit.output.report.document import completed as complete
 from urdfkit.output.report.scene import PageScene
 from urdfkit.output.report.translations import Translator
-from urdfkit.output.report.writing import drawn
+from urdfkit.output.report.writing import rendered
 
 if TYPE_CHECKING:
     from urdfkit.text.diagnostic import Diagnostic
 
 #: The size and the time of change of a file; None if it is not there.
-Stamp = tuple[int, int] | None
+FileVersion = tuple[int, int] | None
 
 
 class ViewerState(Record):
@@ -29,10 +29,10 @@ class ViewerState(Record):
 
     Attributes:
         document: its contents.
-        drawings: addresses of pictures, by name.
+        drawings: addresses of images, by name.
         scene: the robot in three dimensions; None if it cannot be had.
         declared: the arguments that the xacro declares, each with its value.
-        stamps: of every file that it was made from.
+        versions: of every file that it was made from.
         reported: what it was made of.
         is_whole: False while that which takes a while is not there yet.
     """
@@ -41,15 +41,15 @@ class ViewerState(Record):
     drawings: dict[str, str]
     scene: PageScene | None
     declared: dict[str, str]
-    stamps: dict[str, Stamp]
+    versions: dict[str, FileVersion]
     reported: ReportInput
     is_whole: bool = False
 
-    def message(self, words: Translator, *, with_scene: bool = True) -> dict[str, Any]:
+    def message(self, translator: Translator, *, with_scene: bool = True) -> dict[str, Any]:
         """What a page needs to show it; JSON can hold it."""
         found: dict[str, Any] = {
-            "content": html.render_content(self.document, words, self.drawings),
-            "files": len(self.stamps),
+            "content": html.render_content(self.document, translator, self.drawings),
+            "files": len(self.versions),
             "declared": self.declared,
             "readable": self.document["robot"] is not None,
             "whole": self.is_whole,
@@ -62,7 +62,7 @@ class ViewerState(Record):
     @property
     def is_stale(self) -> bool:
         """True if one of its files has changed, come or gone."""
-        return any(stamp(path) != known for path, known in self.stamps.items())
+        return any(file_version(path) != known for path, known in self.versions.items())
 
 
 def read(file: str, options: Options, known: Iterable[str] = ()) -> ViewerState:
@@ -77,23 +77,23 @@ def read(file: str, options: Options, known: Iterable[str] = ()) -> ViewerState:
     Raises:
         UrdfkitError: the file is missing, or the job cannot be done.
     """
-    before = {path: stamp(path) for path in (file, *known)}
+    before = {path: file_version(path) for path in (file, *known)}
     reported = describe(file, options, quick=True)
     subject = reported.subject
-    document, drawings, scene = drawn(reported, has_pictures=False)
+    document, drawings, scene = rendered(reported, has_images=False)
     files = files_of(subject, reported.diagnostics) | {file}
     if scene is not None:
         files |= _images(subject)
-    stamps = {path: before[path] if path in before else stamp(path) for path in files}
-    return ViewerState(document, drawings, scene, _declared(subject), stamps, reported)
+    versions = {path: before[path] if path in before else file_version(path) for path in files}
+    return ViewerState(document, drawings, scene, _declared(subject), versions, reported)
 
 
 def completed(state: ViewerState) -> ViewerState:
-    """The same with statics, collisions and pictures."""
+    """The same with statics, collisions and images."""
     if state.document["robot"] is None:
         return state._replace(is_whole=True)
     reported = complete(state.reported)
-    document, drawings, _ = drawn(reported, has_pictures=True)
+    document, drawings, _ = rendered(reported, has_images=True)
     return state._replace(document=document, drawings=drawings, reported=reported, is_whole=True)
 
 
@@ -106,12 +106,12 @@ def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
     if subject.reading.document is not None:
         for mesh in subject.files.meshes:
             at = mesh.located
-            found.add(at.path or os.path.join(at.folder or os.curdir, at.relative))
+            found.add(at.path or os.path.join(at.directory or os.curdir, at.relative))
     return found | {one.span.source.path for one in diagnostics}
 
 
 def _images(subject: Subject) -> set[str]:
-    """The files that the looks of a robot need besides its meshes, such as images."""
+    """The files that the appearance of a robot needs besides its meshes, such as images."""
     found: set[str] = set()
     for body in (body for link in subject.model.links for body in link.visuals):
         if body.material and body.material.texture is not None:
@@ -132,7 +132,7 @@ def _declared(subject: Subject) -> dict[str, str]:
     return found | {name: text for name, text in subject.arguments.items() if name in found}
 
 
-def stamp(path: str) -> Stamp:
+def file_version(path: str) -> FileVersion:
     """The state of a file; None if it is not there."""
     try:
         status = os.stat(path)

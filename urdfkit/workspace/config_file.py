@@ -10,15 +10,15 @@ FILES = ("urdfkit.toml", "pyproject.toml")
 
 
 def nearest(start: str) -> str | None:
-    """Path of the nearest configuration upwards of a file or folder, or None."""
-    folder = os.path.abspath(start)
+    """Path of the nearest configuration upwards of a file or directory, or None."""
+    directory = os.path.abspath(start)
     while True:
         for name in FILES:
-            path = os.path.join(folder, name)
+            path = os.path.join(directory, name)
             if disk.is_file(path) and (name != "pyproject.toml" or _mentions_us(path)):
                 return path
-        folder, below = os.path.dirname(folder), folder
-        if folder == below:
+        directory, below = os.path.dirname(directory), directory
+        if directory == below:
             return None
 
 

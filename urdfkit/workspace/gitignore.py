@@ -12,7 +12,7 @@ from urdfkit.workspace.file_head import read_head
 MAX_BYTES = 1024 * 1024
 
 
-class Ignored:
+class GitIgnored:
     """The files that git ignores, asked for by path with ``in``.
 
     Starting git takes time, so it is asked only about a file that a line of some .gitignore or of
@@ -32,21 +32,21 @@ class Ignored:
 
         return is_ignored(path)
 
-    def _above(self, folder: str) -> set[str] | None:
-        """The words of the .gitignore files of a folder and those above it in its repository.
+    def _above(self, directory: str) -> set[str] | None:
+        """The words of the .gitignore files of a directory and those above it in its repository.
 
         None outside of repositories.
         """
-        if folder not in self._words:
-            above = os.path.dirname(folder)
-            if disk.exists(os.path.join(folder, ".git")):
-                words: set[str] | None = _words(os.path.join(folder, ".git", "info", "exclude"))
+        if directory not in self._words:
+            above = os.path.dirname(directory)
+            if disk.exists(os.path.join(directory, ".git")):
+                words: set[str] | None = _words(os.path.join(directory, ".git", "info", "exclude"))
             else:
-                words = None if above == folder else self._above(above)
-            self._words[folder] = words
+                words = None if above == directory else self._above(above)
+            self._words[directory] = words
             if words is not None:
-                self._words[folder] = words | _words(os.path.join(folder, ".gitignore"))
-        return self._words[folder]
+                self._words[directory] = words | _words(os.path.join(directory, ".gitignore"))
+        return self._words[directory]
 
 
 def _may_mean(words: set[str], path: str) -> bool:

@@ -21,17 +21,17 @@ def note(path: str) -> None:
 
 def _deciding(path: str) -> Iterator[str]:
     """https://git-scm.com/docs/gitignore; what is in the index is never ignored."""
-    folder = os.path.dirname(path)
+    directory = os.path.dirname(path)
     while True:
-        yield os.path.join(folder, ".gitignore")
-        git = os.path.join(folder, ".git")
+        yield os.path.join(directory, ".gitignore")
+        git = os.path.join(directory, ".git")
         if disk.exists(git):
             break
-        folder, below = os.path.dirname(folder), folder
-        if folder == below:
+        directory, below = os.path.dirname(directory), directory
+        if directory == below:
             return
     if disk.is_file(git):  # of a submodule or a linked working tree
-        git = _named(git, folder)
+        git = _named(git, directory)
     common = _named(os.path.join(git, "commondir"), git) or git
     yield from (os.path.join(git, "index"), os.path.join(git, "config.worktree"))
     yield from (os.path.join(common, "config"), os.path.join(common, "info", "exclude"))
@@ -43,10 +43,12 @@ def _deciding(path: str) -> Iterator[str]:
     yield variables.get("GIT_CONFIG_SYSTEM") or "/etc/gitconfig"
 
 
-def _named(file: str, folder: str) -> str:
+def _named(file: str, directory: str) -> str:
     """The directory that a file of git names; empty if there is no such file."""
     try:
         text = disk.read(file, 4096)
     except OSError:
         return ""
-    return os.path.normpath(os.path.join(folder, os.fsdecode(text).removeprefix("gitdir:").strip()))
+    return os.path.normpath(
+        os.path.join(directory, os.fsdecode(text).removeprefix("gitdir:").strip())
+    )

@@ -23,7 +23,7 @@ _SUFFIXES = (".xacro", ".urdf", ".gazebo", ".xml", ".trans")
 
 
 def is_included(path: str, packages: Packages) -> bool:
-    """True if another file of the package, or of the folder without one, includes a file.
+    """True if another file of the package, or of the directory without one, includes a file.
 
     True as well if there are too many files to know: silence is then the safer answer.
     """
@@ -33,24 +33,26 @@ def is_included(path: str, packages: Packages) -> bool:
 def includer(path: str, packages: Packages) -> str | None:
     """A file of the same package that includes a file; ``""`` if there are too many to search.
 
-    Includes are compared by file name: their folders may be expressions. Of several files the one
-    nearest by folder counts: packages hold variants of a robot side by side. An ``<include>``
-    that lacks its prefix counts as what it was meant to be, and so does the default of an
-    argument, by which husky and jackal are extended.
+    Includes are compared by file name: their directories may be expressions. Of several files the
+    nearest by directory counts: packages hold variants of a robot side by side. An ``<include>``
+    without its prefix counts, and so does the default of an argument, by which husky and jackal
+    are extended.
     """
     package = packages.enclosing(path)
     path = os.path.abspath(path)
-    folder = package[1] if package else os.path.dirname(path)
+    directory = package[1] if package else os.path.dirname(path)
     name = re.escape(os.path.basename(path).encode())
     pattern = re.compile(
         rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^>]*[/"'\s]""" + name + rb"""[)"'\s]"""
     )
     found: list[str] = []
     entries = searched = 0
-    for parent, folders, files in disk.walk(folder):
-        deep_enough = package is None and parent != folder  # nothing says where to stop
-        folders[:] = [] if deep_enough else sorted(n for n in folders if not n.startswith("."))
-        entries += len(folders) + len(files)
+    for parent, directories, files in disk.walk(directory):
+        deep_enough = package is None and parent != directory  # nothing says where to stop
+        directories[:] = (
+            [] if deep_enough else sorted(n for n in directories if not n.startswith("."))
+        )
+        entries += len(directories) + len(files)
         for file in sorted(files):
             if file.lower().endswith(_SUFFIXES) and (there := os.path.join(parent, file)) != path:
                 searched += 1

@@ -32,19 +32,19 @@ class InstallRules:
     """The install rules of a package.
 
     Args:
-        folder: of the package.
+        directory: of the package.
         package: its name.
     """
 
-    def __init__(self, folder: str, package: str) -> None:
-        self._folder = folder
+    def __init__(self, directory: str, package: str) -> None:
+        self._directory = directory
         self._package = package
 
     @cached_property
     def file(self) -> str:
         """The build file; empty if there is none."""
         for name in ("CMakeLists.txt", "setup.py"):
-            path = os.path.join(self._folder, name)
+            path = os.path.join(self._directory, name)
             if disk.is_file(path):
                 return path
         return ""
@@ -95,7 +95,7 @@ class InstallRules:
         return re.search(_MAKES, self._text) is not None
 
     def remedy(self, top: str) -> str:
-        """How to install a folder."""
+        """How to install a directory."""
         if self.file.endswith(".py"):
             return f"add the files of {top} to data_files in setup.py"
         return f"write install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}})"
@@ -108,9 +108,9 @@ class InstallRules:
 
     @cached_property
     def _targets(self) -> list[str]:
-        """What is installed, below the package's folder under ``share``."""
+        """What is installed, below the package's directory under ``share``."""
         share = f"share/{self._package}"
-        targets = [rule.target for rule in read_rules(self._folder, self._package)]
+        targets = [rule.target for rule in read_rules(self._directory, self._package)]
         return [t[len(share) + 1 :] for t in targets if t == share or t.startswith(f"{share}/")]
 
     @cached_property

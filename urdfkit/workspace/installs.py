@@ -1,7 +1,7 @@
 """Where a package's files lie in its source tree, as its CMakeLists.txt installs them.
 
-``$(find pkg)/urdf/x`` speaks of the installed package. Most packages install a folder under its
-own name; some move folders, and then the file exists only after a build.
+``$(find pkg)/urdf/x`` speaks of the installed package. Most packages install a directory under its
+own name; some move directories, and then the file exists only after a build.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Installed(Record):
     """One thing that a build installs.
 
     Attributes:
-        source: path below the package's folder.
+        source: path below the package's directory.
         target: where it is installed, below the prefix.
     """
 
@@ -65,10 +65,12 @@ def source_paths(rules: Iterable[Installed], package: str, relative: str) -> lis
     return found
 
 
-def read_rules(folder: str, package: str) -> list[Installed]:
+def read_rules(directory: str, package: str) -> list[Installed]:
     """What the CMakeLists.txt of a package installs; conditions are taken as true."""
-    text = read_head(os.path.join(folder, "CMakeLists.txt"), MAX_BYTES).decode("utf-8", "replace")
-    reader = _Reader(known_variables(package))
+    text = read_head(os.path.join(directory, "CMakeLists.txt"), MAX_BYTES).decode(
+        "utf-8", "replace"
+    )
+    reader = _CMakeReader(known_variables(package))
     for command in _commands(text):
         reader.read(command)
     return reader.rules
@@ -112,7 +114,7 @@ def _commands(text: str) -> Iterator[_Command]:
             arguments.append((quoted if quoted is not None else word, quoted is not None))
 
 
-class _Reader:
+class _CMakeReader:
     """Runs the commands that matter here; the body of a loop is run for each of its items."""
 
     def __init__(self, variables: dict[str, str]) -> None:
@@ -181,11 +183,11 @@ def _expanded(command: _Command, variables: dict[str, str]) -> list[str]:
 
 
 def _to_share(words: list[str]) -> list[str]:
-    """The folders that ``ament_auto_package(INSTALL_TO_SHARE ...)`` names."""
+    """The directories that ``ament_auto_package(INSTALL_TO_SHARE ...)`` names."""
     if "INSTALL_TO_SHARE" not in words:
         return []
-    folders = words[words.index("INSTALL_TO_SHARE") + 1 :]
-    return [folder.rstrip("/") for folder in folders if not folder.isupper()]
+    directories = words[words.index("INSTALL_TO_SHARE") + 1 :]
+    return [directory.rstrip("/") for directory in directories if not directory.isupper()]
 
 
 def _install(words: list[str]) -> Iterator[Installed]:

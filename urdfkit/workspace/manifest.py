@@ -16,8 +16,8 @@ from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 MAX_BYTES = 1024 * 1024
-#: Folders of a package that are searched for descriptions.
-MAX_FOLDERS = 200
+#: Directories of a package that are searched for descriptions.
+MAX_DIRECTORIES = 200
 
 _DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
 _FORMAT = rb"""<package\b[^>]*\bformat\s*=\s*["'](\d+)["']"""
@@ -76,8 +76,8 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
     enclosing = resolver.packages.enclosing(path)
     if enclosing is None:
         return None
-    name, folder = enclosing
-    file = os.path.join(folder, "package.xml")
+    name, directory = enclosing
+    file = os.path.join(directory, "package.xml")
     data = resolver.text(file)
     if data is None:
         try:
@@ -118,15 +118,15 @@ def depends_on(name: str, other: str, near: str, resolver: Resolver) -> bool:
 def _needs(name: str, near: str, resolver: Resolver) -> frozenset[str]:
     """The packages that one declares or uses; none of what is installed or not there."""
     try:
-        folder = resolver.package(name, near)
+        directory = resolver.package(name, near)
     except PackageNotFound:
         return frozenset()
-    manifest = manifest_of(resolver, os.path.join(folder, "package.xml"))
-    if manifest is None or not resolver.packages.searches(folder, near):
+    manifest = manifest_of(resolver, os.path.join(directory, "package.xml"))
+    if manifest is None or not resolver.packages.searches(directory, near):
         return frozenset()
     if manifest.package != name and comes_with_ros(name):
-        return frozenset()  # a folder such as xacro/ or urdf/ of another package
-    files = resolver.folders.files_below(folder, MAX_FOLDERS)
+        return frozenset()  # a directory such as xacro/ or urdf/ of another package
+    files = resolver.directories.files_below(directory, MAX_DIRECTORIES)
     texts = [
         Source(path, read_head(path, MAX_BYTES))
         for path in files
@@ -144,11 +144,11 @@ def known_tags(number: str | None) -> frozenset[str]:
 
 def nearest_manifest(path: str) -> str | None:
     """The package.xml around a file, whatever is in it."""
-    folder = os.path.dirname(os.path.abspath(path))
+    directory = os.path.dirname(os.path.abspath(path))
     while True:
-        file = os.path.join(folder, "package.xml")
+        file = os.path.join(directory, "package.xml")
         if disk.is_file(file):
             return file
-        folder, below = os.path.dirname(folder), folder
-        if folder == below:
+        directory, below = os.path.dirname(directory), directory
+        if directory == below:
             return None

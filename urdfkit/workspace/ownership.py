@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from urdfkit.core import disk
 from urdfkit.text.comments import blank_comments, comments
 from urdfkit.text.source import Source
-from urdfkit.workspace.gitignore import Ignored
+from urdfkit.workspace.gitignore import GitIgnored
 from urdfkit.workspace.resolve import Resolver
 
 OUTSIDE = "the file is outside the workspace"
@@ -51,22 +51,22 @@ class Ownership:
         self._workspaces = {
             disk.real(resolver.packages.workspace(disk.real(file))) for file in files
         }
-        self._refusals: dict[str, str] = {}
-        self._ignored = Ignored()
+        self._protected: dict[str, str] = {}
+        self._ignored = GitIgnored()
 
-    def refusal(self, source: Source) -> str:
+    def why_protected(self, source: Source) -> str:
         """Why the file of a source is left alone; empty if it need not be."""
         path = disk.real(source.path)
-        if path not in self._refusals:
-            self._refusals[path] = self._judge(source, path)
-        return self._refusals[path]
+        if path not in self._protected:
+            self._protected[path] = self._why_protected(source, path)
+        return self._protected[path]
 
     def owns(self, path: str) -> bool:
         """True if a file lies in one of the workspaces; it need not exist."""
         real = disk.real(path)
-        return any(real.startswith(os.path.join(folder, "")) for folder in self._workspaces)
+        return any(real.startswith(os.path.join(directory, "")) for directory in self._workspaces)
 
-    def _judge(self, source: Source, path: str) -> str:
+    def _why_protected(self, source: Source, path: str) -> str:
         if not self.owns(path):
             return OUTSIDE
         if is_generated(source):
@@ -79,7 +79,7 @@ class Ownership:
 
 
 def _may_be_written(path: str) -> bool:
-    """False for a file that nobody may write to; that its folder allows it is not enough."""
+    """False for a file that nobody may write to; that its directory allows it is not enough."""
     try:
         return bool(disk.state(path).st_mode & 0o222)
     except OSError:

@@ -30,8 +30,8 @@ class PackageReference(Record):
 
     Attributes:
         package: its name.
-        relative: the path behind it, as far as it is written plainly; a folder if it goes on with
-            an expression.
+        relative: the path behind it, as far as it is written plainly; a directory if it goes on
+            with an expression.
         span: the whole reference.
     """
 

@@ -1,4 +1,4 @@
-"""Scanning a folder for packages, breadth first and within bounds."""
+"""Scanning a directory for packages, breadth first and within bounds."""
 
 from __future__ import annotations
 
@@ -6,22 +6,24 @@ import os
 import time
 
 from urdfkit.core import disk
-from urdfkit.workspace.package_folders import PackageFolders, is_searched
+from urdfkit.workspace.package_directories import PackageDirectories, is_searched
 
-#: A scan stops here and says so. Real workspaces have some thousand folders.
-MAX_FOLDERS = 20_000
+#: A scan stops here and says so. Real workspaces have some thousand directories.
+MAX_DIRECTORIES = 20_000
 MAX_SECONDS = 2.0
 
 
 class PackageScan:
-    """The packages below a folder, breadth first, no further than has been asked for.
+    """The packages below a directory, breadth first, no further than has been asked for.
 
     Of two packages with one name, the nearest to the root counts, then the first by path.
     """
 
-    def __init__(self, folders: PackageFolders, root: str, depth: int, *, nested: bool) -> None:
+    def __init__(
+        self, directories: PackageDirectories, root: str, depth: int, *, nested: bool
+    ) -> None:
         self.root = root
-        self._folders = folders
+        self._directories = directories
         self._depth = depth
         self._nested = nested
         self._queue: list[tuple[str, int]] = [(root, 0)]
@@ -31,7 +33,7 @@ class PackageScan:
         self._linked: set[str] = set()
 
     def find(self, name: str) -> str | None:
-        """The folder of a package; None if there is none."""
+        """The directory of a package; None if there is none."""
         started = time.monotonic()
         while name not in self._found and self._more(started):
             self._visit(*self._queue[self._next])
@@ -40,7 +42,7 @@ class PackageScan:
         return self._found.get(name)
 
     def all(self) -> dict[str, str]:
-        """Folders of all packages by name."""
+        """Directories of all packages by name."""
         self.find("")
         return self._found
 
@@ -54,32 +56,32 @@ class PackageScan:
         return f"{self.root} ({count} package{'' if count == 1 else 's'}{stopped})"
 
     def _more(self, started: float) -> bool:
-        if self._next >= min(len(self._queue), MAX_FOLDERS):
+        if self._next >= min(len(self._queue), MAX_DIRECTORIES):
             return False
         if self._seconds + time.monotonic() - started < MAX_SECONDS:
             return True
         disk.depends_on_more()  # on a faster machine it would have gone on
         return False
 
-    def _visit(self, folder: str, depth: int) -> None:
-        entries = self._folders.names_in(folder)
+    def _visit(self, directory: str, depth: int) -> None:
+        entries = self._directories.names_in(directory)
         if "package.xml" in entries or "manifest.xml" in entries:
-            name = self._folders.name_of(folder)
+            name = self._directories.name_of(directory)
             if name:
-                self._found.setdefault(name, folder)
+                self._found.setdefault(name, directory)
                 if not self._nested and depth:
                     return
         if depth >= self._depth:
             return
         for entry in sorted(entries):
             if entries[entry] and is_searched(entry):
-                path = os.path.join(folder, entry)
+                path = os.path.join(directory, entry)
                 if not self._in_a_circle(path):
                     self._queue.append((path, depth + 1))
 
     def _in_a_circle(self, path: str) -> bool:
-        """True if a symbolic link leads to where another led, or to a folder around it."""
-        if not self._folders.listings.is_link(path):
+        """True if a symbolic link leads to where another led, or to a directory around it."""
+        if not self._directories.listings.is_link(path):
             return False
         real = disk.real(path)
         if real in self._linked or (path + os.sep).startswith(real + os.sep):

@@ -8,10 +8,15 @@ from collections.abc import Iterator, Mapping
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.workspace.folders import Folders
-from urdfkit.workspace.package_folders import PackageFolders, is_within, read_marker, upwards
+from urdfkit.workspace.directories import Directories
+from urdfkit.workspace.package_directories import (
+    PackageDirectories,
+    is_within,
+    read_marker,
+    upwards,
+)
 from urdfkit.workspace.package_scan import PackageScan
-from urdfkit.workspace.search_root import Root, ScannedFolder, SearchRoots
+from urdfkit.workspace.search_root import Root, ScannedDirectory, SearchRoots
 
 #: Depth of a scan inside a repository or workspace, and of one outside of it.
 DEPTH_INSIDE = 12
@@ -21,15 +26,15 @@ _MODEL_PATH = rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 
 
 class Candidate(Record):
-    """A folder that may be the package of a name.
+    """A directory that may be the package of a name.
 
     Attributes:
-        folder: the package's folder.
+        directory: the package's directory.
         certain: False if it only has the name of the package, without a ``package.xml``.
         trusted: True if the environment of the user names it.
     """
 
-    folder: str
+    directory: str
     certain: bool = True
     trusted: bool = False
 
@@ -38,61 +43,61 @@ class Packages:
     """Finds packages; everything is read once.
 
     Args:
-        explicit: folders by package name, which win over every search.
+        explicit: directories by package name, which win over every search.
         environment: ``AMENT_PREFIX_PATH`` and ``ROS_PACKAGE_PATH`` are read from it.
-        folders: the listings to use.
+        directories: the listings to use.
     """
 
     def __init__(
-        self, explicit: Mapping[str, str], environment: Mapping[str, str], folders: Folders
+        self, explicit: Mapping[str, str], environment: Mapping[str, str], directories: Directories
     ) -> None:
-        self.explicit = {name: os.path.abspath(folder) for name, folder in explicit.items()}
-        self.folders = folders
-        self._packages = PackageFolders(folders)
+        self.explicit = {name: os.path.abspath(directory) for name, directory in explicit.items()}
+        self.directories = directories
+        self._packages = PackageDirectories(directories)
         self._roots = SearchRoots(self._packages, environment)
         self.prefixes = path_list(environment, "AMENT_PREFIX_PATH")
         self.ros1_paths = path_list(environment, "ROS_PACKAGE_PATH")
-        self._scans: dict[ScannedFolder, PackageScan] = {}
+        self._scans: dict[ScannedDirectory, PackageScan] = {}
         self._searched: dict[str, tuple[str, ...]] = {}
-        self._folders_of: dict[str, str] = {}
+        self._directories_of: dict[str, str] = {}
 
-    def folder_of(self, path: str) -> str:
-        """The absolute folder of a file; worked out once, as a robot names a hundred meshes."""
-        if path not in self._folders_of:
-            self._folders_of[path] = os.path.dirname(os.path.abspath(path))
-        return self._folders_of[path]
+    def directory_of(self, path: str) -> str:
+        """The absolute directory of a file; worked out once, as a robot names a hundred meshes."""
+        if path not in self._directories_of:
+            self._directories_of[path] = os.path.dirname(os.path.abspath(path))
+        return self._directories_of[path]
 
     def candidates(self, name: str, near: str) -> Iterator[Candidate]:
-        """The folders that may be a package, the best first of those that are certain.
+        """The directories that may be a package, the best first of those that are certain.
 
         Args:
             name: of the package.
             near: path of the file that refers to it.
         """
         if name in self.explicit:
-            if disk.is_folder(self.explicit[name]):
+            if disk.is_directory(self.explicit[name]):
                 yield Candidate(self.explicit[name])
             return
         if name in ("", ".", "..") or "/" in name or "\\" in name:
-            return  # a path; below AMENT_PREFIX_PATH it would lead to any folder
-        start = self.folder_of(near)
+            return  # a path; below AMENT_PREFIX_PATH it would lead to any directory
+        start = self.directory_of(near)
         yield from (Candidate(at) for own, at in self._roots.around(start) if own == name)
-        for folder in self._in_environment(name):
-            yield Candidate(folder, trusted=True)
-        # A build may install this folder under its name, whatever package.xml lies elsewhere.
+        for directory in self._in_environment(name):
+            yield Candidate(directory, trusted=True)
+        # A build may install this directory under its name, whatever package.xml lies elsewhere.
         yield from (Candidate(at, certain=False) for at in self._named(name, near))
         for level in self.levels(near):
             found = self._scan(level).find(name)
             if found:
                 yield Candidate(found)
-        for folder in self._by_folder_name(name, near):
-            yield Candidate(folder, certain=False)
+        for directory in self._by_directory_name(name, near):
+            yield Candidate(directory, certain=False)
 
     def searched(self, name: str, near: str) -> tuple[str, ...]:
         """Where ``candidates`` looks, in words a user can check."""
         if name in self.explicit:
             return (f"{self.explicit[name]} (given for {name}; no such directory)",)
-        start = self.folder_of(near)
+        start = self.directory_of(near)
         if start not in self._searched:  # a robot may name a missing package a hundred times
             self._searched[start] = self._search_of(start, near)
         return self._searched[start]
@@ -107,58 +112,58 @@ class Packages:
         return (*reported, *(self._scan(level).words() for level in self.levels(near)))
 
     def known(self, near: str) -> dict[str, str]:
-        """The packages around a file: folders by name, the nearest of each name."""
+        """The packages around a file: directories by name, the nearest of each name."""
         found: dict[str, str] = {}
-        start = self.folder_of(near)
+        start = self.directory_of(near)
         for name, at in self._roots.around(start):
             found.setdefault(name, at)
         for level in self.levels(near):
-            for name, folder in self._scan(level).all().items():
-                found.setdefault(name, folder)
+            for name, directory in self._scan(level).all().items():
+                found.setdefault(name, directory)
         return found
 
     def enclosing(self, path: str) -> tuple[str, str] | None:
-        """Name and folder of the package that a file lies in."""
-        return self._roots.enclosing(self.folder_of(path))
+        """Name and directory of the package that a file lies in."""
+        return self._roots.enclosing(self.directory_of(path))
 
     def workspace(self, near: str) -> str:
-        """The folder that a file belongs to: its repository or workspace, package or folder."""
-        return self.root(near).folder
+        """The repository or workspace of a file, else its package, else its directory."""
+        return self.root(near).directory
 
     def root(self, near: str) -> Root:
         """Where the search for packages that a file refers to ends, and what says so."""
-        return self._roots.root(self.folder_of(near))
+        return self._roots.root(self.directory_of(near))
 
-    def searches(self, folder: str, near: str) -> bool:
-        """True if the packages in a folder are looked for on behalf of a file."""
-        return any(is_within(folder, level.root) for level in self.levels(near))
+    def searches(self, directory: str, near: str) -> bool:
+        """True if the packages in a directory are looked for on behalf of a file."""
+        return any(is_within(directory, level.root) for level in self.levels(near))
 
-    def levels(self, near: str) -> tuple[ScannedFolder, ...]:
+    def levels(self, near: str) -> tuple[ScannedDirectory, ...]:
         """What is scanned for packages that a file refers to, from the inside out."""
-        return self._roots.levels(self.folder_of(near))
+        return self._roots.levels(self.directory_of(near))
 
     def gazebo_model_paths(self, near: str) -> Iterator[tuple[str, str]]:
-        """What packages export as ``gazebo_model_path``, as package folder and path below it.
+        """What packages export as ``gazebo_model_path``, as package directory and path below it.
 
         gazebo_ros adds these to Gazebo's model path.
         """
-        for folder in self.known(near).values():
-            for match in re.finditer(_MODEL_PATH, read_marker(folder, "package.xml")):
+        for directory in self.known(near).values():
+            for match in re.finditer(_MODEL_PATH, read_marker(directory, "package.xml")):
                 text = (match.group(1) or match.group(2) or b"").decode("utf-8", "replace")
                 for path in text.split(":"):
                     prefix, prefixed, relative = path.partition("${prefix}")
                     if prefixed and not prefix:
-                        yield folder, relative
+                        yield directory, relative
 
-    def name_of(self, folder: str) -> str | None:
-        """The name of the package whose folder this is; None if it is no package's."""
-        return self._packages.name_of(folder)
+    def name_of(self, directory: str) -> str | None:
+        """The name of the package whose directory this is; None if it is no package's."""
+        return self._packages.name_of(directory)
 
-    def _may_be_around(self, folder: str, near: str) -> bool:
-        """False of a folder above a file that lies outside of its repository or workspace."""
-        return not self.root(near).mark or self.searches(folder, near)
+    def _may_be_around(self, directory: str, near: str) -> bool:
+        """False of a directory above a file that lies outside of its repository or workspace."""
+        return not self.root(near).mark or self.searches(directory, near)
 
-    def _scan(self, level: ScannedFolder) -> PackageScan:
+    def _scan(self, level: ScannedDirectory) -> PackageScan:
         if level not in self._scans:
             depth = DEPTH_INSIDE if level.inside else DEPTH_OUTSIDE
             self._scans[level] = PackageScan(self._packages, level.root, depth, nested=level.inside)
@@ -166,38 +171,40 @@ class Packages:
 
     def _in_environment(self, name: str) -> Iterator[str]:
         for prefix in self.prefixes:
-            folder = os.path.join(prefix, "share", name)
-            if disk.is_folder(folder):
-                yield folder
+            directory = os.path.join(prefix, "share", name)
+            if disk.is_directory(directory):
+                yield directory
         for path in self.ros1_paths:
             if self.name_of(path) == name:
                 yield path
             direct = os.path.join(path, name)
             if self.name_of(direct) == name:
                 yield direct
-            found = self._scan(ScannedFolder(path, False)).find(name)
+            found = self._scan(ScannedDirectory(path, False)).find(name)
             if found:
                 yield found
 
     def _named(self, name: str, near: str) -> list[str]:
-        """The folders of that name around a file, the innermost first."""
+        """The directories of that name around a file, the innermost first."""
         return [
-            folder
-            for folder in upwards(self.folder_of(near))
-            if name and os.path.basename(folder) == name and folder not in self._roots.too_wide
-            if self._may_be_around(folder, near)
+            directory
+            for directory in upwards(self.directory_of(near))
+            if name
+            and os.path.basename(directory) == name
+            and directory not in self._roots.too_wide
+            if self._may_be_around(directory, near)
         ]
 
-    def _by_folder_name(self, name: str, near: str) -> Iterator[str]:
+    def _by_directory_name(self, name: str, near: str) -> Iterator[str]:
         """Siblings of that name of the directories above a file."""
-        above = [at for at in upwards(self.folder_of(near)) if self.searches(at, near)]
-        for folder in above:
-            sibling = os.path.join(folder, name)
-            if sibling not in above and disk.is_folder(sibling):
+        above = [at for at in upwards(self.directory_of(near)) if self.searches(at, near)]
+        for directory in above:
+            sibling = os.path.join(directory, name)
+            if sibling not in above and disk.is_directory(sibling):
                 yield sibling
 
 
 def path_list(environment: Mapping[str, str], variable: str) -> list[str]:
-    """The folders that a variable such as ``AMENT_PREFIX_PATH`` names."""
+    """The directories that a variable such as ``AMENT_PREFIX_PATH`` names."""
     parts = environment.get(variable, "").split(os.pathsep)
     return [os.path.abspath(part) for part in parts if part]

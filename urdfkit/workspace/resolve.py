@@ -8,69 +8,33 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from itertools import product
 from stat import S_ISDIR, S_ISREG
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
-from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.text.source import Source
-from urdfkit.workspace.folders import Folders
-from urdfkit.workspace.packages import Candidate, Packages, path_list
+from urdfkit.workspace.directories import Directories
+from urdfkit.workspace.package_files import PackageFiles, join
+from urdfkit.workspace.packages import Packages, path_list
+from urdfkit.workspace.references import DRIVE, ResolvedReference, spellings, split_scheme
 
 if TYPE_CHECKING:
-    from urdfkit.workspace.installs import Installed
+    pass
 
-_DRIVE = r"/?[A-Za-z]:/"
-_BUILD_FILES = ("CMakeLists.txt", "setup.py")
 #: Why a file is not read, behind its path.
 OUTSIDE = "is outside the workspace and the packages of this model"
 
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
 
 
-class ResolvedReference(Record):
-    """What a reference leads to.
-
-    Attributes:
-        reference: as written.
-        scheme: ``package``, ``model``, ``absolute`` (a path or ``file://``), ``relative``, or
-            another one in small letters.
-        package: name of the package that is referred to, or None.
-        folder: of that package, or None if it is not found.
-        relative: the path below the package, or below the file that refers to it.
-        path: the file, or None if there is none.
-        tried: the paths that were tried, in order.
-        outside: a file that the reference leads to and that the model may not read.
-        searched: where the package was searched, if it is not found.
-    """
-
-    reference: str
-    scheme: str
-    package: str | None = None
-    folder: str | None = None
-    relative: str = ""
-    path: str | None = None
-    tried: tuple[str, ...] = ()
-    searched: tuple[str, ...] = ()
-    outside: str | None = None
-
-    @property
-    def attempts(self) -> str:
-        """The paths that were tried, for a message; those below the current folder from there."""
-        try:
-            here = os.path.join(os.getcwd(), "")
-        except OSError:  # the current folder is gone
-            here = ""
-        return ", ".join(path.removeprefix(here) for path in self.tried)
-
-
 class Resolver:
     """Finds packages and files; everything is read once.
 
     Args:
-        packages: folders of ROS packages by name; they win over every search.
+        packages: directories of ROS packages by name; they win over every search.
         environment: that of the process unless given.
         texts: files whose bytes are not those on disk, by path: fixes that are not written yet,
             the buffers of an editor.
@@ -83,19 +47,18 @@ class Resolver:
         texts: Mapping[str, bytes] | None = None,
     ) -> None:
         environment = disk.Environment() if environment is None else environment
-        self.folders = Folders()
-        self.packages = Packages(packages or {}, environment, self.folders)
+        self.directories = Directories()
+        self.packages = Packages(packages or {}, environment, self.directories)
+        self._package_files = PackageFiles(self.packages, self.directories)
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
-        self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
         self._located: dict[tuple[str, str, str], ResolvedReference] = {}
-        self._rules: dict[str, list[Installed]] = {}
         self._texts = _by_real_path(texts or {})
         #: Files that the user named, one for each workspace.
         self.admitted: dict[str, str] = {}
         self._admits_everything = False
 
     def with_texts(self, texts: Mapping[str, bytes]) -> Resolver:
-        """One for other texts, which knows what this one has found of packages and folders."""
+        """One for other texts, which knows what this one has found of packages and directories."""
         other = Resolver.__new__(Resolver)
         vars(other).update(vars(self))
         other._texts = _by_real_path(texts)
@@ -125,7 +88,7 @@ class Resolver:
         """A text file that the user names, wherever it lies; models may read what is around it.
 
         Raises:
-            UnreadableFile: it is missing, a folder, too large, or may not be opened.
+            UnreadableFile: it is missing, a directory, too large, or may not be opened.
         """
         self.admit(path)
         return self._read(path)
@@ -134,7 +97,7 @@ class Resolver:
         """A text file that something else names, by the bytes that stand for it if some do.
 
         Raises:
-            UnreadableFile: it is missing, a folder, too large, may not be opened, or lies outside.
+            UnreadableFile: it is missing, a directory, too large, not readable, or outside.
         """
         if not self.admits(path):
             raise UnreadableFile(f"{path}: {OUTSIDE}")
@@ -145,7 +108,7 @@ class Resolver:
         return Source.read(path) if data is None else Source(path, data)
 
     def package(self, name: str, near: str) -> str:
-        """The folder of a ROS package.
+        """The directory of a ROS package.
 
         Args:
             name: of the package.
@@ -154,20 +117,10 @@ class Resolver:
         Raises:
             PackageNotFound: with what was searched.
         """
-        candidate = self._choose(name, near, None)
+        candidate = self._package_files.choose(name, near, None)
         if candidate is None:
             raise PackageNotFound(name, self.packages.searched(name, near))
-        return candidate.folder
-
-    def in_package(self, name: str, relative: str, near: str) -> ResolvedReference:
-        """A file of a package, by its path in the installed package.
-
-        Args:
-            name: of the package.
-            relative: with forward slashes, below ``share/<name>``.
-            near: path of the file in which the reference stands.
-        """
-        return self._in_package(f"package://{name}/{relative}", "package", name, relative, near)
+        return candidate.directory
 
     def locate(self, reference: str, near: str, top: str | None = None) -> ResolvedReference:
         """The file that a mesh or texture reference leads to.
@@ -178,7 +131,7 @@ class Resolver:
             top: path of the checked file, if another; relative references start there first.
         """
         top = top or near
-        key = (reference, self.packages.folder_of(near), self.packages.folder_of(top))
+        key = (reference, self.packages.directory_of(near), self.packages.directory_of(top))
         if key not in self._located:
             found = self._locate(reference, near, top)
             if found.path is not None and not self.admits(found.path):
@@ -195,9 +148,9 @@ class Resolver:
         package = self.packages.enclosing(path)
         if package is None:
             return None
-        name, folder = package
-        relative = os.path.relpath(os.path.abspath(path), folder).replace(os.sep, "/")
-        return next(self._as_installed(name, folder, relative), None)
+        name, directory = package
+        relative = os.path.relpath(os.path.abspath(path), directory).replace(os.sep, "/")
+        return next(self._package_files.as_installed(name, directory, relative), None)
 
     def allows(self, path: str, near: str) -> bool:
         """True if a model may read a file: one of its workspace or of a package.
@@ -219,23 +172,28 @@ class Resolver:
                 return False
         except OSError:
             pass  # missing: only its place counts
-        real = self.folders.real(path)
-        chosen = [candidate for found in self._candidates.values() for candidate in found]
-        roots = [self.packages.workspace(near), self.packages.workspace(self.folders.real(near))]
-        roots += [candidate.folder for candidate in chosen if candidate.certain]
-        if any(_within(real, self.folders.real(root)) for root in roots):
+        real = self.directories.real(path)
+        chosen = self._package_files.chosen
+        roots = [
+            self.packages.workspace(near),
+            self.packages.workspace(self.directories.real(near)),
+        ]
+        roots += [candidate.directory for candidate in chosen if candidate.certain]
+        if any(_within(real, self.directories.real(root)) for root in roots):
             return True
-        if any(_within(path, candidate.folder) for candidate in chosen if candidate.trusted):
+        if any(_within(path, candidate.directory) for candidate in chosen if candidate.trusted):
             return True
         package = self.packages.enclosing(real)
         around = [package[1]] if package else []
-        around += [candidate.folder for candidate in chosen if _within(real, candidate.folder)]
-        levels = [self.folders.real(level.root) for level in self.packages.levels(near)]
-        return any(_within(folder, level) for folder in around for level in levels)
+        around += [
+            candidate.directory for candidate in chosen if _within(real, candidate.directory)
+        ]
+        levels = [self.directories.real(level.root) for level in self.packages.levels(near)]
+        return any(_within(directory, level) for directory in around for level in levels)
 
     def _locate(self, reference: str, near: str, top: str) -> ResolvedReference:
         text = reference.replace("\\", "/")
-        scheme, rest = _split(text)
+        scheme, rest = split_scheme(text)
         if scheme in ("package", "model"):
             name, _, relative = rest.partition("/")
             if scheme == "model":
@@ -246,24 +204,24 @@ class Resolver:
             rest = rest.removeprefix("localhost")
         elif scheme:
             return ResolvedReference(reference, scheme)
-        if rest.startswith("/") or re.match(_DRIVE, rest):
+        if rest.startswith("/") or re.match(DRIVE, rest):
             return self._absolute(reference, rest)
         return self._relative(reference, rest, near, top)
 
     def _in_package(
         self, reference: str, scheme: str, name: str, relative: str, near: str
     ) -> ResolvedReference:
-        candidate = self._choose(name, near, relative) if name else None
+        candidate = self._package_files.choose(name, near, relative) if name else None
         if candidate is None:
             searched = self.packages.searched(name, near) if name else ()
             return ResolvedReference(reference, scheme, name, None, relative, searched=searched)
         tried: list[str] = []
-        path = self._find(name, candidate.folder, relative, tried)
+        path = self._package_files.find(name, candidate.directory, relative, tried)
         return ResolvedReference(
             reference,
             scheme,
             name,
-            candidate.folder,
+            candidate.directory,
             relative,
             path or self._around(name, relative, near),
             tuple(tried),
@@ -277,30 +235,32 @@ class Resolver:
         package = self.packages.enclosing(near)
         if not relative or (package and package[0] != name):
             return None
-        root, folder = self.packages.workspace(near), self.packages.folder_of(near)
-        while _within(folder, root):
+        root, directory = self.packages.workspace(near), self.packages.directory_of(near)
+        while _within(directory, root):
             for path in (relative, f"{name}/{relative}"):
-                if found := self.folders.find(folder, path):
+                if found := self.directories.find(directory, path):
                     return found
-            if folder == root:
+            if directory == root:
                 break
-            folder = os.path.dirname(folder)
+            directory = os.path.dirname(directory)
         return None
 
     def _in_models(self, reference: str, name: str, rest: str, near: str) -> ResolvedReference:
         """As Gazebo finds it: below its model path, which packages may add to."""
         tried: list[str] = []
-        below = [(folder, rest) for paths in self._model_paths.values() for folder in paths]
+        below = [(directory, rest) for paths in self._model_paths.values() for directory in paths]
         exported = self.packages.gazebo_model_paths(near)
-        below += [(folder, f"{path}/{rest}".lstrip("/")) for folder, path in exported]
-        for folder, relative in below:
-            tried.append(_join(folder, relative))
-            path = self.folders.find(folder, relative)
+        below += [(directory, f"{path}/{rest}".lstrip("/")) for directory, path in exported]
+        for directory, relative in below:
+            tried.append(join(directory, relative))
+            path = self.directories.find(directory, relative)
             if path:
-                return ResolvedReference(reference, "model", name, folder, rest, path, tuple(tried))
+                return ResolvedReference(
+                    reference, "model", name, directory, rest, path, tuple(tried)
+                )
         located = self._in_package(reference, "model", name, rest.partition("/")[2], near)
         searched: tuple[str, ...] = ()
-        if located.folder is None:
+        if located.directory is None:
             searched = tuple(
                 f"{variable} ({os.pathsep.join(paths) or 'not set'})"
                 for variable, paths in self._model_paths.items()
@@ -311,127 +271,29 @@ class Resolver:
 
     def _absolute(self, reference: str, text: str) -> ResolvedReference:
         tried: list[str] = []
-        for spelling in _spellings(text):
-            path = os.path.normpath(
-                spelling.lstrip("/") if re.match(_DRIVE, spelling) else spelling
-            )
+        found = None
+        for spelling in spellings(text):
+            path = os.path.normpath(spelling.lstrip("/") if re.match(DRIVE, spelling) else spelling)
             tried.append(path)
-            found = self.folders.find(*os.path.split(path)) or self.installed(path)
+            found = self.directories.find(*os.path.split(path)) or self.installed(path)
             if found:
-                return ResolvedReference(
-                    reference, "absolute", None, None, text, found, tuple(tried)
-                )
-        return ResolvedReference(reference, "absolute", None, None, text, None, tuple(tried))
+                break
+        return ResolvedReference(reference, "absolute", None, None, text, found, tuple(tried))
 
     def _relative(self, reference: str, text: str, near: str, top: str) -> ResolvedReference:
         tried: list[str] = []
-        for folder in dict.fromkeys(map(self.packages.folder_of, (top, near))):
-            for relative in _spellings(text):
-                tried.append(_join(folder, relative))
-                path = self.folders.find(folder, relative)
-                if path:
-                    return ResolvedReference(
-                        reference, "relative", None, None, text, path, tuple(tried)
-                    )
-        return ResolvedReference(reference, "relative", None, None, text, None, tuple(tried))
-
-    def _choose(self, name: str, near: str, relative: str | None) -> Candidate | None:
-        """The folder of a package: one with its ``package.xml``, else one that is called so.
-
-        Where some are only called so, the first that has the wanted file.
-        """
-        key = (name, self.packages.folder_of(near))
-        if key not in self._candidates:
-            found = _until_certain(self.packages.candidates(name, near))
-            self._candidates[key] = tuple(sorted(found, key=lambda one: not one.certain))
-        candidates = self._candidates[key]
-        if relative is not None and not all(candidate.certain for candidate in candidates):
-            for candidate in candidates:
-                if self._find(name, candidate.folder, relative, []):
-                    return candidate
-        return candidates[0] if candidates else None
-
-    def _find(self, name: str, folder: str, relative: str, tried: list[str]) -> str | None:
-        """A file of a package; the paths looked at are added to ``tried``."""
-        for spelling in _spellings(relative):
-            tried.append(_join(folder, spelling))
-            path = self.folders.find(folder, spelling)
-            if path:
-                return path
-        for spelling in _spellings(relative):
-            for path in self._as_installed(name, folder, spelling):
-                return path
-        return None
-
-    def _as_installed(self, name: str, folder: str, relative: str) -> Iterator[str]:
-        """The files that a build would install at a path of the package."""
-        from urdfkit.workspace.installs import source_paths  # needed by few packages only
-
-        for source in source_paths(self._installed(name, folder), name, relative):
-            path = self.folders.find(folder, source)
-            if path:
-                yield path
-        if not any(self.folders.find(folder, file) for file in _BUILD_FILES):
-            yield from self._one_level_down(folder, relative)
-
-    def _installed(self, name: str, folder: str) -> list[Installed]:
-        """What the build of a package installs; its CMakeLists.txt is read once."""
-        if folder not in self._rules:
-            from urdfkit.workspace.installs import read_rules
-
-            is_there = self.folders.find(folder, "CMakeLists.txt") is not None
-            self._rules[folder] = read_rules(folder, name) if is_there else []
-        return self._rules[folder]
-
-    def _one_level_down(self, folder: str, relative: str) -> Iterator[str]:
-        """The only file at this path in a subfolder, where no build file gives the layout.
-
-        ``description/urdf`` and ``bringup/launch`` are the usual folders that a build removes.
-        """
-        entries = self.folders.entries(folder) or {}
-        inside = sorted(name for name, is_folder in entries.items() if is_folder)
-        found = [self.folders.find(folder, f"{name}/{relative}") for name in inside]
-        paths = [path for path in found if path]
-        if len(paths) == 1:
-            yield paths[0]
+        starts = dict.fromkeys(map(self.packages.directory_of, (top, near)))
+        path = None
+        for directory, relative in product(starts, spellings(text)):
+            tried.append(join(directory, relative))
+            if path := self.directories.find(directory, relative):
+                break
+        return ResolvedReference(reference, "relative", None, None, text, path, tuple(tried))
 
 
 def _by_real_path(texts: Mapping[str, bytes]) -> dict[str, bytes]:
     return {disk.real(path): data for path, data in texts.items()}
 
 
-def _until_certain(candidates: Iterator[Candidate]) -> Iterator[Candidate]:
-    for candidate in candidates:
-        yield candidate
-        if candidate.certain:
-            return
-
-
-def _split(text: str) -> tuple[str, str]:
-    """The scheme before ``://``, in small letters, and the rest; without one, all is the rest.
-
-    One letter is no scheme but a drive.
-    """
-    scheme, is_written, rest = text.partition("://")
-    letters = scheme.replace("+", "").replace(".", "").replace("-", "")
-    is_scheme = scheme.isascii() and scheme[:1].isalpha() and letters.isalnum()
-    if is_written and is_scheme and len(scheme) > 1:
-        return scheme.lower(), rest
-    return "", text
-
-
-def _spellings(text: str) -> Iterator[str]:
-    """The path as written, and with its percent escapes resolved."""
-    yield text
-    if "%" in text:
-        data = text.encode("utf-8", "replace")
-        data = re.sub(rb"%([0-9A-Fa-f]{2})", lambda m: bytes([int(m.group(1), 16)]), data)
-        yield data.decode("utf-8", "replace")
-
-
-def _join(folder: str, relative: str) -> str:
-    return os.path.normpath(os.path.join(folder, relative))
-
-
-def _within(path: str, folder: str) -> bool:
-    return path == folder or path.startswith(folder.rstrip(os.sep) + os.sep)
+def _within(path: str, directory: str) -> bool:
+    return path == directory or path.startswith(directory.rstrip(os.sep) + os.sep)

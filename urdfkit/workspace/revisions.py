@@ -14,19 +14,19 @@ MAX_BYTES = 8 * 1024 * 1024
 _OF_A_HOOK = frozenset(("GIT_DIR", "GIT_INDEX_FILE", "GIT_PREFIX", "GIT_WORK_TREE"))
 
 
-def check_out(path: str, revision: str, folder: str, largest: int = MAX_BYTES) -> str:
-    """Write the files of a revision of the repository around a path into a folder.
+def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES) -> str:
+    """Write the files of a revision of the repository around a path into a directory.
 
     Neither the working tree nor the index of the repository is touched.
 
     Args:
         path: of a file in the repository, that may be gone by now.
         revision: a tag, branch or commit.
-        folder: to write into.
+        directory: to write into.
         largest: files over so many bytes are left out.
 
     Returns:
-        The top folder of the repository.
+        The top directory of the repository.
 
     Raises:
         UrdfkitError: the path is in no repository, there is no such revision, or git is not
@@ -41,16 +41,16 @@ def check_out(path: str, revision: str, folder: str, largest: int = MAX_BYTES) -
     with tempfile.TemporaryDirectory() as scratch:
         index = os.path.join(scratch, "index")
         _git(top, "read-tree", commit, index=index)
-        prefix = f"--prefix={os.path.join(folder, '')}"
+        prefix = f"--prefix={os.path.join(directory, '')}"
         _git(top, "checkout-index", "-z", "--stdin", prefix, index=index, given=names)
     return top
 
 
 def locate(path: str, revision: str) -> str:
-    """Where a file of a revision is, or was, in the working tree around the current folder.
+    """Where a file of a revision is, or was, in the working tree around the current directory.
 
     Args:
-        path: from the current folder, else from the top of the repository, as git counts.
+        path: from the current directory, else from the top of the repository, as git counts.
         revision: a tag, branch or commit.
 
     Raises:
@@ -72,14 +72,14 @@ def is_ignored(path: str) -> bool:
     """True if the repository around a file ignores it; not where there is none, or no git."""
     ignore_files.note(path)
     try:
-        _git(_folder(path), "check-ignore", "-q", "--", os.path.abspath(path))
+        _git(_directory(path), "check-ignore", "-q", "--", os.path.abspath(path))
     except UrdfkitError:
         return False
     return True
 
 
-def _folder(path: str) -> str:
-    """The nearest folder around a path that exists."""
+def _directory(path: str) -> str:
+    """The nearest directory around a path that exists."""
     where = os.path.dirname(os.path.abspath(path))
     while not os.path.isdir(where):
         where = os.path.dirname(where)
@@ -87,8 +87,8 @@ def _folder(path: str) -> str:
 
 
 def _top(path: str) -> str:
-    """The top folder of the repository around a path."""
-    top = _git(_folder(path), "rev-parse", "--show-toplevel")
+    """The top directory of the repository around a path."""
+    top = _git(_directory(path), "rev-parse", "--show-toplevel")
     return os.path.realpath(os.fsdecode(top.rstrip(b"\n")))
 
 
@@ -111,12 +111,12 @@ def _name(entry: bytes) -> bytes:
     return entry.partition(b"\t")[2]
 
 
-def _git(folder: str, *words: str, index: str = "", given: bytes = b"") -> bytes:
-    """The output of git in a folder, whatever repository a hook around us is of."""
+def _git(directory: str, *words: str, index: str = "", given: bytes = b"") -> bytes:
+    """The output of git in a directory, whatever repository a hook around us is of."""
     environment = {name: value for name, value in os.environ.items() if name not in _OF_A_HOOK}
     if index:
         environment |= {"GIT_INDEX_FILE": index, "GIT_LFS_SKIP_SMUDGE": "1"}
-    command = ["git", "-C", folder, *words]
+    command = ["git", "-C", directory, *words]
     try:
         done = subprocess.run(
             command, check=True, capture_output=True, env=environment, input=given

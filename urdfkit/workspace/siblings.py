@@ -22,20 +22,22 @@ _ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
 def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     """The SRDF files that may be a robot's.
 
-    They are looked for in the robot's folder, in ``config`` and ``srdf`` of its package, and in
+    They are looked for in the robot's directory, in ``config`` and ``srdf`` of its package, and in
     sibling MoveIt packages whose ``.setup_assistant`` names the robot's file.
     """
-    folder = os.path.dirname(os.path.abspath(robot))
+    directory = os.path.dirname(os.path.abspath(robot))
     package = resolver.packages.enclosing(robot)
     if _is_for_tests(robot, package):
-        return list(_srdf_in([folder], resolver))
-    top = package[1] if package else folder
-    folders = dict.fromkeys((folder, *(os.path.join(top, name) for name in ("config", "srdf"))))
+        return list(_srdf_in([directory], resolver))
+    top = package[1] if package else directory
+    directories = dict.fromkeys(
+        (directory, *(os.path.join(top, name) for name in ("config", "srdf")))
+    )
     for moveit in _moveit_packages(robot, resolver):
         setup = _setup(moveit)
         if package and setup.is_for(robot, package) and not setup.has_arguments:
-            folders.update(dict.fromkeys(_folders(moveit, setup)))
-    return list(_srdf_in(folders, resolver))
+            directories.update(dict.fromkeys(_directories(moveit, setup)))
+    return list(_srdf_in(directories, resolver))
 
 
 def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
@@ -51,13 +53,13 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     package = resolver.packages.enclosing(robot)
     if _is_for_tests(robot, package):
         return []
-    folders: dict[str, None] = {}
+    directories: dict[str, None] = {}
     for moveit in _moveit_packages(robot, resolver):
         setup = _setup(moveit)
         is_for = package is not None and setup.is_for(robot, package)
         if not setup.urdf or (is_for and setup.has_arguments):
-            folders.update(dict.fromkeys(_folders(moveit, setup)))
-    return [path for path in _srdf_in(folders, resolver) if _may_be_called(path, name)]
+            directories.update(dict.fromkeys(_directories(moveit, setup)))
+    return [path for path in _srdf_in(directories, resolver) if _may_be_called(path, name)]
 
 
 def _is_for_tests(robot: str, package: tuple[str, str] | None) -> bool:
@@ -77,9 +79,9 @@ def _may_be_called(srdf: str, name: str) -> bool:
     return called.startswith((f'{name}"', "$"))
 
 
-def _srdf_in(folders: Iterable[str], resolver: Resolver) -> Iterator[str]:
-    for place in folders:
-        for name in sorted(resolver.folders.entries(place) or ()):
+def _srdf_in(directories: Iterable[str], resolver: Resolver) -> Iterator[str]:
+    for place in directories:
+        for name in sorted(resolver.directories.entries(place) or ()):
             if name.endswith(_SRDF):
                 yield os.path.join(place, name)
 
@@ -90,15 +92,15 @@ def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
     around = os.path.dirname(package[1]) if package else ""
     if package is None or not resolver.packages.searches(around, robot):
         return  # what lies there is of another repository
-    for name in resolver.folders.entries(around) or ():
-        folder = os.path.join(around, name)
-        if "moveit" not in name or folder == package[1]:
+    for name in resolver.directories.entries(around) or ():
+        directory = os.path.join(around, name)
+        if "moveit" not in name or directory == package[1]:
             continue
-        entries = resolver.folders.entries(folder) or {}
+        entries = resolver.directories.entries(directory) or {}
         if "package.xml" in entries:
-            yield folder
+            yield directory
             continue
-        yield from (os.path.join(folder, inner) for inner in entries if "moveit" in inner)
+        yield from (os.path.join(directory, inner) for inner in entries if "moveit" in inner)
 
 
 class SetupAssistant(Record):
@@ -122,8 +124,10 @@ class SetupAssistant(Record):
         return os.path.normpath(os.path.join(package[1], self.urdf)) == os.path.abspath(robot)
 
 
-def _setup(folder: str) -> SetupAssistant:
-    text = read_head(os.path.join(folder, ".setup_assistant"), 100_000).decode("utf-8", "replace")
+def _setup(directory: str) -> SetupAssistant:
+    text = read_head(os.path.join(directory, ".setup_assistant"), 100_000).decode(
+        "utf-8", "replace"
+    )
 
     def section(name: str) -> str:
         found = re.search(_SECTION.format(name), text)
@@ -137,7 +141,7 @@ def _setup(folder: str) -> SetupAssistant:
     return SetupAssistant(entry(urdf, "package"), entry(urdf, "relative_path"), srdf, ":=" in urdf)
 
 
-def _folders(moveit: str, setup: SetupAssistant) -> Iterator[str]:
+def _directories(moveit: str, setup: SetupAssistant) -> Iterator[str]:
     """Where a package of MoveIt keeps its SRDF."""
     yield from (os.path.join(moveit, name) for name in ("config", "srdf"))
     if setup.srdf:

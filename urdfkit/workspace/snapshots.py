@@ -12,12 +12,12 @@ from urdfkit.workspace.revisions import MAX_BYTES, check_out
 
 
 class OldFile(Record):
-    """A file of a git revision in a folder of its own.
+    """A file of a git revision in a directory of its own.
 
     Attributes:
         path: of the file there.
         top: of the repository that it is from.
-        packages: folders by name: of the repository as they were, else as they are.
+        packages: directories by name: of the repository as they were, else as they are.
     """
 
     path: str
@@ -28,42 +28,42 @@ class OldFile(Record):
 def as_it_was(
     path: str,
     revision: str,
-    folder: str,
+    directory: str,
     packages: Mapping[str, str] | None = None,
     largest: int = MAX_BYTES,
 ) -> OldFile:
-    """Put a file as it was, and everything around it, into a folder.
+    """Put a file as it was, and everything around it, into a directory.
 
     Args:
         path: of the file in the working tree, where it need not be any more.
         revision: a tag, branch or commit.
-        folder: an empty one.
-        packages: folders of ROS packages, as they are now.
+        directory: an empty one.
+        packages: directories of ROS packages, as they are now.
         largest: files over so many bytes are left out.
 
     Raises:
         UrdfkitError: there is no such revision, the file is not in it, or git is not there.
     """
     real = os.path.realpath(path)
-    top = check_out(real, revision, folder, largest)
-    old = _moved(real, top, folder)
+    top = check_out(real, revision, directory, largest)
+    old = _moved(real, top, directory)
     if not os.path.exists(old):
         raise UrdfkitError(f"{path} is not in revision {revision}")
-    return OldFile(old, top, _packages(real, packages or {}, top, folder))
+    return OldFile(old, top, _packages(real, packages or {}, top, directory))
 
 
-def _packages(path: str, given: Mapping[str, str], top: str, folder: str) -> dict[str, str]:
+def _packages(path: str, given: Mapping[str, str], top: str, directory: str) -> dict[str, str]:
     """The packages that the file may need: of the repository as they were, else as they are."""
     around = Resolver().packages.known(path)
     outside = {name: at for name, at in around.items() if not _is_within(at, top)}
     real = {name: os.path.realpath(at) for name, at in given.items()}
-    return outside | {name: _moved(at, top, folder) for name, at in real.items()}
+    return outside | {name: _moved(at, top, directory) for name, at in real.items()}
 
 
-def _moved(path: str, top: str, folder: str) -> str:
-    """A path of the repository in the folder that holds its old files; others stay."""
-    return os.path.join(folder, os.path.relpath(path, top)) if _is_within(path, top) else path
+def _moved(path: str, top: str, directory: str) -> str:
+    """A path of the repository in the directory that holds its old files; others stay."""
+    return os.path.join(directory, os.path.relpath(path, top)) if _is_within(path, top) else path
 
 
-def _is_within(path: str, folder: str) -> bool:
-    return os.path.join(os.path.realpath(path), "").startswith(os.path.join(folder, ""))
+def _is_within(path: str, directory: str) -> bool:
+    return os.path.join(os.path.realpath(path), "").startswith(os.path.join(directory, ""))

@@ -15,7 +15,7 @@ from urdfkit.text.document import Attribute, CallFrame, Document, Element
 from urdfkit.text.xml_declaration import encoding_problems
 from urdfkit.xacro import dom
 from urdfkit.xacro.definitions import Definition
-from urdfkit.xacro.expansion import Run
+from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import Message
 from urdfkit.xacro.recovery import attempt
 from urdfkit.xacro.usage import Usage, usage
@@ -41,7 +41,7 @@ class Xacro:
         first_error: text of the first error, as stock xacro words it; None without one.
     """
 
-    def __init__(self, run: Run, resolver: Resolver) -> None:
+    def __init__(self, run: ExpansionRun, resolver: Resolver) -> None:
         log = run.log
         self.sources = tuple(run.reader.sources.values())
         problems = [

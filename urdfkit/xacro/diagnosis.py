@@ -131,7 +131,7 @@ def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
 def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Problem | None:
     """A file that is missing because an argument has only a placeholder for a default.
 
-    Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such folder exists.
+    Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such directory exists.
     """
     if not isinstance(cause, FileNotFoundError) or not cause.filename:
         return None
@@ -141,7 +141,7 @@ def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Prob
         if len(default) <= 2 or default not in parts or argument.name in defined.given:
             continue
         above = os.sep.join(parts[: parts.index(default)])
-        if disk.is_folder(above) and not disk.exists(os.path.join(above, default)):
+        if disk.is_directory(above) and not disk.exists(os.path.join(above, default)):
             at = argument.tag.attribute_spans().get("default", argument.tag.span)
             message = (
                 f"argument '{argument.name}' must be given: with its default '{default}' "
@@ -162,12 +162,10 @@ def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]
         return "XAC013", f"rejected: {cause}", ""
     if isinstance(cause, RecursionError):
         return "XAC013", "macros, includes or properties refer to themselves without end", ""
-    if isinstance(cause, MemoryError):
-        return "XAC013", "the expansion needs more memory than there is", ""
     if isinstance(cause, PackageNotFound):
         searched = ", ".join(cause.searched) or "nothing to search"
         message = f"package '{cause.name}' is not found; searched: {searched}"
-        return "XAC011", message, f"name its folder: --package {cause.name}=DIR"
+        return "XAC011", message, f"name its directory: --package {cause.name}=DIR"
     if isinstance(cause, EscapesRoots):
         help = "move the file into a package, or add --trust if you trust the author of the model"
         return "XAC009", str(cause), help

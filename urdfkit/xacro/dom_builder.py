@@ -40,12 +40,12 @@ def parse(
         xml.parsers.expat.ExpatError: it is not well formed, or a prefix is not declared.
     """
     budget.charge(len(source.data))
-    builder = _Builder(source, frame, budget)
+    builder = _NodeBuilder(source, frame, budget)
     document = builder.parseString(source.data)
     return document, builder.problems, builder.arguments
 
 
-class _Builder(_StockBuilder):  # type: ignore[misc]
+class _NodeBuilder(_StockBuilder):  # type: ignore[misc]
     """The stock builder, which makes the same tree of nodes of ours."""
 
     curNode: Any  # noqa: N815

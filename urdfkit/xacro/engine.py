@@ -30,7 +30,7 @@ from urdfkit.xacro.evaluation import Evaluation
 from urdfkit.xacro.sandbox import UnsafeExpression
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.expansion import Run
+    from urdfkit.xacro.expansion import ExpansionRun
 
 #: Characters of a name. xacro parses one as Python, which may need all memory for a long one.
 MAX_NAME = 200
@@ -101,10 +101,10 @@ class XacroEngine:
         self._exchange_messages()
 
     @property
-    def _run(self) -> Run:
+    def _run(self) -> ExpansionRun:
         return self._evaluation.run
 
-    def expand(self, run: Run) -> Any:
+    def expand(self, run: ExpansionRun) -> Any:
         """Expand the file of a run to a DOM.
 
         Raises:
@@ -127,7 +127,7 @@ class XacroEngine:
         dict.__setitem__(symbols["xacro"], "arg", lambda name: self._run.argument(name, symbols))
         if not trust:
             for name in ("type", "vars"):  # they lead from any value to the whole interpreter
-                dict.__setitem__(symbols["python"], name, _refusing(f"python.{name}()"))
+                dict.__setitem__(symbols["python"], name, _rejecting(f"python.{name}()"))
         return symbols
 
     def _exchange_evaluation(self) -> None:
@@ -254,13 +254,13 @@ class XacroEngine:
         xacro.tokenize = patterns.tokenize(xacro.tokenize)
 
 
-def _refusing(what: str) -> Callable[..., Any]:
+def _rejecting(what: str) -> Callable[..., Any]:
     """A function that models may not call."""
 
-    def refuse(*_: Any) -> Any:
+    def reject(*_: Any) -> Any:
         raise UnsafeExpression(f"{what} is not allowed in expressions")
 
-    return refuse
+    return reject
 
 
 def _joined(words: tuple[Any, ...]) -> str:

@@ -17,7 +17,7 @@ from urdfkit.xacro.expressions import evaluate
 from urdfkit.xacro.locator import LocatedExpression
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.expansion import Run
+    from urdfkit.xacro.expansion import ExpansionRun
 
 _TOKEN = re.compile(
     r"(?P<escape>\$\$+[{(])|(?P<expression>\$\{[^}]*\})|(?P<command>\$\([^)]*\))"
@@ -48,14 +48,14 @@ class Evaluation:
         run: that they work for.
     """
 
-    run: Run
+    run: ExpansionRun
 
     def __init__(self, xacro: Any) -> None:
         self._xacro = xacro
         self._stock_eval = xacro.safe_eval
         self._depth = 0
 
-    def begin(self, run: Run) -> None:
+    def begin(self, run: ExpansionRun) -> None:
         """Work for another run."""
         self.run = run
         self._depth = 0

@@ -19,7 +19,7 @@ from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Dom, Node
 from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
 from urdfkit.xacro.expansion_log import ANY, ExpansionLog, Message
-from urdfkit.xacro.file_reader import Reader
+from urdfkit.xacro.file_reader import FileReader
 from urdfkit.xacro.locator import LocatedExpression
 from urdfkit.xacro.sandbox import Sandbox
 from urdfkit.xacro.substitution import Context, SubstitutionError, substitute
@@ -34,7 +34,7 @@ MAX_MACRO_DEPTH = 150
 MAX_CALLS = 50_000
 
 
-class Run:
+class ExpansionRun:
     """The state of one expansion.
 
     Args:
@@ -70,7 +70,7 @@ class Run:
         frame: CallFrame | None,
         without: frozenset[tuple[str, int]],
         log: ExpansionLog,
-        reader: Reader,
+        reader: FileReader,
         deadline: float,
     ) -> None:
         self.source = source

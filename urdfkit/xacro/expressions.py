@@ -16,7 +16,7 @@ from functools import lru_cache
 from types import CodeType
 from typing import Any
 
-from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression
+from urdfkit.xacro.sandbox import MAX_BITS, Sandbox, TooLarge, UnsafeExpression
 
 #: Longer than any expression of a model; the longest known has 156 characters.
 MAX_EXPRESSION = 4000
@@ -31,13 +31,16 @@ _ALLOWED = (
     ast.DictComp, ast.GeneratorExp, ast.comprehension,
 )  # fmt: skip
 
-#: Operators whose result may be larger than both operands together.
+#: Operators whose result may be larger than both operands together, or that compare them.
 _OPERATORS = {
     ast.Add: "sandbox add",
     ast.Mult: "sandbox times",
     ast.Pow: "sandbox power",
     ast.LShift: "sandbox shift",
     ast.Mod: "sandbox modulo",
+    ast.BitAnd: "sandbox and",
+    ast.BitOr: "sandbox or",
+    ast.BitXor: "sandbox xor",
 }
 
 #: A value of a table by its key.
@@ -81,7 +84,7 @@ def _sandboxed(tree: ast.Expression) -> ast.Expression:
     """Check an expression and rewrite what the Sandbox has to see; without recursion."""
     nodes = list(ast.walk(tree))
     for node in nodes:
-        _refuse(node)
+        _reject(node)
     for node in reversed(nodes):  # inner ones first
         for field, value in ast.iter_fields(node):
             if isinstance(value, ast.AST):
@@ -91,13 +94,16 @@ def _sandboxed(tree: ast.Expression) -> ast.Expression:
     return tree
 
 
-def _refuse(node: ast.AST) -> None:
+def _reject(node: ast.AST) -> None:
     if not isinstance(node, _ALLOWED):
         raise UnsafeExpression(f"{type(node).__name__} is not allowed in expressions")
     if isinstance(node, ast.Attribute) and node.attr.startswith("__"):
         raise UnsafeExpression(f"attribute '{node.attr}' is not allowed in expressions")
     if isinstance(node, ast.Name) and node.id.startswith("__"):
         raise UnsafeExpression(f"name '{node.id}' is not allowed in expressions")
+    value = node.value if isinstance(node, ast.Constant) else None
+    if isinstance(value, int) and value.bit_length() > MAX_BITS:
+        raise TooLarge(f"an integer of {value.bit_length()} bits")
 
 
 def _wrapped(node: Any, around: ast.AST) -> Any:
@@ -111,6 +117,10 @@ def _wrapped(node: Any, around: ast.AST) -> Any:
         node.func = _name("sandbox call")
     elif isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
         return _call(_OPERATORS[type(node.op)], node.left, node.right)
+    elif isinstance(node, ast.Compare):
+        if not all(isinstance(operator, (ast.Is, ast.IsNot)) for operator in node.ops):
+            node.left = _call("sandbox compared", node.left)
+            node.comparators = [_call("sandbox compared", one) for one in node.comparators]
     elif isinstance(node, ast.comprehension):
         node.iter = _call("sandbox steps", node.iter)
     elif isinstance(node, ast.Starred):

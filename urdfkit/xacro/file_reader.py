@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _WILDCARD = r"[*?[]"
 
 
-class Reader:
+class FileReader:
     """Reads files; every xacro file once.
 
     Args:
@@ -81,18 +81,18 @@ class Reader:
         if not disk.exists(path):
             path = self._resolver.installed(path) or path
         if disk.has_name(path):  # else opening it will say that there is no such file
-            self._refuse_outside(path)
+            self._reject_outside(path)
         return path
 
-    def _refuse_outside(self, path: str) -> None:
+    def _reject_outside(self, path: str) -> None:
         if self._trust or self._resolver.allows(path, self._near):
             return
-        if disk.exists(path) and not disk.is_file(path) and not disk.is_folder(path):
+        if disk.exists(path) and not disk.is_file(path) and not disk.is_directory(path):
             raise EscapesRoots(f"{path} is a device or a pipe, not a file")
         raise EscapesRoots(f"{path} {OUTSIDE}")
 
     def glob(self, pattern: str, budget: Budget) -> Iterator[str]:
-        """The paths that ``glob.glob`` gives, searched for in admitted folders only.
+        """The paths that ``glob.glob`` gives, searched for in admitted directories only.
 
         Args:
             pattern: with wildcards.
@@ -102,30 +102,30 @@ class Reader:
             EscapesRoots: the pattern leads outside.
             TooMuch: it takes too long; links that lead in circles multiply the paths.
         """
-        folder, name = os.path.split(pattern)
+        directory, name = os.path.split(pattern)
         if not re.search(_WILDCARD, pattern):
-            if disk.has_name(pattern) if name else disk.is_folder(folder):
+            if disk.has_name(pattern) if name else disk.is_directory(directory):
                 yield pattern
             return
-        folders: Iterable[str] = [folder]
-        if re.search(_WILDCARD, folder) and folder != pattern:
-            folders = self.glob(folder, budget)
-        for inside in folders:
+        directories: Iterable[str] = [directory]
+        if re.search(_WILDCARD, directory) and directory != pattern:
+            directories = self.glob(directory, budget)
+        for inside in directories:
             if re.search(_WILDCARD, name):
                 yield from self._matching(inside, name, budget)
             elif disk.has_name(path := os.path.join(inside, name)):
                 yield path
 
-    def _matching(self, folder: str, pattern: str, budget: Budget) -> Iterator[str]:
+    def _matching(self, directory: str, pattern: str, budget: Budget) -> Iterator[str]:
         budget.charge(ELEMENT_SIZE)  # it takes as long
-        if not disk.is_folder(folder or os.curdir):
+        if not disk.is_directory(directory or os.curdir):
             return
-        self._refuse_outside(folder or os.curdir)
+        self._reject_outside(directory or os.curdir)
         try:
-            names = disk.names(folder or os.curdir)
+            names = disk.names(directory or os.curdir)
         except OSError:
             return
         budget.charge(len(names))
         for name in fnmatch.filter(names, pattern):
             if pattern.startswith(".") or not name.startswith("."):
-                yield os.path.join(folder, name)
+                yield os.path.join(directory, name)

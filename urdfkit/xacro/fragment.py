@@ -6,6 +6,7 @@ import os
 import re
 from typing import TYPE_CHECKING
 
+from urdfkit.core.words import few
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Span, shown
 from urdfkit.workspace.includes import top_includer
@@ -40,10 +41,9 @@ def as_part(
             return problems
         top = ""
     names = list(dict.fromkeys(lacking.values()))
-    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
-    which = ", ".join(f"'{name}'" for name in names[:_SHOWN])
+    which = few([f"'{name}'" for name in names], _SHOWN)
     whole = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
-    message = f"a part of {whole or 'another file'}, which must define {which}{more}"
+    message = f"a part of {whole or 'another file'}, which must define {which}"
     first = next(iter(lacking))
     at, frame = Span(source, 0, 0), problems[first].frame
     hint = Problem("XAC001", at, message, _help(top), frame, severity=Severity.INFO)

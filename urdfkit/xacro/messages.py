@@ -19,7 +19,7 @@ from urdfkit.xacro.errors import UNBUILT, BrokenYaml
 if TYPE_CHECKING:
     from urdfkit.xacro.definitions import Definitions
 
-#: Folders that a help lists.
+#: Directories that a help lists.
 _FEW = 10
 
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
@@ -216,13 +216,15 @@ def _missing_file(path: str) -> MessageText:
 
 
 def _nearest_file(path: str) -> str:
-    """What there is instead of a missing file: a folder that is missing, or a file like it."""
-    folder, name = os.path.split(os.path.normpath(path))
+    """What there is instead of a missing file: a directory that is missing, or a file like it."""
+    directory, name = os.path.split(os.path.normpath(path))
     last = name
-    while folder and not disk.is_folder(folder) and folder != os.path.dirname(folder):
-        folder, name = os.path.split(folder)
+    while (
+        directory and not disk.is_directory(directory) and directory != os.path.dirname(directory)
+    ):
+        directory, name = os.path.split(directory)
     try:
-        siblings = disk.names(folder or os.curdir)
+        siblings = disk.names(directory or os.curdir)
     except OSError:
         return ""
     stem, dot, suffix = name.partition(".")
@@ -231,7 +233,7 @@ def _nearest_file(path: str) -> str:
     hint = f"did you mean '{suggested}{dot}{suffix}'?" if suggested else ""
     if name == last:
         return hint or "correct the path; a relative one starts at the file that it stands in"
-    there = sorted(one for one in siblings if disk.is_folder(os.path.join(folder, one)))
+    there = sorted(one for one in siblings if disk.is_directory(os.path.join(directory, one)))
     if not hint and 0 < len(there) <= _FEW:  # often the values that an argument may have
         hint = f"there {'is' if len(there) == 1 else 'are'} {', '.join(there)}"
-    return f"directory '{name}' not found in {shown(folder)}" + (f"; {hint}" if hint else "")
+    return f"directory '{name}' not found in {shown(directory)}" + (f"; {hint}" if hint else "")

@@ -13,9 +13,10 @@ from urdfkit.text.xml_reader import syntax_problems, unbound_prefixes
 from urdfkit.xacro.budget import deadline
 from urdfkit.xacro.engine import load_engine
 from urdfkit.xacro.errors import root_cause
-from urdfkit.xacro.expansion import Run
+from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import ANY, ExpansionLog
-from urdfkit.xacro.file_reader import Reader
+from urdfkit.xacro.file_reader import FileReader
+from urdfkit.xacro.watchdog import watched
 
 if TYPE_CHECKING:
     from urdfkit.text.source import Source
@@ -35,7 +36,9 @@ class _Failure(Record):
     node: Node | None
 
 
-def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **options: Any) -> Run:
+def attempt(
+    source: Source, resolver: Resolver, arguments: dict[str, str], **options: Any
+) -> ExpansionRun:
     """Expand a file as far as it goes.
 
     Returns:
@@ -43,13 +46,13 @@ def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
     """
     log = ExpansionLog()
     near = os.path.join(options["root_dir"], source.path)
-    reader = Reader(source, resolver, near=near, trust=options["trust"])
+    reader = FileReader(source, resolver, near=near, trust=options["trust"])
     without: set[tuple[str, int]] = set()
     lost: set[str] = set()
     until = deadline()
     while True:
         log.begin(lost)
-        run = Run(
+        run = ExpansionRun(
             source,
             resolver,
             arguments,
@@ -72,11 +75,14 @@ def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
         lost |= _names_lost(failure.node)
 
 
-def _once(run: Run) -> BaseException | None:
+def _once(run: ExpansionRun) -> BaseException | None:
     """Expand once; the error that stopped it, or None."""
     try:
-        run.document = load_engine().expand(run)
+        with watched(run.budget):
+            run.document = load_engine().expand(run)
     except (Exception, RecursionError, MemoryError) as error:
+        if isinstance(root_cause(error), MemoryError):
+            return run.budget.out_of_memory().with_traceback(error.__traceback__)
         return error
     return None
 
@@ -88,7 +94,7 @@ def _stock_words(error: BaseException) -> str:
     return str(error) or repr(error)
 
 
-def _failure(run: Run, error: BaseException) -> _Failure:
+def _failure(run: ExpansionRun, error: BaseException) -> _Failure:
     from urdfkit.xacro import diagnosis  # which a run without errors does without
 
     if isinstance(error, ExpatError):

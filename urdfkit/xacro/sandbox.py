@@ -23,9 +23,14 @@ MAX_LENGTH = 1_000_000
 #: where the end is a crash; the same of iterators over iterators.
 MAX_DEPTH = 100
 #: Bits of an integer.
-MAX_BITS = 20_000
-#: Items that are hashed at once: with equal hashes every one is compared with all others.
+MAX_BITS = 1024
+#: Items of a set, and keys of a table.
 MAX_HASHED = 10_000
+#: Comparisons of what is hashed. With equal hashes every item is compared with all others, which
+#: a model can bring about with numbers; hashes of texts are no model's to choose.
+MAX_COMPARISONS = 100_000
+#: Bits of an integer that counts for one item; of a longer one, every character that it shows.
+_SMALL_BITS = 64
 
 #: Types whose methods read or make data, within the bounds of ``call``.
 _DATA = (str, int, float, complex, list, tuple, set, frozenset, range, type)
@@ -66,6 +71,8 @@ def extent(value: Any) -> int:
         for item in level:
             if isinstance(item, (str, bytes)):
                 total += len(item)
+            elif isinstance(item, int):
+                total += _shown(item)
             elif isinstance(item, range):
                 total += abs(item.stop - item.start) // abs(item.step)
             elif isinstance(item, (dict, list, tuple, set, frozenset, slice)):
@@ -94,7 +101,14 @@ def _add_parts(item: Any, parts: list[Any]) -> int:
     items = list(list.__iter__(item) if isinstance(item, list) else item)
     if not _SCALARS.issuperset(map(type, items)):
         parts += items
-    return len(items)
+        return len(items)
+    return len(items) + sum(_shown(number) for number in items if isinstance(number, int))
+
+
+def _shown(number: int) -> int:
+    """The characters of a long integer."""
+    bits = number.bit_length()
+    return bits // 3 if bits > _SMALL_BITS else 0
 
 
 def is_name_space(table: Any) -> bool:
@@ -118,12 +132,16 @@ class Sandbox:
             "sandbox call": self.call,
             "sandbox keep": self.keep,
             "sandbox hashed": lambda values: _hashed(values)[0],
+            "sandbox compared": self.compared,
             "sandbox steps": self.steps,
             "sandbox add": self.add,
             "sandbox times": self.times,
             "sandbox power": self.power,
             "sandbox shift": self.shift,
             "sandbox modulo": self.modulo,
+            "sandbox and": lambda left, right: self.keep(left & right),
+            "sandbox or": lambda left, right: self.keep(left | right),
+            "sandbox xor": lambda left, right: self.keep(left ^ right),
         }
         self._bounded: dict[Any, Callable[..., Any]] = {
             map: self._map,
@@ -147,7 +165,17 @@ class Sandbox:
             self._budget.charge(len(value))
         elif isinstance(value, int):
             _check_bits(value.bit_length())
+            if shown := _shown(value):
+                self._budget.charge(shown)
         elif not isinstance(value, float):
+            self._budget.charge(extent(value))
+        return value
+
+    def compared(self, value: Any) -> Any:
+        """A value that is compared, which takes as long as it is large."""
+        if isinstance(value, str):
+            self._budget.charge(len(value))
+        elif not isinstance(value, (int, float)):
             self._budget.charge(extent(value))
         return value
 
@@ -189,7 +217,10 @@ class Sandbox:
             bound = function.__get__(arguments[0])
             function, arguments = bound, arguments[1:] if bound is not function else arguments
         if isinstance(function, BuiltinFunctionType):
-            arguments = _within_bounds(function.__self__, function.__name__, arguments)
+            owner = function.__self__
+            arguments = _within_bounds(owner, function.__name__, arguments)
+            if isinstance(owner, (str, list, tuple, set, frozenset)):
+                self._budget.charge(extent(owner))  # what a method looks through
         elif isinstance(function, type) and issubclass(function, _HASHING):
             arguments = _hashed(*arguments)
         if isinstance(function, (type, BuiltinFunctionType)):
@@ -201,6 +232,8 @@ class Sandbox:
         return self.keep(left + right)
 
     def times(self, left: Any, right: Any) -> Any:
+        if isinstance(left, int) and isinstance(right, int):
+            _check_bits(left.bit_length() + right.bit_length() - 1)
         for value, count in ((left, right), (right, left)):
             if isinstance(count, int) and isinstance(value, (str, bytes, list, tuple)):
                 _check_length(extent(value) * count)
@@ -208,7 +241,7 @@ class Sandbox:
 
     def power(self, base: Any, exponent: Any) -> Any:
         if isinstance(base, int) and isinstance(exponent, int) and abs(base) > 1:
-            _check_bits(base.bit_length() * exponent)
+            _check_bits((base.bit_length() - 1) * exponent)  # it has at least so many
         return self.keep(base**exponent)
 
     def shift(self, value: Any, places: Any) -> Any:
@@ -291,6 +324,8 @@ def _within_bounds(owner: Any, name: str, arguments: tuple[Any, ...]) -> tuple[A
         arguments = tuple(_sized(value) for value in arguments)
     if name in _GROWING and isinstance(owner, (list, set, dict)):
         _check_length(extent(owner) + sum(extent(value) for value in arguments))
+        if not isinstance(owner, list):
+            _check_comparisons([*owner, *arguments])
     return arguments
 
 
@@ -307,9 +342,18 @@ def _hashed(*arguments: Any) -> tuple[Any, ...]:
     """Arguments whose items may be hashed."""
     arguments = tuple(_sized(values) for values in arguments)
     for values in arguments:
-        if hasattr(values, "__len__") and len(values) > MAX_HASHED:
-            raise TooLarge(f"a set or a table of more than {MAX_HASHED} items")
+        if hasattr(values, "__len__"):
+            _check_comparisons(values)
     return arguments
+
+
+def _check_comparisons(values: Any) -> None:
+    """Refuse items that may take too long to hash."""
+    if len(values) > MAX_HASHED:
+        raise TooLarge(f"a set or a table of more than {MAX_HASHED} items")
+    numbers = [value for value in values if not isinstance(value, str)]
+    if len(numbers) * (len(numbers) + extent(numbers)) > 2 * MAX_COMPARISONS:
+        raise TooLarge(f"a set or a table of {len(numbers)} items that are no texts")
 
 
 def _int(*arguments: Any, **keywords: Any) -> int:

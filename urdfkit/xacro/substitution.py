@@ -43,9 +43,9 @@ class Context(Record):
     """What the commands refer to.
 
     Attributes:
-        find: folder of a package by name.
+        find: directory of a package by name.
         argument: value of a xacro argument; raises KeyError.
-        folder: that of the file being processed.
+        directory: that of the file being processed.
         working_directory: for ``$(cwd)``.
         environment: the variables.
         sandbox: for expressions; None if every variable and expression is allowed.
@@ -55,7 +55,7 @@ class Context(Record):
 
     find: Callable[[str], str]
     argument: Callable[[str], str]
-    folder: str
+    directory: str
     working_directory: str
     environment: Mapping[str, str]
     sandbox: Sandbox | None
@@ -87,7 +87,7 @@ def substitute(content: str, context: Context) -> str:
     if command == "optenv" and arguments:
         return _optional_variable(arguments[0], " ".join(arguments[1:]), context)
     if command == "dirname":
-        return os.path.abspath(context.folder)
+        return os.path.abspath(context.directory)
     raise SubstitutionError(f"'$({content})' is not known; the commands are {', '.join(COMMANDS)}")
 
 
@@ -140,7 +140,7 @@ class _EvalNames(dict[str, Any]):
             find=context.find,
             env=lambda name: _variable(name, context),
             optenv=lambda name, default="": _optional_variable(name, default, context),
-            dirname=lambda: os.path.abspath(context.folder),
+            dirname=lambda: os.path.abspath(context.directory),
         )
 
     def __missing__(self, name: str) -> Any:

@@ -14,8 +14,14 @@ from urdfkit.xacro.errors import BrokenYaml
 #: of which are compared with each other if they hash alike.
 MAX_VALUES = 100_000
 MAX_KEYS = 10_000
+#: Of the keys, those that are no texts, and may hash alike.
+MAX_NUMBERS = 1000
+#: Characters of a number: PyYAML reads ``1:1:1``, to the base of 60, in quadratic time.
+MAX_DIGITS = 300
 #: Levels of a YAML file. libyaml builds it by recursion, in C, where the end is a crash.
 MAX_LEVELS = 100
+
+_NUMBERS = frozenset(f"tag:yaml.org,2002:{kind}" for kind in ("int", "float"))
 
 #: xacro's units: tag, factor to radians or metres.
 _UNITS = {
@@ -153,14 +159,25 @@ def _check_size(root: Any) -> None:
             sizes[key] = 1 + sum(sizes.get(id(child), 1) for child in inner)
             if sizes[key] > MAX_VALUES:
                 raise YamlTooLarge(f"more than {MAX_VALUES} values")
-            if len(inner) > 2 * MAX_KEYS and isinstance(node.value[0], tuple):
-                raise YamlTooLarge(f"a table of more than {MAX_KEYS} keys")
+            _check_keys(node)
         elif key in open_nodes:
             raise YamlTooLarge("a value contains itself")
         elif key not in sizes:
             open_nodes.add(key)
             stack.append((node, True))
             stack.extend((child, False) for child in inner)
+
+
+def _check_keys(node: Any) -> None:
+    """Refuse a number, or a table, that takes too long to make."""
+    if not isinstance(node.value, list):
+        if node.tag in _NUMBERS and len(node.value) > MAX_DIGITS:
+            raise YamlTooLarge(f"a number of more than {MAX_DIGITS} characters")
+        return
+    keys = [key for key, _ in filter(lambda item: isinstance(item, tuple), node.value)]
+    numbers = sum(key.tag != "tag:yaml.org,2002:str" for key in keys)
+    if len(keys) > MAX_KEYS or numbers > MAX_NUMBERS:
+        raise YamlTooLarge(f"a table of more than {MAX_KEYS} keys, or {MAX_NUMBERS} numbers")
 
 
 def _inner(node: Any) -> list[Any]:

@@ -26,8 +26,8 @@ WANTING = """\
 BROKEN = '<robot name="broken"><link name="a"></robot>'
 
 
-def codes(folder: Path, **options: object) -> list[str]:
-    return [found.code for found in check(folder, **options).diagnostics]  # type: ignore[arg-type]
+def codes(directory: Path, **options: object) -> list[str]:
+    return [found.code for found in check(directory, **options).diagnostics]  # type: ignore[arg-type]
 
 
 @pytest.fixture
@@ -54,28 +54,28 @@ def test_the_argument_is_named_and_how_to_give_it(robot: Path) -> None:
 
 
 def test_selected_rules_that_found_nothing_did_not_look(robot: Path) -> None:
-    folder = robot.parent
-    assert codes(folder, select=["JNT"]) == ["CFG003"]
-    assert codes(folder, select=["LAU"]) == [], "rules that look at no robot"
-    assert codes(folder, select=["JNT"], ignore=["CFG003"]) == []
-    assert codes(folder, ignore=["CFG"]) == []
+    directory = robot.parent
+    assert codes(directory, select=["JNT"]) == ["CFG003"]
+    assert codes(directory, select=["LAU"]) == [], "rules that look at no robot"
+    assert codes(directory, select=["JNT"], ignore=["CFG003"]) == []
+    assert codes(directory, ignore=["CFG"]) == []
     robot.write_text(BROKEN)
     assert codes(robot, select=["JNT"]) == ["CFG003"]
     assert codes(robot, select=["XML001"]) == ["XML001"], "whose error says enough"
 
 
 def test_what_accepts_it(robot: Path) -> None:
-    folder = robot.parent
-    config = folder / "urdfkit.toml"
+    directory = robot.parent
+    config = directory / "urdfkit.toml"
     config.write_text('[[per-file-ignores]]\nfiles = ["arm.xacro"]\ncodes = ["CFG003"]\n')
-    report = check(folder, config=load(str(config)))
+    report = check(directory, config=load(str(config)))
     assert (report.diagnostics, report.suppressed) == ((), 1)
     config.write_text('[severity]\nCFG003 = "error"\n')
-    report = check(folder, config=load(str(config)))
+    report = check(directory, config=load(str(config)))
     assert [one.severity.value for one in report.diagnostics] == ["error"]
     assert [one.code for one in report.skipped] == [""]
     robot.write_text(f"<!-- urdfkit: ignore[CFG003] started with a side -->\n{WANTING}")
-    assert codes(folder) == []
+    assert codes(directory) == []
 
 
 def test_an_error_says_enough(robot: Path) -> None:
@@ -155,21 +155,21 @@ def test_the_gate_fails_for_an_arm_whose_launch_files_are_elsewhere(
     """Universal Robots' package without launch files, and with every moving joint misspelt."""
     for variable in ("AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH"):
         monkeypatch.delenv(variable, raising=False)
-    folder = tmp_path / "ur_description"
+    directory = tmp_path / "ur_description"
     shutil.copytree(
         CORPUS / "Universal_Robots_ROS2_Description",
-        folder,
+        directory,
         ignore=shutil.ignore_patterns("launch"),
     )
-    for path in (folder, *folder.rglob("*")):
+    for path in (directory, *directory.rglob("*")):
         os.chmod(path, 0o755)
-    macro = folder / "urdf" / "ur_macro.xacro"
+    macro = directory / "urdf" / "ur_macro.xacro"
     text, count = re.subn(
         r'type="(revolute|\$\{wrist_3_joint_type\})"', 'type="revolut"', macro.read_text()
     )
     assert count == 6
     macro.write_text(text)
-    monkeypatch.chdir(folder)
+    monkeypatch.chdir(directory)
     assert main(["check", ".", "--select", "CFG,URD,JNT,XAC"]) == 1
     said = " ".join(capsys.readouterr().out.split())
     assert "urdf/ur.urdf.xacro with ur_type ur10, ur10e, ur16e, " in said
@@ -179,7 +179,7 @@ def test_the_gate_fails_for_an_arm_whose_launch_files_are_elsewhere(
     assert capsys.readouterr().out.count("::error file=urdf/ur_macro.xacro") >= 6
     assert hook("urdf/ur_macro.xacro", "--select", "URD,JNT") == 1
     capsys.readouterr()
-    for arm in (folder / "config").glob("ur*"):  # nothing tells a value any more
+    for arm in (directory / "config").glob("ur*"):  # nothing tells a value any more
         shutil.rmtree(arm)
     assert main(["check", "."]) == 1
     assert "CFG003 robot not checked: it needs the argument" in " ".join(

@@ -13,16 +13,18 @@ def robot(path: str) -> str:
 
 
 def test_a_path_that_leads_nowhere() -> None:
-    assert messages("RCT026", robot("/no/such/folder/c.yaml")) == [
-        "parameter file not found on this machine: /no/such/folder/c.yaml"
+    assert messages("RCT026", robot("/no/such/directory/c.yaml")) == [
+        "parameter file not found on this machine: /no/such/directory/c.yaml"
     ]
-    assert places("RCT026", robot("/no/such/folder/c.yaml")) == [(NEXT, "<parameters>")]
+    assert places("RCT026", robot("/no/such/directory/c.yaml")) == [(NEXT, "<parameters>")]
 
 
-@pytest.mark.parametrize("folder", ["/tmp", "/home/me/arm/config/temp", "/home/me/arm/generated"])
-def test_a_file_that_is_made_when_it_is_needed_is_calm(folder: str) -> None:
-    assert reported("RCT026", robot(f"{folder}/controllers.yaml")) == []
-    assert len(reported("RCT026", robot(f"{folder}/config/controllers.yaml"))) == 1
+@pytest.mark.parametrize(
+    "directory", ["/tmp", "/home/me/arm/config/temp", "/home/me/arm/generated"]
+)
+def test_a_file_that_is_made_when_it_is_needed_is_calm(directory: str) -> None:
+    assert reported("RCT026", robot(f"{directory}/controllers.yaml")) == []
+    assert len(reported("RCT026", robot(f"{directory}/config/controllers.yaml"))) == 1
 
 
 def test_a_path_of_another_machine_may_be_right_there(tmp_path: Path) -> None:

@@ -35,11 +35,11 @@ def robot(radius: float = 0.1, shift: float = 0.0) -> str:
     )
 
 
-def reported(folder: Path, text: str, model: str) -> list[Diagnostic]:
-    (folder / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
-    (folder / "r.urdf").write_text(whole_robot(model + names))
-    report = check(folder / "r.urdf", select=["RCT014"])
+def reported(directory: Path, text: str, model: str) -> list[Diagnostic]:
+    (directory / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
+    (directory / "r.urdf").write_text(whole_robot(model + names))
+    report = check(directory / "r.urdf", select=["RCT014"])
     assert report.crashed == ()
     return list(report.diagnostics)
 

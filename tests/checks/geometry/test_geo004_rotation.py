@@ -47,11 +47,11 @@ class TestMeshes:
         for library in ("numpy", "lxml", "manifold3d"):
             pytest.importorskip(library)
 
-    def reported(self, folder: Path, seen: str, data: bytes, rpy: str) -> list[str]:
+    def reported(self, directory: Path, seen: str, data: bytes, rpy: str) -> list[str]:
         files = {seen: data, "touched.stl": samples.stl(samples.box((0, 0, 0), (0.2, 0.2, 0.25)))}
         visual = meshed.mesh(seen, "visual", origin=f'<origin rpy="{rpy}"/>')
         robot = meshed.link(visual, meshed.mesh("touched.stl"))
-        return meshed.messages(folder, "GEO004", robot, files)
+        return meshed.messages(directory, "GEO004", robot, files)
 
     def test_one_part_twice_tells_the_slightest_turn(self, tmp_path: Path) -> None:
         part = samples.stl(samples.box((0, 0, 0), (0.2, 0.2, 0.249)))

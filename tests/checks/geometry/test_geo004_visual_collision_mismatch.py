@@ -66,9 +66,9 @@ class TestMeshes:
         for library in ("numpy", "lxml", "manifold3d"):
             pytest.importorskip(library)
 
-    def reported(self, folder: Path, seen: str, touched: str) -> list[str]:
+    def reported(self, directory: Path, seen: str, touched: str) -> list[str]:
         robot = meshed.link(seen, touched)
-        return meshed.messages(folder, "GEO004", robot, {"a.stl": meshed.SOUND})
+        return meshed.messages(directory, "GEO004", robot, {"a.stl": meshed.SOUND})
 
     @pytest.mark.parametrize(
         ("origin", "why"),

@@ -10,6 +10,7 @@ def test_another_format_is_one_error_and_no_more() -> None:
         ("URD015", "the root element is <sdf>, not <robot>")
     ]
     assert report.diagnostics[0].fix is None
+    assert report.diagnostics[0].help.startswith("gz sdf --check")
 
 
 def test_a_misspelt_robot_gets_its_name_back() -> None:

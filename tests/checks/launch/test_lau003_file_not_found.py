@@ -18,7 +18,7 @@ def test_the_nearest_file_is_named(tmp_path):
     assert "'robot.yaml'" in finding.help
 
 
-def test_neither_folders_nor_other_kinds_of_files_are_offered(tmp_path):
+def test_neither_directories_nor_other_kinds_of_files_are_offered(tmp_path):
     (tmp_path / "robot").mkdir()
     (tmp_path / "robot.launch").write_text("<launch/>")
     text = b'<launch><rosparam file="$(dirname)/robot.yaml"/></launch>'

@@ -1,6 +1,12 @@
 """LAU004: see the rule."""
 
-from urdfkit import check
+from pathlib import Path
+
+import pytest
+import yaml
+
+from tests.launched import reported
+from urdfkit import check, expand
 from urdfkit.text.source import Source
 
 ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n<link name="{}"/>\n</robot>'
@@ -32,3 +38,29 @@ def test_a_package_that_is_not_on_this_machine_is_told_once(tmp_path):
     (tmp_path / "r.xacro").write_text(text)
     report = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["LAU", "XAC"])
     assert [diagnostic.code for diagnostic in report.diagnostics] == ["XAC011"]
+
+
+COMMAND = "Node(package='p', executable='e', parameters=[{{'robot_description': {}}}])\n"
+
+
+@pytest.mark.parametrize(
+    ("comment", "value", "count"),
+    [
+        ("Author: me", "Command(['xacro ', '{path}'])", 1),
+        ("an author", "Command(['xacro ', '{path}'])", 0),
+        ("Author: me", "ParameterValue(Command(['xacro ', '{path}']), value_type=str)", 0),
+    ],
+)
+def test_a_description_without_a_type_is_read_as_yaml(
+    tmp_path: Path, comment: str, value: str, count: int
+) -> None:
+    xml = f'<robot name="r">\n  <!-- {comment} -->\n  <link name="base"/>\n</robot>'
+    text = COMMAND.format(value.format(path=tmp_path / "r.xacro"))
+    found = reported(tmp_path, "LAU004", "a.launch.py", text, {"r.xacro": xml})
+    assert len(found) == count
+    expanded = expand(tmp_path / "r.xacro").text()
+    if comment == "an author":
+        assert isinstance(yaml.safe_load(expanded), str)
+    else:
+        with pytest.raises(yaml.YAMLError):
+            yaml.safe_load(expanded)

@@ -21,11 +21,11 @@ XML = """<launch>
 </launch>"""
 
 
-def xacro_reported(folder: Path, name: str, launch: str) -> list[Diagnostic]:
-    (folder / "r.xacro").write_text(ROBOT)
-    (folder / "more.xacro").write_text(MORE)
-    (folder / name).write_text(launch)
-    report = check(folder / name, select=["LAU005"])
+def xacro_reported(directory: Path, name: str, launch: str) -> list[Diagnostic]:
+    (directory / "r.xacro").write_text(ROBOT)
+    (directory / "more.xacro").write_text(MORE)
+    (directory / name).write_text(launch)
+    report = check(directory / name, select=["LAU005"])
     assert report.crashed == ()
     return list(report.diagnostics)
 

@@ -126,7 +126,7 @@ def test_a_file_that_others_include_may_get_it_there_configuration(tmp_path: Pat
 
 
 def test_a_file_whose_name_is_put_together_elsewhere_may_get_it_there(tmp_path: Path) -> None:
-    includes = "IncludeLaunchDescription([folder, '/launch/gz_', name, '{}'])\n"
+    includes = "IncludeLaunchDescription([directory, '/launch/gz_', name, '{}'])\n"
     for end, count in ((".launch.py", 0), ("_arm.launch.py", 0), ("_base.launch.py", 1)):
         outer = {"launch/b.launch.py": includes.format(end)}
         assert len(reported(tmp_path, "LAU006", "gz_arm.launch.py", USE, outer)) == count

@@ -94,7 +94,7 @@ class TestPartlyBroken:
             pytest.importorskip(library)
 
     def test_a_bad_colour(self, tmp_path: Path) -> None:
-        bad = collada(look="<diffuse><color>0.01.0 0 1</color></diffuse>")
+        bad = collada(effect="<diffuse><color>0.01.0 0 1</color></diffuse>")
         robot = link(mesh("a.dae", "visual"), mesh("b.stl"))
         (found,) = reported(tmp_path, CODE, robot, {"a.dae": bad, "b.stl": SOUND})
         assert found.severity is Severity.WARNING
@@ -108,6 +108,6 @@ class TestPartlyBroken:
 
     @pytest.mark.parametrize(("role", "number"), [("visual", 1), ("collision", 0)])
     def test_the_appearance_of_a_collision(self, tmp_path: Path, role: str, number: int) -> None:
-        bad = collada(look="<diffuse><color>0.01.0 0 1</color></diffuse>")
+        bad = collada(effect="<diffuse><color>0.01.0 0 1</color></diffuse>")
         found = reported(tmp_path, CODE, link(mesh("a.dae", role)), {"a.dae": bad})
         assert len(found) == number

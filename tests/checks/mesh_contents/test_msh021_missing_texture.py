@@ -9,7 +9,7 @@ pytest.importorskip("manifold3d")
 from tests.meshed import link, mesh, messages
 from urdfkit.mesh.samples import collada
 
-WOOD = collada(look='<diffuse><texture texture="image" texcoord="UV"/></diffuse>')
+WOOD = collada(effect='<diffuse><texture texture="image" texcoord="UV"/></diffuse>')
 
 
 def test_an_image_of_collada(tmp_path: Path) -> None:
@@ -59,10 +59,10 @@ def test_the_material_file_is_searched_next_to_the_mesh(tmp_path: Path) -> None:
             "does not exist"
         )
     ]
-    for folder, number in (("", 1), ("meshes/", 0)):
+    for directory, number in (("", 1), ("meshes/", 0)):
         there = tmp_path / f"{number}"
         there.mkdir()
-        more = {f"{folder}looks/a.mtl": b"newmtl m\n"}
+        more = {f"{directory}looks/a.mtl": b"newmtl m\n"}
         assert len(messages(there, "MSH021", robot, files | more)) == number
 
 

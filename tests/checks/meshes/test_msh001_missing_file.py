@@ -109,7 +109,7 @@ def test_the_calls_of_a_macro_are_one_finding(robot: str) -> None:
     assert found.fix is None
 
 
-def test_what_one_lost_folder_takes_along_is_one_finding_for_people(robot: str) -> None:
+def test_what_one_lost_directory_takes_along_is_one_finding_for_people(robot: str) -> None:
     """A URDF that another machine has made: all is below a home that is not here."""
     home = "file:///home/somebody/ws/install"
     paths = ["ur/visual/a.dae", "ur/collision/a.stl", "gripper/meshes/b.stl"]
@@ -123,9 +123,9 @@ def test_what_one_lost_folder_takes_along_is_one_finding_for_people(robot: str) 
 
 
 def test_offers_are_gathered_with_their_fixes(robot: str) -> None:
-    folder = Path(robot).parents[1] / "meshes"
+    directory = Path(robot).parents[1] / "meshes"
     for name in ("hand.stl", "foot.stl"):
-        add_file(folder / name)
+        add_file(directory / name)
     names = ("forearm", "hand", "foot")
     text = mesh_link(*(f"file:///home/somebody/arm/meshes/{name}.stl" for name in names))
     (seen,) = grouped(reported(CODE, text, robot))

@@ -44,12 +44,12 @@ def test_other_references(robot: str, reference: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "start", ["file://$(find arm)", "file:///$(find arm)", "$(find arm)", "${folder}"]
+    "start", ["file://$(find arm)", "file:///$(find arm)", "$(find arm)", "${directory}"]
 )
 def test_what_xacro_makes_absolute_is_fine(robot: str, start: str) -> None:
     text = f"""\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:property name="folder" value="file://$(find arm)"/>
+  <xacro:property name="directory" value="file://$(find arm)"/>
   {mesh_link(start + "/meshes/forearm.stl")}
 </robot>
 """

@@ -6,15 +6,15 @@ from tests.launched import MANIFEST, launch
 from urdfkit import Diagnostic, Severity, check
 
 
-def reported(folder: Path, text: str, dependencies: str = "") -> list[Diagnostic]:
+def reported(directory: Path, text: str, dependencies: str = "") -> list[Diagnostic]:
     for name in ("arm", "hand"):
-        (folder / name).mkdir(exist_ok=True)
+        (directory / name).mkdir(exist_ok=True)
         content = dependencies if name == "arm" else ""
-        (folder / name / "package.xml").write_text(
+        (directory / name / "package.xml").write_text(
             f"<package><name>{name}</name>{content}</package>"
         )
-    (folder / "hand" / "hand.xacro").write_text("<robot/>")
-    file = folder / "arm" / "arm.xacro"
+    (directory / "hand" / "hand.xacro").write_text("<robot/>")
+    file = directory / "arm" / "arm.xacro"
     xacro = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
     file.write_text(f'<robot name="r" {xacro}>\n<link name="base"/>\n{text}\n</robot>')
     report = check(file, select=["PKG001"])
@@ -98,7 +98,7 @@ def test_two_packages_that_use_one_another_get_no_fix(tmp_path: Path) -> None:
     assert found.fix is None
 
 
-def test_a_folder_of_a_package_is_none_of_that_name(tmp_path: Path) -> None:
+def test_a_directory_of_a_package_is_none_of_that_name(tmp_path: Path) -> None:
     """unitree_ros: the robot lies in xacro/, and the package that it uses depends on `xacro`."""
     arm = tmp_path / "arm" / "xacro" / "arm.xacro"
     reported(tmp_path, HAND)
@@ -115,16 +115,16 @@ def test_a_folder_of_a_package_is_none_of_that_name(tmp_path: Path) -> None:
 NODE = '<node name="n" pkg="{}" type="t"/>'
 
 
-def of_launch(folder: Path, text: str, depends: str = "") -> list[Diagnostic]:
+def of_launch(directory: Path, text: str, depends: str = "") -> list[Diagnostic]:
     for name in ("arm", "hand"):
-        (folder / name).mkdir()
+        (directory / name).mkdir()
         own = MANIFEST.replace("<name>arm", f"<name>{name}")
-        (folder / name / "package.xml").write_text(
+        (directory / name / "package.xml").write_text(
             own.replace("</package>", f"{depends}</package>")
         )
-    (folder / "hand" / "b.launch").write_text(launch(NODE.format("hand")))
-    (folder / "arm" / "a.launch").write_text(launch(text))
-    report = check(folder / "arm" / "a.launch", select=["PKG001"])
+    (directory / "hand" / "b.launch").write_text(launch(NODE.format("hand")))
+    (directory / "arm" / "a.launch").write_text(launch(text))
+    report = check(directory / "arm" / "a.launch", select=["PKG001"])
     assert report.crashed == ()
     return list(report.diagnostics)
 

@@ -9,14 +9,14 @@ MESH = '<visual><geometry><mesh filename="package://arm/{}"/></geometry></visual
 INSTALL = "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\n"
 
 
-def reported(folder: Path, *paths: str, build: str | None = INSTALL) -> list[Diagnostic]:
-    (folder / "package.xml").write_text("<package><name>arm</name></package>")
+def reported(directory: Path, *paths: str, build: str | None = INSTALL) -> list[Diagnostic]:
+    (directory / "package.xml").write_text("<package><name>arm</name></package>")
     if build is not None:
-        (folder / "CMakeLists.txt").write_text(build)
+        (directory / "CMakeLists.txt").write_text(build)
     for name in ("urdf", "meshes"):
-        (folder / name).mkdir(exist_ok=True)
-        (folder / name / "a.stl").write_text("solid")
-    file = folder / "urdf" / "r.urdf"
+        (directory / name).mkdir(exist_ok=True)
+        (directory / name / "a.stl").write_text("solid")
+    file = directory / "urdf" / "r.urdf"
     meshes = "\n".join(map(MESH.format, paths))
     file.write_text(f'<robot name="r"><link name="base">\n{meshes}\n</link></robot>')
     report = check(file, select=["PKG002"])
@@ -24,7 +24,7 @@ def reported(folder: Path, *paths: str, build: str | None = INSTALL) -> list[Dia
     return list(report.diagnostics)
 
 
-def test_a_folder_that_is_not_installed(tmp_path: Path) -> None:
+def test_a_directory_that_is_not_installed(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "urdf/a.stl", "meshes/a.stl", "meshes/a.stl")
     assert found.message == (f"'meshes/a.stl' is not installed by {tmp_path}/CMakeLists.txt")
     assert found.help == "write install(DIRECTORY meshes DESTINATION share/${PROJECT_NAME})"
@@ -94,7 +94,7 @@ def test_a_pattern_that_does_not_match(tmp_path: Path, pattern: str) -> None:
         "os.path.join('launch', '*launch*')",
         "os.path.join('launch', '*.[pyl]*')",
         "'launch/**', recursive=True",
-        "FOLDER",
+        "DIRECTORY",
     ],
 )
 def test_a_pattern_that_may_match_is_calm(tmp_path: Path, pattern: str) -> None:
@@ -103,7 +103,7 @@ def test_a_pattern_that_may_match_is_calm(tmp_path: Path, pattern: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "cmake", [CMAKE.format("config launch"), "install(DIRECTORY ${FOLDERS} DESTINATION x)", ""]
+    "cmake", [CMAKE.format("config launch"), "install(DIRECTORY ${DIRECTORIES} DESTINATION x)", ""]
 )
 def test_installed_or_unclear_is_calm(tmp_path: Path, cmake: str) -> None:
     assert of_launch(tmp_path, "PKG002", "a.launch", LOAD, files(CMakeLists__txt=cmake)) == []

@@ -13,11 +13,11 @@ OWN = "package://arm/meshes/a.stl"
 
 
 def reported(
-    folder: Path, *meshes: str, launch: str = LAUNCH, target: str = "gz-harmonic"
+    directory: Path, *meshes: str, launch: str = LAUNCH, target: str = "gz-harmonic"
 ) -> list[Diagnostic]:
     """The findings of a workspace with one package, which starts Gazebo unless told otherwise."""
-    package = folder / "src" / "arm"
-    (folder / ".git").mkdir(exist_ok=True)
+    package = directory / "src" / "arm"
+    (directory / ".git").mkdir(exist_ok=True)
     for name in ("urdf", "meshes", "launch"):
         (package / name).mkdir(parents=True, exist_ok=True)
     if not (package / "package.xml").exists():

@@ -12,12 +12,12 @@ MESH = '<link name="b"><visual><geometry><mesh filename="package://arm/b.stl"/><
 USES = '<xacro:include filename="$(find arm)/b.xacro"/>'
 
 
-def reported(folder: Path, manifest: str, more: str = USES) -> list[Diagnostic]:
-    (folder / "package.xml").write_text(manifest)
-    (folder / "b.xacro").write_text(ROBOT.format(""))
-    (folder / "urdf").mkdir()
-    (folder / "urdf" / "r.xacro").write_text(ROBOT.format(more))
-    report = check(folder / "urdf" / "r.xacro", select=["PKG005"])
+def reported(directory: Path, manifest: str, more: str = USES) -> list[Diagnostic]:
+    (directory / "package.xml").write_text(manifest)
+    (directory / "b.xacro").write_text(ROBOT.format(""))
+    (directory / "urdf").mkdir()
+    (directory / "urdf" / "r.xacro").write_text(ROBOT.format(more))
+    report = check(directory / "urdf" / "r.xacro", select=["PKG005"])
     assert report.crashed == ()
     return list(report.diagnostics)
 
@@ -92,11 +92,11 @@ ROBOT_PROJECT = """<robot name="r"><link name="base">
 </link></robot>"""
 
 
-def reported_project(folder: Path, build: str, file: str = "CMakeLists.txt") -> list[Diagnostic]:
-    (folder / "package.xml").write_text("<package><name>arm</name></package>")
-    (folder / file).write_text(build)
-    (folder / "r.urdf").write_text(ROBOT_PROJECT)
-    report = check(folder / "r.urdf", select=["PKG005"])
+def reported_project(directory: Path, build: str, file: str = "CMakeLists.txt") -> list[Diagnostic]:
+    (directory / "package.xml").write_text("<package><name>arm</name></package>")
+    (directory / file).write_text(build)
+    (directory / "r.urdf").write_text(ROBOT_PROJECT)
+    report = check(directory / "r.urdf", select=["PKG005"])
     assert report.crashed == ()
     return list(report.diagnostics)
 
@@ -136,14 +136,14 @@ setup(data_files=[
 """
 
 
-def reported_python(folder: Path, manifest: str, setup: str, *more: str) -> list[Diagnostic]:
-    (folder / "package.xml").write_text(manifest)
-    (folder / "setup.py").write_text(setup)
+def reported_python(directory: Path, manifest: str, setup: str, *more: str) -> list[Diagnostic]:
+    (directory / "package.xml").write_text(manifest)
+    (directory / "setup.py").write_text(setup)
     for name in more:
-        (folder / name).parent.mkdir(exist_ok=True)
-        (folder / name).touch()
-    (folder / "a.launch").write_text("<launch/>")
-    report = check(folder / "a.launch", select=["PKG005"])
+        (directory / name).parent.mkdir(exist_ok=True)
+        (directory / name).touch()
+    (directory / "a.launch").write_text("<launch/>")
+    report = check(directory / "a.launch", select=["PKG005"])
     assert report.crashed == ()
     return list(report.diagnostics)
 

@@ -13,7 +13,7 @@ def test_what_was_searched_and_how_to_name_it() -> None:
     assert found.message.startswith("package 'arm_description' is not found; searched: ")
     assert "AMENT_PREFIX_PATH" in found.message
     assert "ROS_PACKAGE_PATH" in found.message
-    assert found.help == "name its folder: --package arm_description=DIR"
+    assert found.help == "name its directory: --package arm_description=DIR"
 
 
 def test_what_follows_from_it_is_not_told() -> None:
@@ -36,10 +36,10 @@ def test_every_package_is_told() -> None:
 def test_found_by_name_and_beside(tmp_path: Path) -> None:
     workspace = tmp_path / "a" / "b" / "c" / "d" / "e" / "ws"
     here, arm, there = workspace / "robot", workspace / "arm", tmp_path / "far" / "away" / "hand"
-    for folder, name in ((here, "robot"), (arm, "arm"), (there, "hand")):
-        folder.mkdir(parents=True)
-        (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
-        write(folder, part='<link name="a"/>')
+    for directory, name in ((here, "robot"), (arm, "arm"), (there, "hand")):
+        directory.mkdir(parents=True)
+        (directory / "package.xml").write_text(f"<package><name>{name}</name></package>")
+        write(directory, part='<link name="a"/>')
     include = '<xacro:include filename="$(find {})/part.xacro"/>'
     write(here, robot=include.format("arm") + include.format("robot"))
     assert told_of("XAC011", here / "robot.xacro") == []
@@ -60,7 +60,7 @@ def launch(package: str) -> bytes:
     return f'<launch><node name="a" pkg="{package}" type="a"/></launch>'.encode()
 
 
-def test_an_unknown_package_of_a_launch_file_is_reported_with_the_folders_searched(
+def test_an_unknown_package_of_a_launch_file_is_reported_with_the_directories_searched(
     tmp_path: Path,
 ) -> None:
     source = Source(str(tmp_path / "a.launch"), launch("no_such_pkg"))

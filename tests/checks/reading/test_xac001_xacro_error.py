@@ -178,12 +178,12 @@ class TestMissingFiles:
         assert found.message == f"file not found: {tmp_path}/arms.xacro"
         assert found.help == "did you mean 'arm.xacro'?"
 
-    def test_a_folder_that_is_missing_is_named(self, tmp_path: Path) -> None:
+    def test_a_directory_that_is_missing_is_named(self, tmp_path: Path) -> None:
         (tmp_path / "config" / "ur5e").mkdir(parents=True)
         write(tmp_path, robot="<link name=\"${xacro.load_yaml('config/ur5x/a.yaml')}\"/>")
         (found,) = told_of("XAC001", tmp_path / "robot.xacro")
-        folder = tmp_path / "config"
-        assert found.help == f"directory 'ur5x' not found in {folder}; did you mean 'ur5e'?"
+        directory = tmp_path / "config"
+        assert found.help == f"directory 'ur5x' not found in {directory}; did you mean 'ur5e'?"
 
     def test_what_lacks_because_of_it_is_not_told(self) -> None:
         body = '<xacro:include filename="none.xacro"/><xacro:arm/><link name="${length}"/>'

@@ -66,10 +66,10 @@ def test_what_models_do(expression: str) -> None:
     assert reported("XAC009", f'<link name="l${{{expression}}}"/>') == []
 
 
-def package(folder: Path, name: str) -> Path:
-    folder.mkdir(parents=True)
-    (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
-    return folder
+def package(directory: Path, name: str) -> Path:
+    directory.mkdir(parents=True)
+    (directory / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    return directory
 
 
 @pytest.mark.parametrize(
@@ -91,10 +91,10 @@ def test_a_device() -> None:
 
 
 def test_a_link_that_leads_outside(tmp_path: Path) -> None:
-    folder = package(tmp_path / "ws" / "arm", "arm")
-    (folder / "inner.xacro").symlink_to("/etc/hostname")
-    write(folder, robot='<xacro:include filename="inner.xacro"/><link name="a"/>')
-    (found,) = told_of("XAC009", folder / "robot.xacro")
+    directory = package(tmp_path / "ws" / "arm", "arm")
+    (directory / "inner.xacro").symlink_to("/etc/hostname")
+    write(directory, robot='<xacro:include filename="inner.xacro"/><link name="a"/>')
+    (found,) = told_of("XAC009", directory / "robot.xacro")
     assert found.span.text == "inner.xacro"
 
 
@@ -107,14 +107,14 @@ def test_a_file_that_does_not_exist_is_missing_wherever_it_is() -> None:
 def test_a_trusted_model_includes_any_file(tmp_path: Path) -> None:
     outside = tmp_path / "outside.xacro"
     write(tmp_path, outside='<link name="a"/>')
-    folder = package(tmp_path / "a" / "b" / "c" / "d" / "arm", "arm")
-    write(folder, robot=f'<xacro:include filename="{outside}"/>')
-    assert len(told_of("XAC009", folder / "robot.xacro")) == 1
-    assert engine.check(folder / "robot.xacro", select=["XAC"], trust=True).diagnostics == ()
+    directory = package(tmp_path / "a" / "b" / "c" / "d" / "arm", "arm")
+    write(directory, robot=f'<xacro:include filename="{outside}"/>')
+    assert len(told_of("XAC009", directory / "robot.xacro")) == 1
+    assert engine.check(directory / "robot.xacro", select=["XAC"], trust=True).diagnostics == ()
 
 
 def test_a_neighbour_of_the_package(tmp_path: Path) -> None:
-    folder = package(tmp_path / "ws" / "arm", "arm")
+    directory = package(tmp_path / "ws" / "arm", "arm")
     write(package(tmp_path / "ws" / "common", "common"), part='<link name="a"/>')
-    write(folder, robot='<xacro:include filename="../common/part.xacro"/>')
-    assert told_of("XAC009", folder / "robot.xacro") == []
+    write(directory, robot='<xacro:include filename="../common/part.xacro"/>')
+    assert told_of("XAC009", directory / "robot.xacro") == []

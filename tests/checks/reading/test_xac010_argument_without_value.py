@@ -60,7 +60,7 @@ def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
     assert found.message.startswith("argument 'kind' must be given")
     assert told_of("XAC001", tmp_path / "robot.xacro") == []
     (tmp_path / "config" / "ur5e" / "b.yaml").write_text("x: 1\n")
-    for arguments in ({"kind": "ur5e"}, {}):  # a folder in which all files are there is a value
+    for arguments in ({"kind": "ur5e"}, {}):  # a directory in which all files are there is a value
         assert told_of("XAC010", tmp_path / "robot.xacro", **arguments) == []
         assert told_of("XAC001", tmp_path / "robot.xacro", **arguments) == []
 

@@ -13,11 +13,11 @@ def controller(name: str, kind: str = TRAJECTORY, **parameters: str) -> str:
     return f"{name}:\n  ros__parameters:\n    type: {kind}\n{lines}"
 
 
-def reported(folder: Path, text: str, blocks: str = "") -> list[Diagnostic]:
-    (folder / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
-    (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
-    report = check(folder / "r.urdf", select=["RCT001"])
+def reported(directory: Path, text: str, blocks: str = "") -> list[Diagnostic]:
+    (directory / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
+    (directory / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    report = check(directory / "r.urdf", select=["RCT001"])
     assert report.crashed == ()
     return list(report.diagnostics)
 
@@ -94,9 +94,9 @@ def test_the_files_of_a_launch_file_in_python(tmp_path: Path) -> None:
     (tmp_path / "r.urdf").write_text(whole_robot(ROBOT))
     (tmp_path / "r.launch.py").write_text(
         "import os\nfrom launch_ros.actions import Node\n"
-        f"folder = {str(tmp_path)!r}\n"
-        "robot = Command(['cat ', os.path.join(folder, 'r.urdf')])\n"
-        "controllers = os.path.join(folder, 'c.yaml')\n"
+        f"directory = {str(tmp_path)!r}\n"
+        "robot = Command(['cat ', os.path.join(directory, 'r.urdf')])\n"
+        "controllers = os.path.join(directory, 'c.yaml')\n"
         "node = Node(package='controller_manager', executable='ros2_control_node',\n"
         "            parameters=[{'robot_description': robot}, controllers])\n"
     )

@@ -17,20 +17,20 @@ OFFERED = control(driven("swing", "velocity", "velocity"), driven("slide"), plug
 
 
 def reported(
-    folder: Path, text: str, blocks: str = OFFERED, direction: str = "command"
+    directory: Path, text: str, blocks: str = OFFERED, direction: str = "command"
 ) -> list[Diagnostic]:
-    (folder / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
-    (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
-    report = check(folder / "r.urdf", select=["RCT021"])
+    (directory / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
+    (directory / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    report = check(directory / "r.urdf", select=["RCT021"])
     assert report.crashed == ()
     return [
         found for found in report.diagnostics if f"needs {direction} interface" in found.message
     ]
 
 
-def state_reported(folder: Path, text: str) -> list[Diagnostic]:
-    return reported(folder, text, direction="state")
+def state_reported(directory: Path, text: str) -> list[Diagnostic]:
+    return reported(directory, text, direction="state")
 
 
 def test_a_trajectory_controller_says_which(tmp_path: Path) -> None:

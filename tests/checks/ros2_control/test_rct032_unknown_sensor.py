@@ -38,11 +38,11 @@ IMU_BROADCASTER = "imu_sensor_broadcaster/IMUSensorBroadcaster"
 FORCE = "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster"
 
 
-def reported_broadcaster(folder: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
-    (folder / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
-    (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
-    report = check(folder / "r.urdf", select=["RCT032"])
+def reported_broadcaster(directory: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
+    (directory / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
+    (directory / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    report = check(directory / "r.urdf", select=["RCT032"])
     assert report.crashed == ()
     return list(report.diagnostics)
 

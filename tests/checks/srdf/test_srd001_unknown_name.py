@@ -79,11 +79,11 @@ def test_valid(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, text, "SRD001") == []
 
 
-def reported(folder: Path, *joints: str, place: str = "joint_limits.yaml") -> list[Diagnostic]:
+def reported(directory: Path, *joints: str, place: str = "joint_limits.yaml") -> list[Diagnostic]:
     lines = "".join(f"  {name}:\n    max_velocity: 1.0\n" for name in joints)
-    (folder / place).parent.mkdir(exist_ok=True)
-    (folder / place).write_text(f"joint_limits:\n{lines}")
-    return findings(folder, "", "SRD001")
+    (directory / place).parent.mkdir(exist_ok=True)
+    (directory / place).write_text(f"joint_limits:\n{lines}")
+    return findings(directory, "", "SRD001")
 
 
 def test_a_misspelt_joint(tmp_path: Path) -> None:
@@ -143,9 +143,9 @@ SOLVER = "{}:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n"
 def test_a_solver_for_no_group(tmp_path: Path, place: str) -> None:
     (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
     (tmp_path / "srdf").mkdir()
-    folder = tmp_path / place
-    folder.mkdir(exist_ok=True)
-    (folder / "kinematics.yaml").write_text(SOLVER.format("arm") + SOLVER.format("hnad"))
+    directory = tmp_path / place
+    directory.mkdir(exist_ok=True)
+    (directory / "kinematics.yaml").write_text(SOLVER.format("arm") + SOLVER.format("hnad"))
     robot = tmp_path if place == "." else tmp_path / "srdf"
     (found,) = findings(robot, GROUPS, "SRD001")
     assert found.message == "settings of unknown group 'hnad'; did you mean 'hand'?"

@@ -28,10 +28,10 @@ ARM = whole_robot(
 )
 
 
-def reported(folder: Path, matrix: str, robot: str = ARM) -> list[Diagnostic]:
-    (folder / "r.urdf").write_text(robot)
-    (folder / "r.srdf").write_text(f'<robot name="example">\n{matrix}\n</robot>\n')
-    return list(check(folder / "r.urdf", select=["SRD009"]).diagnostics)
+def reported(directory: Path, matrix: str, robot: str = ARM) -> list[Diagnostic]:
+    (directory / "r.urdf").write_text(robot)
+    (directory / "r.srdf").write_text(f'<robot name="example">\n{matrix}\n</robot>\n')
+    return list(check(directory / "r.urdf", select=["SRD009"]).diagnostics)
 
 
 def pair(first: str, second: str, reason: str = "Never") -> str:

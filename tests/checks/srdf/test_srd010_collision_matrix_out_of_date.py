@@ -10,7 +10,7 @@ from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot
 
 
-def reported(folder: Path, matrix: str, *, near: float = 0.15) -> list[Diagnostic]:
+def reported(directory: Path, matrix: str, *, near: float = 0.15) -> list[Diagnostic]:
     """A hand that is held near the arm."""
     robot = whole_robot(
         "\n".join(
@@ -23,9 +23,9 @@ def reported(folder: Path, matrix: str, *, near: float = 0.15) -> list[Diagnosti
             )
         )
     )
-    (folder / "r.urdf").write_text(robot)
-    (folder / "r.srdf").write_text(f'<robot name="example">\n{matrix}\n</robot>\n')
-    return list(check(folder / "r.urdf", select=["SRD010"]).diagnostics)
+    (directory / "r.urdf").write_text(robot)
+    (directory / "r.srdf").write_text(f'<robot name="example">\n{matrix}\n</robot>\n')
+    return list(check(directory / "r.urdf", select=["SRD010"]).diagnostics)
 
 
 SOME = '<disable_collisions link1="base" link2="arm" reason="Adjacent"/>'

@@ -8,10 +8,10 @@ from tests.srdfs import findings
 from urdfkit import Diagnostic
 
 
-def reported(folder: Path, **values: str) -> list[Diagnostic]:
+def reported(directory: Path, **values: str) -> list[Diagnostic]:
     lines = "".join(f"    {name}: {value}\n" for name, value in values.items())
-    (folder / "joint_limits.yaml").write_text(f"joint_limits:\n  shoulder:\n{lines}")
-    return findings(folder, "", "SRD015")
+    (directory / "joint_limits.yaml").write_text(f"joint_limits:\n  shoulder:\n{lines}")
+    return findings(directory, "", "SRD015")
 
 
 @pytest.mark.parametrize(

@@ -26,15 +26,15 @@ def arm(side: str, prefix: str = "") -> str:
     )
 
 
-def write(folder: Path, *, with_complete: bool = True) -> Path:
+def write(directory: Path, *, with_complete: bool = True) -> Path:
     """The left arm alone, with the SRDF of both arms."""
-    (folder / "robots").mkdir()
-    (folder / "srdf").mkdir()
-    (folder / "package.xml").write_text("<package><name>talos_data</name></package>")
+    (directory / "robots").mkdir()
+    (directory / "srdf").mkdir()
+    (directory / "package.xml").write_text("<package><name>talos_data</name></package>")
     base = '<robot name="talos"><link name="base_link"/>'
     complete = base + "".join(map(arm, ARMS)) + "</robot>"
     if with_complete:
-        (folder / "robots" / "talos_full.urdf").write_text(complete)
+        (directory / "robots" / "talos_full.urdf").write_text(complete)
     groups = "".join(
         f'<group name="{side}_arm">'
         + "".join(f'<joint name="arm_{side}_{number}_joint"/>' for number in range(1, 6))
@@ -47,8 +47,8 @@ def write(folder: Path, *, with_complete: bool = True) -> Path:
         for one in range(1, 6)
         for other in range(1, 6)
     )
-    (folder / "srdf" / "talos.srdf").write_text(f'<robot name="talos">{groups}{matrix}</robot>')
-    left = folder / "robots" / "talos_left_arm.urdf"
+    (directory / "srdf" / "talos.srdf").write_text(f'<robot name="talos">{groups}{matrix}</robot>')
+    left = directory / "robots" / "talos_left_arm.urdf"
     left.write_text(base + arm("left") + "</robot>")
     return left
 

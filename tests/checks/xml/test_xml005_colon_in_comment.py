@@ -10,11 +10,11 @@ XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
 def reported(
-    folder: Path, robot: str, name: str = "robot.urdf", package: str = AMENT
+    directory: Path, robot: str, name: str = "robot.urdf", package: str = AMENT
 ) -> list[Diagnostic]:
-    (folder / "package.xml").write_text(package)
-    (folder / name).write_text(robot)
-    return list(engine.check(folder / name, select=["XML005"]).diagnostics)
+    (directory / "package.xml").write_text(package)
+    (directory / name).write_text(robot)
+    return list(engine.check(directory / name, select=["XML005"]).diagnostics)
 
 
 @pytest.mark.parametrize("colon", [": ", ":\n", ":\t"])

@@ -20,8 +20,8 @@ TETRAHEDRON = [("part.stl", made.binary_stl()), ("part.stl", made.ascii_stl())]
 NAN = float("nan")
 
 
-def write(folder: Path, name: str, data: bytes) -> Path:
-    path = folder / name
+def write(directory: Path, name: str, data: bytes) -> Path:
+    path = directory / name
     path.write_bytes(data)
     return path
 

@@ -77,8 +77,8 @@ DEFAULTS = {
 }
 
 
-def square(folder: Path, **changes: str) -> Mesh:
-    path = folder / "square.dae"
+def square(directory: Path, **changes: str) -> Mesh:
+    path = directory / "square.dae"
     path.write_text(SQUARE.format(**DEFAULTS | changes), encoding="utf-8")
     return load(path)
 

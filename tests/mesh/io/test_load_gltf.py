@@ -59,12 +59,12 @@ def test_a_mirrored_node_keeps_outside_outside(node: Content) -> None:
     assert volume_and_middle(content)[0] == pytest.approx(5 * size)
 
 
-def by_assimp(content: Content, folder: Path) -> float:
+def by_assimp(content: Content, directory: Path) -> float:
     """The signed volume of what assimp reads, which places each mesh by its nodes."""
     assimp = Path(sys.executable).with_name("assimp")  # Pinocchio brings it along
     if not assimp.exists():
         pytest.skip("needs assimp")
-    source, target = folder / "by_assimp.gltf", folder / "by_assimp.stl"
+    source, target = directory / "by_assimp.gltf", directory / "by_assimp.stl"
     source.write_text(json.dumps(content))
     subprocess.run([assimp, "export", source, target, "-fstlb"], check=True, capture_output=True)
     return float(trimesh.load_mesh(target).volume)

@@ -13,10 +13,10 @@ from urdfkit.mesh.io.load import UnloadableMesh, load
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
 
 
-def read(folder: Path, text: str, **others: str) -> Mesh:
+def read(directory: Path, text: str, **others: str) -> Mesh:
     for name, content in others.items():
-        (folder / name.replace("_", ".")).write_text(content, encoding="utf-8")
-    path = folder / "part.obj"
+        (directory / name.replace("_", ".")).write_text(content, encoding="utf-8")
+    path = directory / "part.obj"
     path.write_text(text, encoding="utf-8")
     return load(path)
 

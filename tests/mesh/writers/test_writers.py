@@ -133,8 +133,8 @@ def test_what_a_format_cannot_hold_is_told() -> None:
     assert losses(PARTS, "a.dae") == losses(PARTS, "a.obj") == losses(PARTS, "a.glb") == []
 
 
-def test_missing_folders_are_made(tmp_path: Path) -> None:
-    path = tmp_path / "new" / "folder" / "a.obj"
+def test_missing_directories_are_made(tmp_path: Path) -> None:
+    path = tmp_path / "new" / "directory" / "a.obj"
     mtl = str(path.with_suffix(".mtl"))
     assert write(PARTS, path) == [str(path), mtl]
     assert path.is_file()

@@ -42,7 +42,7 @@ TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 @pytest.fixture
 def pair(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Two folders with one robot each."""
+    """Two directories with one robot each."""
     monkeypatch.chdir(tmp_path)
     for name in ("a", "b"):
         (tmp_path / name).mkdir()
@@ -183,14 +183,14 @@ def test_a_mesh_that_is_gone(pair: Path) -> None:
 # --- git
 
 
-def git(folder: Path, *words: str) -> None:
+def git(directory: Path, *words: str) -> None:
     who = ["-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "init.defaultBranch=main"]
-    subprocess.run(["git", *who, *words], cwd=folder, check=True, capture_output=True)
+    subprocess.run(["git", *who, *words], cwd=directory, check=True, capture_output=True)
 
 
 @pytest.fixture
 def repository(pair: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A robot in a folder of a repository, committed, then changed."""
+    """A robot in a directory of a repository, committed, then changed."""
     top = pair / "a"
     (top / "urdf").mkdir()
     for name in ("arm.urdf", "base.obj"):
@@ -204,7 +204,7 @@ def repository(pair: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return top
 
 
-def test_revisions_from_the_top_and_from_a_folder(
+def test_revisions_from_the_top_and_from_a_directory(
     repository: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     kinds = {"limits", "findings"}
@@ -310,9 +310,9 @@ def test_html_is_whole_and_escaped(pair: Path) -> None:
     new = old.replace("tool", evil.replace("<", "&lt;"))
     (pair / "a" / "arm.urdf").write_text(old)
     (pair / "b" / "arm.urdf").write_text(new)
-    found = compare("a/arm.urdf", "b/arm.urdf", has_pictures=True)
-    assert len(found.pictures) == 2
-    assert all(one.startswith("data:image/webp;base64,") for one in found.pictures)
+    found = compare("a/arm.urdf", "b/arm.urdf", has_images=True)
+    assert len(found.images) == 2
+    assert all(one.startswith("data:image/webp;base64,") for one in found.images)
     page = as_html.render(found)
     assert page.count("<script>") == 1
     assert "&lt;/script&gt;&lt;script&gt;alert(1)" in page
@@ -327,9 +327,9 @@ def test_pictures_show_what_is_gone_and_what_is_new(pair: Path) -> None:
     old = ARM.replace('<link name="tool"/>', f'<link name="tool">{BOX}</link>')
     (pair / "a" / "arm.urdf").write_text(old)
     (pair / "b" / "arm.urdf").write_text(old.replace("tool", "hand").replace(BOX, BALL))
-    found = compare("a/arm.urdf", "b/arm.urdf", has_pictures=True)
+    found = compare("a/arm.urdf", "b/arm.urdf", has_images=True)
     shown = []
-    for address in found.pictures:
+    for address in found.images:
         data = base64.b64decode(address.partition(",")[2])
         pixels = np.asarray(image.open(io.BytesIO(data)).convert("RGB"), dtype=int)
         red, green, blue = (pixels[..., i] for i in range(3))

@@ -14,7 +14,7 @@ from urdfkit.text.source import Source
 FOUND = diagnostic(span(Source("robot.urdf", b"<robot/>"), "robot"), code="TRE003")
 
 
-def test_the_folder_is_the_catalogue() -> None:
+def test_the_directory_is_the_catalogue() -> None:
     assert formats.names() == sorted(formats.names())
     assert {"json", "statistics", "text"} <= set(formats.names())
 

@@ -79,7 +79,7 @@ def test_a_path_stays_one_property(path: str) -> None:
     assert properties["file"] == path
 
 
-def test_an_absolute_path_is_relative_to_the_current_folder(tmp_path, monkeypatch) -> None:
+def test_an_absolute_path_is_relative_to_the_current_directory(tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     source = Source(str(tmp_path / "urdf" / "a.urdf"), b"<robot/>")
     ((_, properties, _),) = commands(diagnostic(span(source, "robot")))

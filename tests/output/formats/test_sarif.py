@@ -92,7 +92,7 @@ def test_files_of_the_repository_are_relative(path: str, uri: dict[str, str]) ->
     assert location(span(source, "robot"))["artifactLocation"] == uri
 
 
-def test_an_absolute_path_in_the_current_folder_is_relative(tmp_path, monkeypatch) -> None:
+def test_an_absolute_path_in_the_current_directory_is_relative(tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     source = Source(str(tmp_path / "a.urdf"), b"<robot/>")
     assert location(span(source, "robot"))["artifactLocation"]["uri"] == "a.urdf"

@@ -303,7 +303,7 @@ def test_the_summary_counts_by_severity(severities: str, line: str) -> None:
     assert summary(report(*found)) == line
 
 
-def test_a_deleted_current_folder_is_no_matter(
+def test_a_deleted_current_directory_is_no_matter(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "gone").mkdir()

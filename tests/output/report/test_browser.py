@@ -40,9 +40,9 @@ def text_of(robot: Path, language: str) -> str:
     return report(str(robot), language=language, quick=True)[0]
 
 
-def written(robot: Path, folder: Path, language: str = "en") -> Path:
+def written(robot: Path, directory: Path, language: str = "en") -> Path:
     text = text_of(robot, language)
-    file = folder / "report.html"
+    file = directory / "report.html"
     file.write_text(text, encoding="utf-8")
     return file
 

@@ -114,8 +114,8 @@ def test_textures_travel_along_and_other_files_do_not(tmp_path: Path) -> None:
         (str(tmp_path / "secret"), 0),
         (str(tmp_path / "none"), 0),
     ):
-        look = SurfaceMaterial((1.0, 1.0, 1.0, 1.0), texture)
-        data = gltf.write([item._replace(look=look, uv=uv)])[0]
+        material = SurfaceMaterial((1.0, 1.0, 1.0, 1.0), texture)
+        data = gltf.write([item._replace(material=material, uv=uv)])[0]
         assert len(opened(data)[0].get("images", ())) == images
         assert b"password" not in data
 
@@ -129,7 +129,7 @@ def test_what_no_browser_shows_travels_as_a_jpeg(suffix: str, tmp_path: Path) ->
     item = pictured.build(read(MISSION)).items[0]
     uv = np.zeros((len(item.vertices), 2), np.float32)
     data = gltf.write(
-        [item._replace(look=SurfaceMaterial((1.0, 1.0, 1.0, 1.0), str(path)), uv=uv)]
+        [item._replace(material=SurfaceMaterial((1.0, 1.0, 1.0, 1.0), str(path)), uv=uv)]
     )[0]
     document, chunk = opened(data)
     view = document["bufferViews"][document["images"][0]["bufferView"]]

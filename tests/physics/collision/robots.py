@@ -50,9 +50,9 @@ def mesh(path: Path, scale: str = "1 1 1") -> str:
     return f'<mesh filename="file://{path}" scale="{scale}"/>'
 
 
-def robot(*parts: str, folder: Path | None = None) -> Subject:
+def robot(*parts: str, directory: Path | None = None) -> Subject:
     """The robot of some links and joints."""
-    path = str(folder / "r.urdf") if folder else "r.urdf"
+    path = str(directory / "r.urdf") if directory else "r.urdf"
     text = f'<robot name="r">{"".join(parts)}</robot>'
     resolver = Resolver(environment={})
     resolver.admit(path, trust=True)  # meshes of a test lie in its own directory

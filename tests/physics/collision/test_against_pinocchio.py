@@ -64,7 +64,8 @@ def test_the_same_pairs_collide_in_the_same_samples(
     number = {link: index for index, link in enumerate(arrays.links)}
     known = [(number[links[a]], number[links[b]]) for a, b in pairs]
     mine = [
-        [bool(seen.hits) for seen in examiner.look(known).at(row[None], count=True)] for row in rows
+        [bool(seen.hits) for seen in examiner.query(known).at(row[None], count=True)]
+        for row in rows
     ]
     assert np.sum(theirs) > 20
     contained = 0

@@ -60,8 +60,8 @@ def test_every_kind_of_joint_with_mimic() -> None:
 @needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
 def test_robots_of_the_corpus(entry: Any) -> None:
-    folder, model = entry
-    agrees(read(folder / model["path"], arguments=arguments_of(model)))
+    directory, model = entry
+    agrees(read(directory / model["path"], arguments=arguments_of(model)))
 
 
 def test_against_pinocchio() -> None:

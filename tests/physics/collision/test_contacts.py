@@ -141,16 +141,16 @@ def test_it_misses_nothing_that_coal_finds(entry: tuple[Path, dict[str, Any]]) -
     from urdfkit.physics.collision.geometry_arrays import solids
     from urdfkit.physics.collision.pair_queries import Examiner
 
-    folder, model = entry
+    directory, model = entry
     if "expect" not in model or "/fail_" in model["path"]:
         pytest.skip("it does not expand")
-    subject = read(folder / model["path"], arguments=arguments_of(model))
+    subject = read(directory / model["path"], arguments=arguments_of(model))
     unit = subject.targets.applies_units
     moving = chain(subject.tree)
     bodies, _ = solids(subject.model, subject.meshes, unit=unit)
     examiner = Examiner(moving, map(form, bodies))
     pairs = list(moving.pairs(examiner.links))
-    seen = examiner.look(pairs, 0.0).at(moving.default[None], count=True)
+    seen = examiner.query(pairs, 0.0).at(moving.default[None], count=True)
     known = {frozenset(pair.names): pair.contact for pair in contacts(subject).pairs}
     for pair, one in zip(pairs, seen, strict=True):
         names = frozenset(moving.links[number] for number in pair)

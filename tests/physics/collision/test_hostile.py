@@ -61,13 +61,13 @@ def shape(chance: random.Random, file: Path) -> str:
     return mesh(path, chance.choice(SCALES))
 
 
-def model(seed: int, folder: Path) -> str:
+def model(seed: int, directory: Path) -> str:
     """A robot of some links with bodies of all sorts."""
     chance = random.Random(seed)
     parts = []
     for number in range(chance.randint(2, 5)):
         shapes = [
-            f"{shape(chance, folder / f'{number}_{body}.stl')}@{chance.uniform(-0.3, 0.3)} 0 0"
+            f"{shape(chance, directory / f'{number}_{body}.stl')}@{chance.uniform(-0.3, 0.3)} 0 0"
             for body in range(chance.randint(1, 3))
         ]
         parts.append(link(f"l{number}", *shapes))

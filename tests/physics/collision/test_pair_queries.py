@@ -49,10 +49,10 @@ def everything(one: Examiner, pair: Pair, rows: Floats) -> Floats:
     return found
 
 
-def arm(folder: Path) -> Subject:
+def arm(directory: Path) -> Subject:
     """Six links with all sorts of bodies, some of them surfaces, that often collide."""
-    shell = mesh(cube(folder / "shell.stl", 0.06, 5))
-    solid = mesh(cube(folder / "solid.stl", 0.05))
+    shell = mesh(cube(directory / "shell.stl", 0.06, 5))
+    solid = mesh(cube(directory / "solid.stl", 0.05))
     turn = revolute(-2.5, 2.5, "0 1 0")
     return robot(
         link("base", box(0.3, 0.3, 0.1)),
@@ -70,8 +70,8 @@ def arm(folder: Path) -> Subject:
 def agree(one: Examiner, rows: Floats) -> int:
     """Compare the shortcuts with measuring everything; how many collisions there are."""
     pairs = list(combinations(one.links, 2))
-    counted = one.look(pairs).at(rows, count=True)
-    searched = one.look(pairs).at(rows, count=False)
+    counted = one.query(pairs).at(rows, count=True)
+    searched = one.query(pairs).at(rows, count=False)
     total = 0
     for pair, seen, quick in zip(pairs, counted, searched, strict=True):
         true = everything(one, pair, rows)
@@ -109,10 +109,10 @@ def test_a_look_goes_on_from_block_to_block(tmp_path: Path) -> None:
     one = examiner(arm(tmp_path))
     pairs = [(0, 3)]
     rows = one.chain.samples(300, 0, 0)
-    look = one.look([(0, 3), (0, 4)])
+    look = one.query([(0, 3), (0, 4)])
     blocks = (0, 100, 200)
     seen = [look.at(rows[start : start + 100], pairs, count=True)[0] for start in blocks]
-    (whole,) = one.look(pairs).at(rows, count=True)
+    (whole,) = one.query(pairs).at(rows, count=True)
     found = [start + hit for start, part in zip(blocks, seen, strict=True) for hit in part.hits]
     assert found == whole.hits
     assert min(part.distance for part in seen) == seen[-1].distance
@@ -123,10 +123,10 @@ def test_what_is_beyond_the_limit_is_passed_over(tmp_path: Path) -> None:
         robot(link("a", sphere(0.1)), link("b", sphere(0.1)), joint("a", "b", origin="1 0 0"))
     )
     rows = one.chain.default[None]
-    (seen,) = one.look([(0, 1)]).at(rows, count=True)
+    (seen,) = one.query([(0, 1)]).at(rows, count=True)
     assert (seen.hits, seen.row) == ([], 0)
     assert seen.distance == pytest.approx(0.8)
-    (seen,) = one.look([(0, 1)], 0.5).at(rows, count=True)
+    (seen,) = one.query([(0, 1)], 0.5).at(rows, count=True)
     assert (seen.hits, seen.distance, seen.row) == ([], 0.5, -1)
 
 

@@ -310,7 +310,7 @@ def test_an_interrupt_ends_all_processes() -> None:
 def test_modules_are_not_imported_from_where_we_stand(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A folder with robots may hold anything."""
+    """A directory with robots may hold anything."""
     (tmp_path / "numpy.py").write_text("raise SystemExit('imported')")
     (tmp_path / "pickle.py").write_text("raise SystemExit('imported')")
     monkeypatch.chdir(tmp_path)

@@ -164,10 +164,10 @@ def test_who_checks_what_seldom_collides_is_right(
 
 
 def test_the_fanuc_matrix_is_the_one_that_it_comes_with(corpus: Path) -> None:
-    folder = corpus / "moveit_resources"
-    fanuc = read(folder / "fanuc_description" / "urdf" / "fanuc.urdf")
+    directory = corpus / "moveit_resources"
+    fanuc = read(directory / "fanuc_description" / "urdf" / "fanuc.urdf")
     srdf = read_srdf(
-        str(folder / "fanuc_moveit_config" / "config" / "fanuc.srdf"),
+        str(directory / "fanuc_moveit_config" / "config" / "fanuc.srdf"),
         fanuc.tree,
         fanuc.resolver,
         trust=False,
@@ -193,9 +193,9 @@ def test_the_panda_matrix_differs_in_what_can_be_shown(corpus: Path) -> None:
     The SRDF that it comes with was made in its ready pose; where all joints are at 0 the hand
     and link 7 are folded into link 5, and the Setup Assistant would disable these pairs.
     """
-    folder = corpus / "moveit_resources"
-    panda = read(folder / "panda_description" / "urdf" / "panda.urdf")
-    path = str(folder / "panda_moveit_config" / "config" / "panda.srdf")
+    directory = corpus / "moveit_resources"
+    panda = read(directory / "panda_description" / "urdf" / "panda.urdf")
+    path = str(directory / "panda_moveit_config" / "config" / "panda.srdf")
     srdf = read_srdf(path, panda.tree, panda.resolver, trust=False)
     assert srdf is not None
     found = collisions(panda, begin=pose(panda, name=f"{path}:ready"))

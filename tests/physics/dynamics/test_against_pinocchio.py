@@ -125,8 +125,8 @@ ENTRIES = [
 @needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
 def test_every_robot_of_the_corpus(entry: tuple[Path, dict[str, Any]]) -> None:
-    folder, model = entry
-    source = Source.read(folder / model["path"])
+    directory, model = entry
+    source = Source.read(directory / model["path"])
     subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
     if not subject.tree.is_sound:
         return

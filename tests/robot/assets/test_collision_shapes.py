@@ -24,11 +24,11 @@ PRIMITIVE = "<collision><geometry><sphere radius='1'/></geometry></collision>"
 
 
 def robot(
-    folder: Path, link: str, mesh: trimesh.Trimesh | None = None, name: str = "r.urdf"
+    directory: Path, link: str, mesh: trimesh.Trimesh | None = None, name: str = "r.urdf"
 ) -> Path:
     shape = mesh or trimesh.creation.box((0.3, 0.2, 0.1))
-    write(as_mesh(shape), folder / "m.stl")
-    file = folder / name
+    write(as_mesh(shape), directory / "m.stl")
+    file = directory / name
     root = '<robot name="r" xmlns:xacro="http://wiki.ros.org/xacro">'
     file.write_text(f"{root}\n  {link}\n</robot>\n", encoding="utf-8")
     return file
@@ -74,6 +74,12 @@ def test_a_ball_becomes_a_sphere(tmp_path: Path) -> None:
     assert body.shape.radius == pytest.approx(0.2, rel=0.02)
 
 
+def test_the_file_of_a_hull_names_a_scale_that_is_the_same_all_over(tmp_path: Path) -> None:
+    file = robot(tmp_path, link(scale="2 2 2"), trimesh.creation.cone(0.2, 0.5))
+    (path,) = edited(read(file), propose(read(file), error=0.02)).meshes
+    assert Path(path).name == "m_2_2_2_collision.stl"
+
+
 def test_a_hull_becomes_a_file_beside_the_mesh(tmp_path: Path) -> None:
     cone = trimesh.creation.cone(0.2, 0.5)
     file = robot(tmp_path, link(scale="1 1 2"), cone)
@@ -100,16 +106,16 @@ def test_a_hull_becomes_a_file_beside_the_mesh(tmp_path: Path) -> None:
 )
 def test_a_hull_is_named_as_the_mesh_is(reference: str, tmp_path: Path) -> None:
     shape = trimesh.creation.icosphere(subdivisions=2).slice_plane((0, 0, 0), (0, 0, 1), cap=True)
-    folder = tmp_path / "r&d"
-    folder.mkdir()
-    (folder / "package.xml").write_text("<package><name>r&amp;d</name></package>")
-    file = robot(folder, link().replace("m.stl", reference), shape, "r.xacro")
-    subject = read(file, packages={"r&d": str(folder)})
+    directory = tmp_path / "r&d"
+    directory.mkdir()
+    (directory / "package.xml").write_text("<package><name>r&amp;d</name></package>")
+    file = robot(directory, link().replace("m.stl", reference), shape, "r.xacro")
+    subject = read(file, packages={"r&d": str(directory)})
     edited(subject, propose(subject, error=0.01)).write()
     assert f'<mesh filename="{reference.removesuffix(".stl")}_collision.stl"/>' in file.read_text()
     (body,) = read(file).model.links_by_name["a"].collisions
     assert body.shape is not None
-    assert read(file, packages={"r&d": str(folder)}).files.path(body.shape)
+    assert read(file, packages={"r&d": str(directory)}).files.path(body.shape)
 
 
 def test_pieces_become_several_collisions(tmp_path: Path) -> None:

@@ -30,16 +30,16 @@ INERTIAL = (
 )
 
 
-def measured(folder: Path, robot: str, **files: bytes) -> MeasuredMeshes:
+def measured(directory: Path, robot: str, **files: bytes) -> MeasuredMeshes:
     for name, data in files.items():
-        (folder / name.replace("_", ".")).write_bytes(data)
-    source = Source(str(folder / "robot.urdf"), whole_robot(robot).encode())
+        (directory / name.replace("_", ".")).write_bytes(data)
+    source = Source(str(directory / "robot.urdf"), whole_robot(robot).encode())
     subject = Subject(source, Resolver(environment={}))
     return MeasuredMeshes(subject.model, subject.files, Store(None))
 
 
-def mesh_solid(folder: Path, part: str, data: bytes = BLOCK) -> MeshSolid:
-    (use,) = measured(folder, link(part), a_stl=data).uses
+def mesh_solid(directory: Path, part: str, data: bytes = BLOCK) -> MeshSolid:
+    (use,) = measured(directory, link(part), a_stl=data).uses
     found = use.solid
     assert found is not None
     return found

@@ -12,7 +12,8 @@ from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.io import sniff
 from urdfkit.mesh.io.facts import MeshFacts
 from urdfkit.robot.assets import mesh_files as module
-from urdfkit.robot.assets.mesh_files import MeshFiles, Suggestion, is_typo
+from urdfkit.robot.assets.file_names import is_mistyped
+from urdfkit.robot.assets.mesh_files import MeshFiles, Suggestion
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -102,7 +103,7 @@ def test_the_case_on_disk(package: Path) -> None:
     )
 
 
-def test_a_similar_name_in_the_same_folder(package: Path) -> None:
+def test_a_similar_name_in_the_same_directory(package: Path) -> None:
     path = str(add_file(package / "meshes" / "forearm.stl"))
     add_file(package / "meshes" / "forarn.txt")
     expected = Suggestion("package://arm/meshes/forearm.stl", path, sure=True)
@@ -141,27 +142,31 @@ def test_the_part_of_another_model_is_not_what_was_meant(package: Path) -> None:
 
 def test_the_search_for_names_is_bounded(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for number in range(10):
-        add_file(package / f"folder{number}" / "x" / "forearm.stl")
+        add_file(package / f"directory{number}" / "x" / "forearm.stl")
     monkeypatch.setattr(module, "MAX_DIRECTORIES", 5)
     assert nearest(package, "package://arm/meshes/forearm.stl") == [None]
 
 
-def test_without_a_package_its_own_folder_is_searched(tmp_path: Path) -> None:
-    folder = tmp_path / "a" / "b" / "c" / "d"
-    path = str(add_file(folder / "shapes" / "forearm.stl"))
-    assert nearest(folder, "forearm.stl") == [None]  # above the folder of the robot
-    inside = str(add_file(folder / "urdf" / "parts" / "forearm.stl"))
-    assert nearest(folder, "forearm.stl") == [Suggestion("parts/forearm.stl", inside, sure=True)]
-    add_file(folder / ".git" / "HEAD")
+def test_without_a_package_its_own_directory_is_searched(tmp_path: Path) -> None:
+    directory = tmp_path / "a" / "b" / "c" / "d"
+    path = str(add_file(directory / "shapes" / "forearm.stl"))
+    assert nearest(directory, "forearm.stl") == [None]  # above the directory of the robot
+    inside = str(add_file(directory / "urdf" / "parts" / "forearm.stl"))
+    assert nearest(directory, "forearm.stl") == [Suggestion("parts/forearm.stl", inside, sure=True)]
+    add_file(directory / ".git" / "HEAD")
     os.remove(inside)
-    assert nearest(folder, "forearm.stl") == [Suggestion("../shapes/forearm.stl", path, sure=True)]
+    assert nearest(directory, "forearm.stl") == [
+        Suggestion("../shapes/forearm.stl", path, sure=True)
+    ]
 
 
-def test_without_a_package_the_meshes_next_to_its_own_folder_are_searched(tmp_path: Path) -> None:
-    folder = tmp_path / "arm"
-    path = str(add_file(folder / "meshes" / "visual" / "forearm.stl"))
+def test_without_a_package_the_meshes_next_to_its_own_directory_are_searched(
+    tmp_path: Path,
+) -> None:
+    directory = tmp_path / "arm"
+    path = str(add_file(directory / "meshes" / "visual" / "forearm.stl"))
     reference = "../meshes/visual/forearm.stl"
-    assert nearest(folder, "forearm.stl") == [Suggestion(reference, path, sure=True)]
+    assert nearest(directory, "forearm.stl") == [Suggestion(reference, path, sure=True)]
 
 
 @pytest.mark.parametrize(
@@ -182,4 +187,4 @@ def test_without_a_package_the_meshes_next_to_its_own_folder_are_searched(tmp_pa
     ],
 )
 def test_typos(wrong: str, right: str, mistake: bool) -> None:
-    assert is_typo(wrong, right) is mistake
+    assert is_mistyped(wrong, right) is mistake

@@ -36,7 +36,7 @@ WHEEL = '<cylinder radius="0.1" length="0.04"/>'
 
 
 def robot(
-    folder: Path,
+    directory: Path,
     visual: str,
     collision: str = "",
     *,
@@ -46,7 +46,7 @@ def robot(
     collision_origin: str = "",
     more: str = "",
 ) -> Path:
-    file = folder / "robot.urdf"
+    file = directory / "robot.urdf"
     scale = f' scale="{scale}"' if scale else ""
     collided = f"<collision>{collision_origin}<geometry>{collision}</geometry></collision>"
     file.write_text(
@@ -264,8 +264,10 @@ def test_a_part_for_a_new_file(tmp_path: Path) -> None:
 @needs_corpus
 def test_the_inertia_of_a_real_arm_tells_the_size_of_its_links() -> None:
     """For want of anything else a block stands in, of the extent that mass and moments give."""
-    folder = CORPUS / "Universal_Robots_ROS2_Description"
-    subject = read(folder / "urdf" / "ur.urdf.xacro", arguments={"ur_type": "ur5e", "name": "ur"})
+    directory = CORPUS / "Universal_Robots_ROS2_Description"
+    subject = read(
+        directory / "urdf" / "ur.urdf.xacro", arguments={"ur_type": "ur5e", "name": "ur"}
+    )
     ratios = []
     for link in subject.model.links:
         for body in link.collisions:

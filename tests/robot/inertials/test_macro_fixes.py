@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.lint.fix import Fixes, fix
+from urdfkit.lint.fix import fix
+from urdfkit.lint.fix_session import Fixes
 from urdfkit.lint.loading import load
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -33,8 +34,8 @@ def link(name: str, mass: float, geometry: str, origin: str = "") -> str:
     )
 
 
-def fixed(folder: Path, body: str, name: str = "r.xacro") -> tuple[Fixes, Path]:
-    file = folder / name
+def fixed(directory: Path, body: str, name: str = "r.xacro") -> tuple[Fixes, Path]:
+    file = directory / name
     file.write_text(f"{HEAD}\n{body}</robot>\n")
     fixes = fix(file, unsafe=True, select=["XAC014"])
     fixes.write()

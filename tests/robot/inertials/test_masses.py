@@ -133,10 +133,10 @@ def test_mujoco_refuses_what_breaks_the_triangle_inequality(
     entry: tuple[Path, dict[str, Any]],
 ) -> None:
     """MuJoCo names the first body that it refuses, and stops there."""
-    folder, model = entry
+    directory, model = entry
     verdict = model["expect"]["mujoco_prepared"]
     arguments = dict(argument.split(":=", 1) for argument in model["xacro_args"])
-    report = engine.check(folder / model["path"], arguments=arguments, select=["INE003"])
+    report = engine.check(directory / model["path"], arguments=arguments, select=["INE003"])
     found = [diagnostic for diagnostic in report.diagnostics if diagnostic.code == "INE003"]
     reported = [diagnostic.element.split("/")[1] for diagnostic in found]
     notes = [note.message for diagnostic in found for note in diagnostic.related]

@@ -29,8 +29,8 @@ INERTIAL = """<inertial>
     </inertial>"""
 
 
-def robot(folder: Path, shapes: str, inertial: str = INERTIAL, more: str = "") -> Path:
-    file = folder / "robot.urdf"
+def robot(directory: Path, shapes: str, inertial: str = INERTIAL, more: str = "") -> Path:
+    file = directory / "robot.urdf"
     link = f'  <link name="a">\n    {inertial}\n    {shapes}\n  </link>{more}'
     text = f'<robot name="r">\n{link}\n</robot>\n'
     file.write_text(text, encoding="utf-8", newline="")

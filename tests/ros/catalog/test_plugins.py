@@ -11,9 +11,9 @@ import pytest
 
 from urdfkit.ros.catalog import data, plugins
 
-FOLDER = Path(plugins.__file__).parent
+DIRECTORY = Path(plugins.__file__).parent
 SCHEMA = data("gazebo_plugins.schema")
-FILES = sorted((FOLDER / "gazebo_plugins").iterdir())
+FILES = sorted((DIRECTORY / "gazebo_plugins").iterdir())
 GENERATIONS = {name for names in plugins.GENERATIONS.values() for name in names}
 
 
@@ -22,7 +22,7 @@ def test_a_file_follows_the_schema(file: Path) -> None:
     content = json.loads(file.read_bytes())
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
     jsonschema.Draft202012Validator(SCHEMA).validate(content)
-    assert (file.parent / content["$schema"]).resolve() == FOLDER / "gazebo_plugins.schema.json"
+    assert (file.parent / content["$schema"]).resolve() == DIRECTORY / "gazebo_plugins.schema.json"
     assert content["generation"].replace("-", "_") == file.stem
 
 

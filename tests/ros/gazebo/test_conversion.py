@@ -84,19 +84,19 @@ def sdformat(tmp_path_factory: pytest.TempPathFactory) -> Path:
         flags = found.stdout.split() if found.returncode == 0 else None
     if flags is None:
         pytest.skip("g++ and libsdformat 12 (Debian: libsdformat-dev) are not installed")
-    folder = tmp_path_factory.mktemp("sdformat")
-    (folder / "dump.cc").write_text(DUMP)
-    program = folder / "dump"
+    directory = tmp_path_factory.mktemp("sdformat")
+    (directory / "dump.cc").write_text(DUMP)
+    program = directory / "dump"
     subprocess.run(
-        ["g++", "-std=c++17", "-O0", str(folder / "dump.cc"), "-o", str(program), *flags],
+        ["g++", "-std=c++17", "-O0", str(directory / "dump.cc"), "-o", str(program), *flags],
         check=True,
         capture_output=True,
     )
     return program
 
 
-def convert(program: Path, folder: Path, text: str) -> Simulated:
-    file = folder / "robot.urdf"
+def convert(program: Path, directory: Path, text: str) -> Simulated:
+    file = directory / "robot.urdf"
     file.write_text(text)
     lines = subprocess.run([program, file], capture_output=True, text=True, check=True).stdout
     simulated = Simulated({}, {}, [], [])
@@ -131,8 +131,8 @@ def compare(conversion: Conversion, expected: Simulated) -> None:
 
 
 def robots() -> Iterator[object]:
-    for folder, model in manifest():
-        yield pytest.param(folder / model["path"], model, id=f"{folder.name}/{model['path']}")
+    for directory, model in manifest():
+        yield pytest.param(directory / model["path"], model, id=f"{directory.name}/{model['path']}")
 
 
 def subject(path: Path, *arguments: str) -> Subject:

@@ -118,7 +118,7 @@ def test_without_a_value_a_robot_is_not_checked(package: Path, text: str, reason
     assert [skip.reason for skip in report.skipped] == ["it needs the argument 'size'"]
 
 
-def test_a_robot_that_was_named_is_checked_as_its_folder_is(package: Path) -> None:
+def test_a_robot_that_was_named_is_checked_as_its_directory_is(package: Path) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
     alone, whole = check(package / "arm.xacro"), check(package, ignore=["LAU", "XAC011"])
     assert alone.launched == whole.launched
@@ -191,16 +191,16 @@ def test_fixes_hold_for_every_way(package: Path) -> None:
 @needs_corpus
 def test_the_arms_of_universal_robots_are_checked_each(tmp_path: Path) -> None:
     """Their xacro has a default on purpose that is none of them."""
-    folder = tmp_path / "ur_description"
-    shutil.copytree(CORPUS / "Universal_Robots_ROS2_Description", folder)
-    (folder / "launch").mkdir()
+    directory = tmp_path / "ur_description"
+    shutil.copytree(CORPUS / "Universal_Robots_ROS2_Description", directory)
+    (directory / "launch").mkdir()
     models = ["ur3", "ur5e", "ur10e"]
     text = PYTHON.replace("arms", "ur_description").replace("arm.xacro", "urdf/ur.urdf.xacro")
     text = text.replace('"size"', '"ur_type"').replace("size:=", "ur_type:=")
-    (folder / "launch" / "view.launch.py").write_text(
+    (directory / "launch" / "view.launch.py").write_text(
         text.replace('"big", "small"', ", ".join(map(repr, models)))
     )
-    report = check(folder, select=["URD", "JNT", "TRE", "XAC010"])
+    report = check(directory, select=["URD", "JNT", "TRE", "XAC010"])
     started = {(Path(one.path).name, one.arguments["ur_type"]) for one in report.launched}
     assert started == {
         (name, model) for name in ("ur.urdf.xacro", "ur_mocked.urdf.xacro") for model in models

@@ -19,8 +19,8 @@ def test_it_is_found_in_the_package_and_in_the_moveit_package_made_for_the_robot
     robots, moveit, other = (
         tmp_path / name for name in ("arm", "arm_moveit_config", "b_moveit_config")
     )
-    for folder in (robots / "urdf", robots / "config", moveit / "config", other / "config"):
-        folder.mkdir(parents=True)
+    for directory in (robots / "urdf", robots / "config", moveit / "config", other / "config"):
+        directory.mkdir(parents=True)
     for package in (robots, moveit, other):
         (package / "package.xml").write_text(f"<package><name>{package.name}</name></package>")
     robot = robots / "urdf" / "r.urdf"
@@ -102,10 +102,10 @@ def test_the_links_of_a_group_come_from_all_its_parts():
     ],
 )
 def test_moveits_own_robots_are_calm(tmp_path: Path, robot: str, semantic: str):
-    folder = CORPUS / "moveit_resources"
+    directory = CORPUS / "moveit_resources"
     copied = tmp_path / Path(robot).name
-    copied.write_bytes((folder / robot).read_bytes())
-    (tmp_path / "robot.srdf").write_bytes((folder / semantic).read_bytes())
+    copied.write_bytes((directory / robot).read_bytes())
+    (tmp_path / "robot.srdf").write_bytes((directory / semantic).read_bytes())
     report = check(copied, select=["SRD"])
     assert report.diagnostics == ()
     subject = Subject(Source.read(copied), Resolver(environment={}))
@@ -156,8 +156,8 @@ def test_srdf_of_the_packages_of_moveit(tmp_path, place, setup, srdf, is_found):
     (tmp_path / place).mkdir(parents=True)
     first, second, *_ = place.split("/")
     home = tmp_path / first / second if "moveit" in second else tmp_path / first
-    for folder in (package, home):
-        (folder / "package.xml").write_text(f"<package><name>{folder.name}</name></package>")
+    for directory in (package, home):
+        (directory / "package.xml").write_text(f"<package><name>{directory.name}</name></package>")
     if setup:
         (home / ".setup_assistant").write_text(setup)
     known = "".join(f'<passive_joint name="{name}"/>' for name in ("shoulder", "wrist", "knuckle"))

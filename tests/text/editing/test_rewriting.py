@@ -10,7 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from urdfkit.errors import UnwritableFile
-from urdfkit.text.editing.rewriting import Rewrite, diff, write
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.editing.rewriting import Rewrite, diff, rewrites, write
+from urdfkit.text.source import Source, Span
 
 CHANGES = {
     "plain": (b"<a>\n<b/>\n</a>\n", b"<a>\n<c/>\n</a>\n"),
@@ -52,6 +54,15 @@ def test_what_has_changed_meanwhile_stops_all(tmp_path: Path):
     assert [file.read_bytes() for file in files] == [b"<a/>", b"<c/>"]
 
 
+def test_what_has_changed_since_it_was_read_is_not_rewritten(tmp_path: Path):
+    (tmp_path / "a.urdf").write_bytes(b"<a/>")
+    source = Source.read(tmp_path / "a.urdf")
+    assert rewrites([Edit(Span(source, 1, 2), "b")])[0].after == b"<b/>"
+    (tmp_path / "a.urdf").write_bytes(b"<c/>")
+    with pytest.raises(UnwritableFile, match="it has changed meanwhile"):
+        rewrites([Edit(Span(source, 1, 2), "b")])
+
+
 @pytest.mark.skipif(shutil.which("patch") is None, reason="it needs patch")
 @given(*[st.lists(st.sampled_from("abc"), max_size=12)] * 2)
 def test_a_diff_is_the_smallest_and_patch_takes_it(old: list[str], new: list[str]) -> None:
@@ -59,12 +70,12 @@ def test_a_diff_is_the_smallest_and_patch_takes_it(old: list[str], new: list[str
     lines = diff("x", before.encode(), after.encode()).splitlines()
     changed = [line for line in lines[2:] if line[0] in "-+"]
     assert len(changed) == len(old) + len(new) - 2 * _longest(old, new)
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder, "x")
+    with tempfile.TemporaryDirectory() as directory:
+        file = Path(directory, "x")
         file.write_text(before)
         patch = ["patch", "-s", "-p0"]
         text = diff("x", before.encode(), after.encode())
-        subprocess.run(patch, input=text, text=True, cwd=folder, check=True)
+        subprocess.run(patch, input=text, text=True, cwd=directory, check=True)
         assert (file.read_text() if file.exists() else "") == after
 
 

@@ -22,10 +22,10 @@ FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE003] closed by the gripper -->\n"
 
 @rule(Severity.WARNING, needs=(), help="delete the comment")
 def check(subject: Subject) -> Findings:
-    from urdfkit.lint.suppress import sift
+    from urdfkit.lint.suppress import apply_suppressions
 
-    hits = sift(subject.outcome.diagnostics, subject.ignores).hits
-    chosen = subject.outcome.chosen
+    hits = apply_suppressions(subject.run.diagnostics, subject.ignores).hits
+    chosen = subject.run.chosen
     for ignore in subject.ignores:
         codes = [code for code, _ in ignore.codes]
         if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):

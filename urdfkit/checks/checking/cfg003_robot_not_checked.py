@@ -36,10 +36,10 @@ def check(subject: Subject) -> Findings:
             f"robot not checked with {len(one.values)} of {one.total} values of '{one.name}': "
             f"{', '.join(one.values)}; {one.why}",
             "list the robot's variants in urdfkit.toml, under [[robot]]",
-            alike=one.name,
+            group_key=one.name,
         )
     # A part of a robot is checked through the file that includes it, which XAC001 names.
-    if subject.reading.document is not None or subject.is_fragment:
+    if subject.reading.document is not None or subject.reading.is_fragment:
         return
     from urdfkit.lint.unchecked import why_unchecked
 

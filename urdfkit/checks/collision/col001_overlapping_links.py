@@ -74,7 +74,7 @@ def check(subject: Subject) -> Findings:
                     ),
                 ),
                 weight=contact.depth,
-                alike="overlap",
+                group_key="overlap",
                 severity=severity,
             )
 

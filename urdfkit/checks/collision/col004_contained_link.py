@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
@@ -101,12 +102,11 @@ def _single(model: RobotModel, one: Contact) -> Finding:
 def _several(model: RobotModel, contacts: list[Contact]) -> Finding:
     """Of one link that contains several others, which are more likely right than it is."""
     names = [one.small.link for one in contacts]
-    more = f" and {len(names) - _NOTES} more" if len(names) > _NOTES else ""
     large = contacts[0].large
     return Finding(
         _element(model, large),
         f"the collision geometry of link '{large.link}' contains {len(names)} other links, which "
-        f"cannot make contact: {', '.join(names[:_NOTES])}{more}",
+        f"cannot make contact: {few(names, _NOTES)}",
         related=tuple(
             Related(_element(model, one.small).span, f"link '{one.small.link}'")
             for one in contacts[:_NOTES]

@@ -10,6 +10,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.gazebo.drives import driven
@@ -49,12 +50,11 @@ def check(subject: Subject) -> Findings:
     wheels = [joint for joint in model.joints if joint.kind == "continuous" and not joint.mimic]
     if not wheels:
         return
-    names = ", ".join(f"'{joint.name}'" for joint in wheels[:_MOST])
-    more = f" and {len(wheels) - _MOST} more" if len(wheels) > _MOST else ""
+    names = few([f"'{joint.name}'" for joint in wheels], _MOST)
     who, verb, them = ("joints", "are", "them") if len(wheels) > 1 else ("joint", "is", "it")
     yield Finding(
         wheels[0].at,
-        f"{who} {names}{more} {verb} not actuated in Gazebo: no transmission, ros2_control or "
+        f"{who} {names} {verb} not actuated in Gazebo: no transmission, ros2_control or "
         f"plugin names {them}",
         related=tuple(Related(joint.at.span, "not actuated either") for joint in wheels[1:_MOST]),
     )

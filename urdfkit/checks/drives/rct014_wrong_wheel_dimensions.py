@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
-from urdfkit.robot.model import number
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.gazebo.drives import DrivenWheel, drive_of, given, pairs, rolling, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN

@@ -90,5 +90,5 @@ def _finding(joint: Joint, load: Load) -> Finding:
         f"joint '{joint.name}' needs {load.worst:.4g} {unit} to hold against gravity at "
         f"{pose or 'zero'}; its effort limit is {load.effort:.4g} {unit}",
         weight=load.used or 0.0,
-        alike="effort",
+        group_key="effort",
     )

@@ -25,7 +25,7 @@ def merged_force_sensors(subject: Subject) -> Findings:
                 f"{who} is on fixed joint '{name}', which Gazebo merges: nothing is measured",
                 f"add {_KEEP} to the <gazebo reference> of the joint",
                 Fix("keep the joint in Gazebo", insert_before(at, (_KEEP,))),
-                alike="merged",
+                group_key="merged",
                 severity=Severity.ERROR if _is_read(subject.model, name, at) else None,
             )
 

@@ -56,7 +56,7 @@ def check(subject: Subject) -> Findings:
                 f"unknown link or joint '{reference.value}': Gazebo ignores {lost}",
                 f"did you mean '{suggested}'?" if suggested else "",
                 fix_value(reference, suggested),
-                alike="" if suggested else "unknown",
+                group_key="" if suggested else "unknown",
             )
     if subject.is_part or not any(block.all("joint") for block in model.gazebo):
         return

@@ -93,7 +93,7 @@ def _in_sensors(model: RobotModel) -> Findings:
 def _in_sensor(child: Element, who: str, parent: str, known: Iterable[str]) -> Finding:
     message = f"{who}: unknown element <{child.tag}> in <{parent}> (ignored)"
     if instead := _INSTEAD.get(child.tag):
-        return Finding(child, message, instead, alike=child.tag)
+        return Finding(child, message, instead, group_key=child.tag)
     intended = nearest(child.tag, known, _TYPO)
     others = child.parent.children if child.parent else ()
     # <center_x> and <center_y> do not both become <center>.
@@ -102,4 +102,4 @@ def _in_sensor(child: Element, who: str, parent: str, known: Iterable[str]) -> F
     )
     fix = None if is_taken else fix_tag(child, intended)
     message += did_you_mean(child.tag, known)
-    return Finding(child, message, "fix the name of the element", fix, alike=child.tag)
+    return Finding(child, message, "fix the name of the element", fix, group_key=child.tag)

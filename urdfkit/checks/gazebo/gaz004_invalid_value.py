@@ -33,8 +33,9 @@ from math import isnan
 from urdfkit.checks.gazebo.plugin_values import invalid_in_plugins
 from urdfkit.checks.gazebo.sensor_values import invalid_in_sensors
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
-from urdfkit.robot.model import RobotModel, number
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog.extensions import Extension, extensions
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml

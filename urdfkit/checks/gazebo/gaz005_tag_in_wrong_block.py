@@ -66,10 +66,10 @@ def _of_other_kind(
             other = _other(subject, name, kind)
             help = f'move it into <gazebo reference="{other.name if other else "..."}">'
             fix = _moved(block, child, other) if other else None
-            yield Finding(child, message, help, fix, alike=child.tag)
+            yield Finding(child, message, help, fix, group_key=child.tag)
         elif joint and child.tag in KEEPING_TAGS and joint.kind not in ("fixed", ""):
             message = f"<{child.tag}> has no effect: joint '{name}' is {joint.kind}, not fixed"
-            yield Finding(child, message, "remove it, or name a fixed joint", alike=child.tag)
+            yield Finding(child, message, "remove it, or name a fixed joint", group_key=child.tag)
 
 
 def _owners(handled: Mapping[str, Extension]) -> dict[str, str]:
@@ -100,7 +100,7 @@ def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, s
         block if len(misplaced) > 1 else child,
         f"{what} in a <gazebo> without a reference (ignored): it is for a {owner}",
         f'write <gazebo reference="...">, with the name of the {owner}',
-        alike=child.tag,
+        group_key=child.tag,
         severity=Severity.ERROR,
     )
 

@@ -62,5 +62,5 @@ def _finding(child: Element, name: str, right: str) -> Finding:
         f"unknown Gazebo material '{name}'" if name else "<material> is empty",
         f"did you mean '{right}'?" if right else "",
         Fix.of(f"write {right}", edits),
-        alike=name,
+        group_key=name,
     )

@@ -96,7 +96,7 @@ def _flags(subject: Subject) -> Findings:
                 tag,
                 f"<{tag.tag}> of '{name}' also applies to '{into}', the link it is merged into",
                 "keep the joint with <preserveFixedJoint>, or move the tag to the parent",
-                alike=f"{tag.tag} of {into}",
+                group_key=f"{tag.tag} of {into}",
             )
 
 
@@ -134,7 +134,7 @@ def _kept_joints(subject: Subject) -> Findings:
                 f"<{tag.tag}> makes joint '{joint.name}' a revolute joint in Gazebo",
                 "write <preserveFixedJoint>",
                 Fix.of("write <preserveFixedJoint>", edits),
-                alike="lumping",
+                group_key="lumping",
                 severity=Severity.INFO,
             )
 
@@ -189,5 +189,5 @@ def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
         "remove the name, or begin it with the name of the link",
         fix_value(name, f"{link}_{name.value}") if link == top else None,
         (Related(tags[0].span, "set here"),),
-        alike="name",
+        group_key="name",
     )

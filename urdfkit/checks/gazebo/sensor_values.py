@@ -7,7 +7,7 @@ from math import isnan
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Fix, Subject
-from urdfkit.robot.model import number
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog.sensors import Setting
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written

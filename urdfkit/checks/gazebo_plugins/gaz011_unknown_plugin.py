@@ -62,7 +62,7 @@ def _misspelt(use: PluginUse, suggested: str) -> Finding:
         f"{use.title}: unknown plugin library",
         f"did you mean '{suggested}'?",
         fix_value(at, suggested),
-        alike=suggested,
+        group_key=suggested,
         severity=Severity.WARNING,
     )
 

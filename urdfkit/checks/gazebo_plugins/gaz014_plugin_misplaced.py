@@ -68,7 +68,7 @@ def check(subject: Subject) -> Findings:
             yield Finding(use.at, message, f"put it {where or _WHERE['model']}")
         elif _is_wrong(use, kinds):
             message = f"{use.title} is {_WHERE[use.place]}, but is a {' or '.join(kinds)} plugin"
-            yield Finding(use.at, message, f"put it {where}", alike=f"{use.place} {where}")
+            yield Finding(use.at, message, f"put it {where}", group_key=f"{use.place} {where}")
         elif use.plugin and kinds == ("world",) and use.plugin.generation == "gz":
             message = f"{use.title} is a world system, which belongs in the world file"
             yield Finding(use.at, message, "put it in the world file", severity=Severity.INFO)

@@ -19,6 +19,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import listed
 from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Plugin, renames
@@ -54,7 +55,7 @@ def check(subject: Subject) -> Findings:
         else:
             path = "> in <".join(reversed(found.item.path.split("/")))
             message = f"{use.title}: unknown element <{path}> (ignored)"
-            yield Finding(found.item.at, message, alike=use.filename)
+            yield Finding(found.item.at, message, group_key=use.filename)
     for (use, _), some in foreign.items():
         assert use.plugin is not None
         yield _of_other_generation(use, use.plugin, some)
@@ -68,7 +69,7 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
         f"{use.title}: unknown element <{element.tag}> (ignored)",
         f"did you mean <{name}>?",
         fix_tag(element, name),
-        alike=f"{use.filename} misspelt",
+        group_key=f"{use.filename} misspelt",
         severity=Severity.INFO if _is_default(use, name, element.text) else Severity.WARNING,
     )
 
@@ -90,10 +91,9 @@ def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParame
     assert other is not None
     title, edits = _rename(use, plugin, [one.item for one in some])
     tags = [f"<{one.item.path.rpartition('/')[2]}>" for one in some]
-    named = [*tags[:_MAX_TAGS], *([f"{len(tags) - _MAX_TAGS} more"] if tags[_MAX_TAGS:] else [])]
     return Finding(
         element,
-        f"{use.title} reads {' and '.join(filter(None, (', '.join(named[:-1]), named[-1])))} in "
+        f"{use.title} reads {listed(tags, _MAX_TAGS)} in "
         f"{_NAMES[other.generation]}, but not in {_NAMES[plugin.generation]}",
         _advice(first.item, plugin),
         Fix.of(title, edits),
@@ -101,7 +101,7 @@ def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParame
             Related(one.item.at.span, f"{tag}: {_advice(one.item, plugin)}")
             for tag, one in zip(tags[1:], others, strict=True)
         ),
-        alike=f"{use.filename} {'renamed' if edits else 'other'}",
+        group_key=f"{use.filename} {'renamed' if edits else 'other'}",
         severity=Severity.WARNING,
     )
 

@@ -97,7 +97,7 @@ def _merged(subject: Subject, use: PluginUse, reference: Reference) -> Finding:
         f"link '{survivor}'{use.outcome}",
         help,
         _kept(use, joint) if joint and can_keep else None,
-        alike=use.filename,
+        group_key=use.filename,
     )
 
 
@@ -130,5 +130,5 @@ def _dropped(subject: Subject, use: PluginUse, reference: Reference) -> Finding:
         f"{use.title} refers to {reference.kind} '{reference.name}', which Gazebo drops "
         f"(link '{link}': {reason}){use.outcome}",
         f"give link '{link}' an <inertial> with its mass",
-        alike=reason,
+        group_key=reason,
     )

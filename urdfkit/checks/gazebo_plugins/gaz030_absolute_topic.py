@@ -36,5 +36,5 @@ def check(subject: Subject) -> Findings:
                     item.at,
                     f"{use.title}: topic '{topic}' is absolute and ignores the robot namespace",
                     f"write '{topic.lstrip('/')}' if the robot may get a namespace",
-                    alike="absolute",
+                    group_key="absolute",
                 )

@@ -16,7 +16,7 @@ from __future__ import annotations
 from math import pi, radians
 
 from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
-from urdfkit.robot.model import number, numbers
+from urdfkit.robot.values import number, numbers
 from urdfkit.ros.gazebo.rejection import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import Sensor, sensors

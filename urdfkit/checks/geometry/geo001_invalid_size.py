@@ -56,7 +56,7 @@ def check(subject: Subject) -> Findings:
                 f"link '{link.name}': the mesh of its {body.at.tag} is mirrored by scale "
                 f"{_numbers(shape.scale)}",
                 "mirror the mesh file itself",
-                alike="mirrored",
+                group_key="mirrored",
                 severity=Severity.INFO,
             )
 

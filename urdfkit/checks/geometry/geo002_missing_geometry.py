@@ -70,7 +70,7 @@ def _without_collision(subject: Subject) -> Findings:
             f"link '{link.name}' has a visual and no collision"
             + ("; without it the robot does not stand" if supports else ""),
             help="add a <collision> with the shape that touches the ground" if supports else "",
-            alike="no support" if supports else "no collision",
+            group_key="no support" if supports else "no collision",
             severity=Severity.WARNING if supports else None,
         )
 
@@ -82,7 +82,7 @@ def _without_visual(subject: Subject) -> Findings:
                 link.collisions[0].at,
                 f"link '{link.name}' has a collision and no visual",
                 "add a <visual> if the link should be visible",
-                alike="no visual",
+                group_key="no visual",
                 severity=Severity.INFO,
             )
 

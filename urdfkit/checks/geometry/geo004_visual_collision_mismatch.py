@@ -75,7 +75,7 @@ def _apart(one: VisualCollisionPair) -> Finding:
         (Related(right.at.span, f"the {right.at.tag}"),),
         confidence=Confidence.INFERRED,
         weight=1 - one.overlap,
-        alike="moved" if how else "apart",
+        group_key="moved" if how else "apart",
     )
 
 

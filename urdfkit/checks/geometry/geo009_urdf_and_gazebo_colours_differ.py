@@ -89,7 +89,7 @@ def _finding(name: str, element: Element, rgb: tuple[float, ...], look: Material
         f"link '{name}' is {_named(element)} ({_shown(rgb)}) in Gazebo and "
         f"{called}({_shown(look.rgba.value[:3])}) in the URDF",
         related=(Related(look.rgba.span, "the colour in the URDF"),),
-        alike="colour",
+        group_key="colour",
     )
 
 

@@ -70,7 +70,7 @@ def _unknown(element: Element, suggested: str) -> Finding:
         f"{message}; did you mean <{suggested}>?" if suggested else message,
         _help(element, suggested),
         _fix(element, suggested),
-        alike=f"{element.tag} in {element.parent.tag}",
+        group_key=f"{element.tag} in {element.parent.tag}",
     )
 
 

@@ -13,6 +13,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import listed
 from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text import schema
@@ -73,12 +74,10 @@ def _foreign(attributes: list[Attribute]) -> Finding:
     first = attributes[0]
     element = first.element
     names = [f"'{name}'" for name in dict.fromkeys(one.name for one in attributes)]
-    if len(names) > _SHOWN:
-        names = [*names[:_SHOWN], f"{len(names) - _SHOWN} more"]
-    listed = f"attribute {names[0]}"
-    if len(names) > 1:
-        listed = f"attributes {', '.join(names[:-1])} and {names[-1]}"
-    message = f"{owner(element)}: unknown {listed} in <{element.tag}> (ignored)"
+    kind = "attributes" if len(names) > 1 else "attribute"
+    message = (
+        f"{owner(element)}: unknown {kind} {listed(names, _SHOWN)} in <{element.tag}> (ignored)"
+    )
     others = {one.element: one for one in attributes if one.element is not element}
     if others:
         message += f" (and {len(others)} more like this)"

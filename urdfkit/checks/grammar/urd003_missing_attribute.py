@@ -45,7 +45,7 @@ def check(subject: Subject) -> Findings:
             yield Finding(attribute, f"a {element.tag} has an empty name", "give it a name")
             continue
         if attribute is None:
-            yield Finding(element, message, alike=f"{missing} of {element.tag}")
+            yield Finding(element, message, group_key=f"{missing} of {element.tag}")
             continue
         edits = rename_attribute(attribute, suggested)
         yield Finding(

@@ -49,7 +49,7 @@ def check(subject: Subject) -> Findings:
             f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}",
             f'write {attribute.name}="{better}"' if better else "",
             fix,
-            alike=alike,
+            group_key=alike,
         )
 
 

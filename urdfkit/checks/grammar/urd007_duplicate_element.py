@@ -51,7 +51,7 @@ def check(subject: Subject) -> Findings:
             message,
             fix=_fix(element, first),
             related=related,
-            alike=f"{element.tag} in {place}",
+            group_key=f"{element.tag} in {place}",
             severity=None if is_rejected else Severity.WARNING,
         )
 

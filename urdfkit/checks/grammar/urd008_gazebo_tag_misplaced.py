@@ -37,7 +37,7 @@ def check(subject: Subject) -> Findings:
             f"{owner(element.parent)}: <{element.tag}> inside <{element.parent.tag}> is ignored",
             _help(element),
             fixes.get(element),
-            alike=f"{element.tag} in {element.parent.tag}",
+            group_key=f"{element.tag} in {element.parent.tag}",
             severity=Severity.INFO if _is_zero_pose(element) else None,
         )
 

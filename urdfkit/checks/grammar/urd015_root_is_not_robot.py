@@ -14,6 +14,12 @@ from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.text.editing.edits import rename_element
 
+#: What checks other formats, by root element.
+_ELSEWHERE = {
+    "sdf": "gz sdf --check FILE checks SDF, worlds too",
+    "mujoco": "python -m mujoco.viewer --mjcf=FILE loads MJCF",
+}
+
 BAD = '<Robot name="cart">\n  <link name="base"/>\n</Robot>\n'
 FIXED = GOOD = BAD.replace("Robot", "robot")
 
@@ -28,6 +34,6 @@ def check(subject: Subject) -> Findings:
         yield Finding(
             element,
             f"the root element is <{element.tag}>, not <robot>",
-            "rename it to <robot>" if edits else "",
+            "rename it to <robot>" if edits else _ELSEWHERE.get(element.tag, ""),
             Fix.of(f"rename <{element.tag}> to <robot>", edits),
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
+from urdfkit.core.words import few, listed
 from urdfkit.lint.rules import Finding, Findings, Fix, Related
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED
 from urdfkit.robot.inertials.link_comparison import LinkInertia
@@ -51,6 +52,4 @@ def _merged(fixes: list[Fix]) -> Fix | None:
 def and_more(others: list[tuple[LinkInertia, Finding]]) -> str:
     """Such as ``also 'b', 'c' and 3 more``."""
     names = [f"'{one.link.name}'" for one, _ in others]
-    if len(names) > 3:
-        names = [*names[:2], f"{len(names) - 2} more"]
-    return "also " + " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+    return f"also {few(names, 2) if len(names) > 3 else listed(names)}"

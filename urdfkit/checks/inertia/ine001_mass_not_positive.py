@@ -46,7 +46,7 @@ def check(subject: Subject) -> Findings:
                 mass,
                 f"link '{link.name}' has a mass of 0 kg and is moved by "
                 f"the {joint.kind} joint '{joint.name}'",
-                alike="zero",
+                group_key="zero",
             )
 
 

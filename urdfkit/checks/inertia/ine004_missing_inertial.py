@@ -25,6 +25,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import few, listed
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
@@ -83,7 +84,7 @@ def _in_mujoco(subject: Subject) -> Findings:
                 f"link '{computed[0].name}' is {moved} and has no <inertial>: MuJoCo computes its "
                 "mass from its collisions, at 1000 kg/m³",
                 severity=Severity.WARNING,
-                alike="computed",
+                group_key="computed",
             )
         elif body.mass <= 0 and not (inertial and inertial.mass and subject.masses.total > 0):
             yield Finding(
@@ -91,7 +92,7 @@ def _in_mujoco(subject: Subject) -> Findings:
                 f"link '{body.top.name}' is {moved} and has no mass: MuJoCo rejects the robot",
                 severity=Severity.ERROR,
                 targets=("mujoco",),
-                alike="rejected",
+                group_key="rejected",
             )
 
 
@@ -128,9 +129,10 @@ def _finding(body: RigidBody, subject: Subject) -> Finding | None:
     if not any(links[n].visuals or links[n].collisions or links[n].mass for n in dropped):
         return None
     children = [f"'{n}'" for n in dropped if n not in {link.name for link, _ in body.links}]
-    if len(children) > _NAMED:
-        children = [*children[: _NAMED - 1], f"{len(children) - _NAMED + 1} more"]
-    others = f" and its children {_listed(children)}" if children else ""
+    others = ""
+    if children:
+        named = few(children, _NAMED - 1) if len(children) > _NAMED else listed(children)
+        others = f" and its children {named}"
     by = "the root"
     if body.joint:  # a fixed one leads from the world
         verb = "held" if body.joint.kind == "fixed" else "moved"
@@ -139,10 +141,6 @@ def _finding(body: RigidBody, subject: Subject) -> Finding | None:
         body.top.at,
         f"link '{name}' is {by} and has no mass: Gazebo drops it{others}",
     )
-
-
-def _listed(names: list[str]) -> str:
-    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
 def _of_tiny_mass(subject: Subject) -> Findings:

@@ -43,5 +43,5 @@ def check(subject: Subject) -> Findings:
             replacement(one, diagnosis.tensor),
             confidence=Confidence.INFERRED,
             weight=max(*ratios, 1 / max(min(ratios), 1e-9)),
-            alike="other shape",
+            group_key="other shape",
         )

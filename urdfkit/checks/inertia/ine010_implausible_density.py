@@ -78,7 +78,7 @@ def _finding(one: LinkInertia) -> Finding:
         _in_kilograms(one) if unit_mistake(one) == "g" else None,
         confidence=Confidence.INFERRED,
         weight=max(density / HEAVIEST, LIGHTEST / density),
-        alike="density",
+        group_key="density",
     )
 
 

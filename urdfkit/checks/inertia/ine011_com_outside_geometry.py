@@ -42,7 +42,7 @@ def check(subject: Subject) -> Findings:
             f"about {_point(outline.center)}{f'; it {mistake}' if mistake else ''}",
             confidence=Confidence.INFERRED,
             weight=distance / max(outline.edges) if any(outline.edges) else inf,
-            alike="outside",
+            group_key="outside",
         )
 
 

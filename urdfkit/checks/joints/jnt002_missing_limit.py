@@ -69,6 +69,6 @@ def _unequal(model: RobotModel) -> Findings:
             "link has both",
             "give all continuous joints a <limit> with effort and velocity, or none",
             related=(Related(limit.at.span, f"limit of '{other.name}'"),),
-            alike=other.name,
+            group_key=other.name,
             severity=Severity.INFO,
         )

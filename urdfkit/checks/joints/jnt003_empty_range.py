@@ -20,8 +20,9 @@ from __future__ import annotations
 
 from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, unit
-from urdfkit.robot.model import Joint, Limit, number
+from urdfkit.robot.model import Joint, Limit
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.values import number
 from urdfkit.text.editing.edits import swap
 
 BAD = arm_xml("revolute", '<limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>')
@@ -73,7 +74,7 @@ def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
         limit.at,
         f"joint '{joint.name}' is {joint.kind} but cannot move: {why}",
         f"set lower and upper, {continuous}or make it fixed",
-        alike="cannot move",
+        group_key="cannot move",
         severity=Severity.INFO if _is_locked(limit) else Severity.WARNING,
     )
 

@@ -38,8 +38,9 @@ from urdfkit.robot.joints import (
     several,
     unit,
 )
-from urdfkit.robot.model import Joint, Placed, number
+from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.values import number
 
 BAD = arm_xml("revolute", '<limit lower="0" upper="1.7453" effort="0" velocity="2"/>')
 GOOD = BAD.replace('effort="0"', 'effort="1.2"')

@@ -29,8 +29,9 @@ from math import pi, radians
 
 from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.joints import bounds
-from urdfkit.robot.model import Joint, Placed, RobotModel, numbers
+from urdfkit.robot.model import Joint, Placed, RobotModel
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.values import numbers
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value, scale_limits
 from urdfkit.text.grammar import owner
@@ -206,5 +207,5 @@ def _speed(joint: Joint, velocity: Placed[float]) -> Finding:
         f"degrees per second ({float(right):.3g} rad/s)",
         fix=fix_value(velocity.at, right),
         confidence=Confidence.INFERRED,
-        alike="velocity",
+        group_key="velocity",
     )

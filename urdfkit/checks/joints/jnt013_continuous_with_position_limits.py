@@ -39,5 +39,5 @@ def check(subject: Subject) -> Findings:
                 written[0],
                 f"joint '{joint.name}' is continuous and has {values}, which only Drake obeys",
                 fix=Fix.of("remove lower and upper", all_or_none(map(remove_attribute, written))),
-                alike="continuous",
+                group_key="continuous",
             )

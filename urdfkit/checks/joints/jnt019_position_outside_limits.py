@@ -26,8 +26,9 @@ from collections.abc import Iterator
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
-from urdfkit.robot.model import Joint, RobotModel, number
+from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.values import number
 from urdfkit.text.document import Element
 
 BAD = arm_xml(

@@ -31,7 +31,7 @@ def check(subject: Subject) -> Findings:
                 f"joint '{joint.name}' is fixed; its <axis> has no effect",
                 "remove the axis",
                 Fix("remove the axis", remove_element(axis), safe=True),
-                alike="axis",
+                group_key="axis",
             )
         if limit is None:
             continue

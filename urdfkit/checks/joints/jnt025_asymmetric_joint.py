@@ -29,8 +29,9 @@ from urdfkit.core.spatial import Transform, Vector, dot, rotate
 from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.kinematics import TURNING, direction
-from urdfkit.robot.model import Joint, Placed, number
+from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import hand_xml
+from urdfkit.robot.values import number
 
 _AXIS = '<axis xyz="0 1 0"/>'
 _LIMIT = '<limit lower="-1" upper="2" effort="80" velocity="11"/>'
@@ -60,7 +61,7 @@ def check(subject: Subject) -> Findings:
                 "write the same value for both",
                 related=(Related(first.at.span, f"counterpart '{first.name}'"),),
                 confidence=Confidence.INFERRED,
-                alike="counterparts",
+                group_key="counterparts",
             )
     for one, other, reason in misplaced(subject):
         yield Finding(

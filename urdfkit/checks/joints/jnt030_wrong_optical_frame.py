@@ -21,8 +21,9 @@ from __future__ import annotations
 
 from urdfkit.core.spatial import Rotation, rotate
 from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
-from urdfkit.robot.model import Joint, numbers
+from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
+from urdfkit.robot.values import numbers
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 
@@ -91,7 +92,7 @@ def _of_gazebo(subject: Subject) -> Findings:
                     sensor.at,
                     f"{sensor.who} looks along x of '{link}', to the robot's right",
                     "refer to the camera's link, and name the optical frame in the plugin",
-                    alike="optical",
+                    group_key="optical",
                 )
             continue
         for parent in (sensor.at, *sensor.plugins):
@@ -102,7 +103,7 @@ def _of_gazebo(subject: Subject) -> Findings:
                         f"{sensor.who}: images are published with frame_id '{link}', which is "
                         "x-forward",
                         "name an optical frame: a child link with rpy -1.5708 0 -1.5708",
-                        alike="not optical",
+                        group_key="not optical",
                         severity=Severity.INFO,
                     )
 

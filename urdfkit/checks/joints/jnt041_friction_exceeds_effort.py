@@ -16,8 +16,9 @@ from __future__ import annotations
 from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.joints import MOVING, effort_unit, unit
-from urdfkit.robot.model import Joint, number
+from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.values import number
 from urdfkit.text.document import Element
 
 BAD = arm_xml(
@@ -51,7 +52,7 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
             dynamics.attributes["friction"],
             f"{who}: friction {friction:g} {of} exceeds the effort limit of {most:g} {of}",
             weight=friction / most,
-            alike="friction",
+            group_key="friction",
         )
     speed = joint.limit.velocity.value if joint.limit and joint.limit.velocity else 0.0
     reached = most / damping if damping > 0 else speed
@@ -61,5 +62,5 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
             f"{who}: with damping {damping:g} {of}·s/{unit(joint)}, the effort limit of {most:g} "
             f"{of} reaches {reached:.2g} {unit(joint)}/s; the velocity limit is {speed:g}",
             weight=speed / reached,
-            alike="damping",
+            group_key="damping",
         )

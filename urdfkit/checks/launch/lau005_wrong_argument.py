@@ -41,7 +41,7 @@ FILES = {
 def check(subject: Subject) -> Findings:
     for finding in reported(subject, "LAU005"):
         _, _, argument = finding.message.partition("': ")
-        yield finding._replace(alike=argument)
+        yield finding._replace(group_key=argument)
     for description in subject.launch.descriptions:
         if not description.arguments:
             continue

@@ -95,7 +95,7 @@ def _package_files(subject: Subject) -> Iterator[str]:
         if package.searched is None and not comes_with_ros(package.name):
             directories.add(subject.resolver.package(package.name, subject.source.path))
     for directory in sorted(directories):
-        files = subject.resolver.folders.files_below(directory, _MAX_DIRECTORIES)
+        files = subject.resolver.directories.files_below(directory, _MAX_DIRECTORIES)
         yield from islice((file for file in files if file.endswith((".yaml", ".yml"))), _MAX_FILES)
 
 

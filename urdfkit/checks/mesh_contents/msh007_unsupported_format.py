@@ -65,7 +65,7 @@ def check(subject: Subject) -> Findings:
         if mesh.facts and mesh.facts.starts_with_solid:
             message = f"{mesh.who} is a binary STL and begins with 'solid'"
             help = "urdfkit mesh convert FILE NEW.stl"
-            yield Finding(mesh.at, message, help, alike="solid", severity=Severity.INFO)
+            yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
 
 
 def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Findings:
@@ -77,7 +77,7 @@ def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Finding
                 mesh.at,
                 f"{mesh.who} is {form}; {target.title} loads {' and '.join(target.meshes)} only",
                 "urdfkit mesh convert FILE NEW.stl",
-                alike=f"{form} for {target.name}",
+                group_key=f"{form} for {target.name}",
                 targets=(target.name,),
             )
 

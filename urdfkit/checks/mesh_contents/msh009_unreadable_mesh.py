@@ -55,7 +55,7 @@ def check(subject: Subject) -> Findings:
         if defect := mesh.facts.defect:
             pull = "run git lfs pull" if "Git LFS" in defect.reason else ""
             help = pull or _HELP.get(defect.kind, "")
-            yield Finding(mesh.at, f"{mesh.who} {defect.reason}", help, alike=pull)
+            yield Finding(mesh.at, f"{mesh.who} {defect.reason}", help, group_key=pull)
         elif mesh.facts.non_finite:
             help = "export the mesh again, or remove the triangle in a mesh editor"
             message = f"{mesh.who} has a vertex that is not finite: {mesh.facts.non_finite}"

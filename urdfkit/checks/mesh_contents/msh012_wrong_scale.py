@@ -61,7 +61,7 @@ def check(subject: Subject) -> Findings:
             "without it",
             "remove the scale, or correct it",
             confidence=Confidence.INFERRED,
-            alike="scale",
+            group_key="scale",
         )
 
 

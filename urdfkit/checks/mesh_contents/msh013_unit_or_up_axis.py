@@ -63,7 +63,7 @@ def check(subject: Subject) -> Findings:
                 mesh.at,
                 f"{mesh.who} has the unit {mesh.facts.unit:g} m: RViz and Gazebo multiply by it, "
                 "MoveIt, Pinocchio and coal do not",
-                alike=f"{mesh.facts.unit:g}",
+                group_key=f"{mesh.facts.unit:g}",
                 severity=Severity.INFO if is_only_visual else None,
             )
     yield from _once(

@@ -68,7 +68,7 @@ def check(subject: Subject) -> Findings:
             f"{use.who} has {use.measures.bodies} pieces that overlap: a mass computed from it is "
             f"{100 * use.measures.overlap:.0f} % too large",
             "unite the pieces: urdfkit mesh repair --union FILE",
-            alike="overlap",
+            group_key="overlap",
         )
     for use in defects.get(MeshDefect.INVERTED, ()):
         found = use.measures
@@ -77,7 +77,7 @@ def check(subject: Subject) -> Findings:
             what = f"{found.inverted_bodies} of its {found.bodies} pieces face inward"
         message = f"{use.who} is inside out: {what}"
         help = "urdfkit mesh repair FILE"
-        yield Finding(use.at, message, help, alike="inside out", severity=Severity.WARNING)
+        yield Finding(use.at, message, help, group_key="inside out", severity=Severity.WARNING)
 
 
 def _tiny(uses: list[MeshUse]) -> Findings:
@@ -110,5 +110,5 @@ def _open(use: MeshUse) -> Finding:
         f"{use.who} {what}",
         "" if parts else "urdfkit mesh repair --one-sided FILE, or urdfkit mesh hull FILE",
         weight=found.open_edges,
-        alike="open",
+        group_key="open",
     )

@@ -34,5 +34,5 @@ def check(subject: Subject) -> Findings:
             f"{use.who}: {found.degenerate} of {counted(found.triangles, 'triangle')} "
             f"{'has' if found.degenerate == 1 else 'have'} no area",
             weight=found.degenerate / found.triangles,
-            alike="degenerate",
+            group_key="degenerate",
         )

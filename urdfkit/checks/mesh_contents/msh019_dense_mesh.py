@@ -67,7 +67,7 @@ def check(subject: Subject) -> Findings:
             f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
             f"checking slow{rejected}",
             weight=number,
-            alike="collision",
+            group_key="collision",
             severity=Severity.ERROR if fatal else None,
             targets=fatal,
         )
@@ -79,7 +79,7 @@ def check(subject: Subject) -> Findings:
             "consider a simpler one",
             "urdfkit mesh collision suggests a simple shape",
             weight=number,
-            alike="shared",
+            group_key="shared",
             severity=Severity.INFO,
         )
     for use in defects.get(MeshDefect.DENSE_VISUAL, ()):
@@ -89,6 +89,6 @@ def check(subject: Subject) -> Findings:
             f"{use.who} has {number:,} triangles; more than {DENSE_VISUAL:,} make rendering slow",
             "urdfkit mesh simplify FILE",
             weight=number,
-            alike="visual",
+            group_key="visual",
             severity=Severity.INFO,
         )

@@ -23,8 +23,8 @@ from urdfkit.robot.samples import mesh_xml
 BAD = mesh_xml("visual", "forearm.dae")
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
-    "forearm.dae": collada(look='<diffuse><texture texture="image" texcoord="UV"/></diffuse>'),
-    "hand.dae": collada(look="<diffuse><color>1 0 0 1</color></diffuse>"),
+    "forearm.dae": collada(effect='<diffuse><texture texture="image" texcoord="UV"/></diffuse>'),
+    "hand.dae": collada(effect="<diffuse><color>1 0 0 1</color></diffuse>"),
 }
 
 
@@ -44,5 +44,5 @@ def check(subject: Subject) -> Findings:
             use.at,
             f"{use.who} has its colours in '{use.measures.no_materials[0]}', which does not exist",
             "add the file next to the mesh, or give the visual a <material>",
-            alike="materials",
+            group_key="materials",
         )

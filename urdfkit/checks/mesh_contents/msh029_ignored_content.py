@@ -43,9 +43,9 @@ def check(subject: Subject) -> Findings:
     for use in defects.get(MeshDefect.EXTRAS, ()):
         content = ", ".join(extras(use))
         message = f"{use.who} also holds {content}; only triangles are shown"
-        yield Finding(use.at, message, alike=content)
+        yield Finding(use.at, message, group_key=content)
     for use in defects.get(MeshDefect.STL_COLOURS, ()):
         (colours,) = (extra for extra in use.measures.extras if extra.startswith(COLOURS))
         message = f"{use.who} holds {colours}, which URDF programs ignore"
         help = "give the visual a <material>, or export COLLADA"
-        yield Finding(use.at, message, help, alike="colours")
+        yield Finding(use.at, message, help, group_key="colours")

@@ -33,7 +33,8 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.editing.edits import replace_value
-from urdfkit.workspace.resolve import OUTSIDE, ResolvedReference
+from urdfkit.workspace.references import ResolvedReference
+from urdfkit.workspace.resolve import OUTSIDE
 
 BAD = mesh_xml("visual", "package://arm_description/meshes/forarm.stl")
 FIXED = GOOD = BAD.replace("forarm", "forearm")
@@ -83,7 +84,7 @@ def _without_package(subject: Subject, mesh: MeshReference, scheme: str, rest: s
     is_found = subject.resolver.locate(reference, subject.files.top).path is not None
     message = f"{mesh.who} names no package between '{scheme}://' and the next '/'"
     fix = _fix(mesh, reference, "remove the third slash") if is_found else None
-    return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, alike=scheme)
+    return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, group_key=scheme)
 
 
 def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
@@ -106,11 +107,11 @@ def _missing(subject: Subject, mesh: MeshReference) -> Finding:
     message = f"{mesh.who} does not exist{where}{tried}"
     suggested = files.nearest(mesh)
     if suggested is None:
-        return Finding(mesh.at, message, alike=_missing_directory(located))
+        return Finding(mesh.at, message, group_key=_missing_directory(located))
     new = suggested.reference
     fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
     alike = f"{'fixed' if fix else 'suggested'} {_missing_directory(located)}"
-    return Finding(mesh.at, message, f"did you mean '{new}'?", fix, alike=alike)
+    return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=alike)
 
 
 def _fix(mesh: MeshReference, reference: str, title: str) -> Fix | None:
@@ -120,6 +121,6 @@ def _fix(mesh: MeshReference, reference: str, title: str) -> Fix | None:
 def _missing_directory(located: ResolvedReference) -> str:
     """The topmost directory that does not exist; the file's own if that exists."""
     lost = os.path.dirname(os.path.abspath(located.tried[0]))
-    while not disk.is_folder(above := os.path.dirname(lost)):
+    while not disk.is_directory(above := os.path.dirname(lost)):
         lost = above
     return lost

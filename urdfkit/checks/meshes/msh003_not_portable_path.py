@@ -52,7 +52,7 @@ def check(subject: Subject) -> Findings:
             known = reference.startswith("package://")
             fix = fix_value(mesh.literal, reference) if mesh.literal and known else None
             message = f"{mesh.who} is an absolute path, which exists on this machine only"
-            yield Finding(mesh.at, message, fix=fix, alike="absolute")
+            yield Finding(mesh.at, message, fix=fix, group_key="absolute")
         if package := _left(subject, mesh, path):
             message = f"{mesh.who} leaves package '{package}': not found once installed"
             home = subject.resolver.packages.enclosing(path)

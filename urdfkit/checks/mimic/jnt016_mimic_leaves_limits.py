@@ -46,7 +46,7 @@ def check(subject: Subject) -> Findings:
             f"{taken[1]:g}] {unit(joint)}, beyond its limits [{own[0]:g}, {own[1]:g}]",
             _remedy(joint, leading, own),
             related=(Related(leader.limit.at.span, f"the limits of '{leader.name}'"),),
-            alike="beyond",
+            group_key="beyond",
         )
 
 

@@ -42,11 +42,11 @@ def check(subject: Subject) -> Findings:
     yield from _duplicates((link.at for link in model.links), help.format("link"))
     yield from _duplicates((joint.at for joint in model.joints), help.format("joint"))
     materials = (material.at for material in model.materials)
-    yield from _duplicates(materials, "keep one of them", alike="material")
+    yield from _duplicates(materials, "keep one of them", group_key="material")
     yield from _redefined(model)
 
 
-def _duplicates(elements: Iterable[Element], help: str, alike: str = "") -> Findings:
+def _duplicates(elements: Iterable[Element], help: str, group_key: str = "") -> Findings:
     first: dict[str, Element] = {}
     for element in elements:
         name = element.attributes.get("name")
@@ -58,7 +58,7 @@ def _duplicates(elements: Iterable[Element], help: str, alike: str = "") -> Find
                 f"duplicate {element.tag} '{name.value}'",
                 help,
                 related=(Related(first[name.value].span, "first defined here"),),
-                alike=alike,
+                group_key=group_key,
             )
         first.setdefault(name.value, element)
 
@@ -67,27 +67,27 @@ def _redefined(model: RobotModel) -> Findings:
     """Materials of visuals with a name that has another colour or texture already."""
     first: dict[str, Material] = {}
     for material in model.materials:
-        if material.name and _look(material):
+        if material.name and _appearance(material):
             first.setdefault(material.name.value, material)
     visuals = [(link, body.material) for link in model.links for body in link.visuals]
     for link, used in visuals:
-        if not used or not used.name or not used.name.value or not (look := _look(used)):
+        if not used or not used.name or not used.name.value or not (given := _appearance(used)):
             continue
         name = used.name.value
         known = first.setdefault(name, used)
-        if look != _look(known):
+        if given != _appearance(known):
             yield Finding(
                 used.rgba or used.texture or used.at,
-                f"link '{link.name}': material '{name}' is {look} here and {_look(known)} before; "
-                "parsers keep the first",
+                f"link '{link.name}': material '{name}' is {given} here and "
+                f"{_appearance(known)} before; parsers keep the first",
                 "give each colour its own name",
                 related=(Related(known.at.span, "the first"),),
-                alike=name,
+                group_key=name,
                 severity=Severity.WARNING,
             )
 
 
-def _look(material: Material) -> str:
+def _appearance(material: Material) -> str:
     """The texture, or the colour as ``1 0 0 1``; empty if there is none to read."""
     if material.texture:
         return material.texture.value

@@ -45,7 +45,7 @@ def check(subject: Subject) -> Findings:
             f"joint '{joint.name}' has the name of a link"
             + ("" if is_merged else ", which Gazebo's SDF does not allow"),
             related=(Related(links[joint.name].at.span, "the link"),),
-            alike="shared",
+            group_key="shared",
             severity=Severity.INFO if is_merged else None,
         )
 

@@ -37,8 +37,10 @@ GOOD = '<link name="base_link"/>'
 
 @rule(Severity.WARNING, help="use letters, digits and _")
 def check(subject: Subject) -> Findings:
-    for name in subject.model.names:
-        if name.value and not is_expression(name.value):
+    model = subject.model
+    for element in (*(link.at for link in model.links), *(joint.at for joint in model.joints)):
+        name = element.attributes.get("name")
+        if name and name.value and not is_expression(name.value):
             yield from _characters(name)
             yield from _first_character(subject, name)
             yield from _reserved(subject, name)
@@ -60,7 +62,7 @@ def _characters(name: Attribute) -> Findings:
         return
     # Nothing refers to a fixed joint by its name.
     severity = Severity.INFO if is_fixed_joint else None
-    yield Finding(name, f"{tag} '{text}': {reason}", alike=reason, severity=severity)
+    yield Finding(name, f"{tag} '{text}': {reason}", group_key=reason, severity=severity)
 
 
 def _first_character(subject: Subject, name: Attribute) -> Findings:

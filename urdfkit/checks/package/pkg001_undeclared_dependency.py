@@ -67,7 +67,7 @@ def check(subject: Subject) -> Findings:
             f"package '{name}' is used but not declared in {manifest.path}",
             help_,
             fix,
-            alike="undeclared" if fix else "",
+            group_key="undeclared" if fix else "",
             severity=Severity.INFO if is_of_launch else None,
         )
 

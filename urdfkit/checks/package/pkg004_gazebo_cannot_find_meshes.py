@@ -56,7 +56,7 @@ def check(subject: Subject) -> Findings:
     found = _of_packages(subject)
     if not found or any(True for _ in packages.gazebo_model_paths(subject.source.path)):
         return
-    seen = survey(packages.workspace(subject.source.path), subject.resolver.folders)
+    seen = survey(packages.workspace(subject.source.path), subject.resolver.directories)
     if seen.is_reported or seen.starter is None:
         return
     try:

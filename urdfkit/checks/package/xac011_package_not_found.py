@@ -22,7 +22,8 @@ import re
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, reported, rule
-from urdfkit.robot.assets.mesh_files import MeshReference, is_typo
+from urdfkit.robot.assets.file_names import is_mistyped
+from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
@@ -45,9 +46,9 @@ def check(subject: Subject) -> Findings:
         (name,) = re.findall(_NAME, problem.message)
         severity = _severity(subject, name, problem.span)
         known = subject.resolver.packages.known(subject.source.path)
-        alike = [one for one in known if is_typo(name, one) or one.rstrip("0123456789") == name]
+        alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
         help = finding.help + ("" if severity else did_you_mean(name, alike))
-        yield finding._replace(help=help, alike=name, severity=severity)
+        yield finding._replace(help=help, group_key=name, severity=severity)
     if is_launch(subject.source.path):
         yield from _launched(subject)
         return
@@ -65,14 +66,14 @@ def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
     first = meshes[0]
     count = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
     known = subject.resolver.packages.known(subject.source.path)
-    suggested = did_you_mean(name, [package for package in known if is_typo(name, package)])
+    suggested = did_you_mean(name, [package for package in known if is_mistyped(name, package)])
     return Finding(
         first.at,
         f"link '{first.link.name}': package '{name}' is not found, so {count} of it cannot be "
         f"checked; searched {', '.join(first.located.searched)}",
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
-        alike=f"meshes of {name}",
+        group_key=f"meshes of {name}",
         severity=_severity(subject, name, first.at.span),
     )
 
@@ -89,7 +90,7 @@ def _launched(subject: Subject) -> Findings:
         name = package.name
         if package.searched is None or is_known_dependency(name, path, resolver):
             continue
-        suggested = did_you_mean(name, [one for one in known if is_typo(name, one)])
+        suggested = did_you_mean(name, [one for one in known if is_mistyped(name, one)])
         undeclared, help = "", "fix the name"
         if manifest is not None:
             undeclared = " and not declared in package.xml"
@@ -98,6 +99,6 @@ def _launched(subject: Subject) -> Findings:
             Location(package.span),
             f"package '{name}' is not found{undeclared}{suggested}",
             f"{help}; searched {', '.join(package.searched)}",
-            alike="" if suggested else "not found",
+            group_key="" if suggested else "not found",
             severity=Severity.WARNING if suggested else Severity.INFO,
         )

@@ -41,4 +41,4 @@ def check(subject: Subject) -> Findings:
             yield finding._replace(severity=Severity.WARNING)
             continue
         lacking = re.match(_UNDEFINED, finding.message)
-        yield finding._replace(alike=lacking[1] or lacking[0]) if lacking else finding
+        yield finding._replace(group_key=lacking[1] or lacking[0]) if lacking else finding

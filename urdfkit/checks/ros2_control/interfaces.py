@@ -51,7 +51,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
                 at,
                 f"{who} is not one of {simulated.name} ({', '.join(known)})",
                 _HELP,
-                alike=f"{simulated.name} {interface.direction}",
+                group_key=f"{simulated.name} {interface.direction}",
                 severity=Severity.INFO if is_extra else None,  # the hardware alone has it
             )
         return
@@ -69,7 +69,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
             at,
             f"{who} is not one of {simulated.name} (such as {standard[0]})",
             _HELP,
-            alike=f"{simulated.name} sensor",
+            group_key=f"{simulated.name} sensor",
             severity=Severity.INFO,  # the hardware alone has it
         )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
-from urdfkit.robot.model import number
+from urdfkit.robot.values import number
 from urdfkit.ros.ros_control import Component
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
@@ -55,7 +55,7 @@ def _parameter(who: str, element: Element) -> Findings:
                 element,
                 message,
                 "write a number",
-                alike="not a number",
+                group_key="not a number",
                 severity=Severity.WARNING,
             )
     elif suggested := nearest(name.value, ("initial_value",), _TYPO):

@@ -60,7 +60,7 @@ def _of_robot(subject: Subject, suggester: Suggester) -> Findings:
             name,
             f"{owner}: unknown joint '{name.value}'{hint}",
             fix=fix_value(name, suggester.suggested(name.value)),
-            alike="" if hint else owner,
+            group_key="" if hint else owner,
         )
 
 
@@ -112,7 +112,7 @@ def _of_controllers(subject: Subject) -> Findings:
                         f"controller '{controller.name}': unknown joint '{value.text}'{hint}",
                         "fix the name in the parameter file",
                         related=(file.note,),
-                        alike="" if hint else file.path,
+                        group_key="" if hint else file.path,
                     )
 
 

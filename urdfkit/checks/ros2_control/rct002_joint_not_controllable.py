@@ -80,7 +80,7 @@ def _fixed(subject: Subject) -> Findings:
                 element.attributes["name"],
                 f"{owner} drives joint '{joint.name}', which is fixed",
                 "change the type of the joint, or remove the joint here",
-                alike="fixed",
+                group_key="fixed",
             )
 
 

@@ -72,5 +72,5 @@ def _duplicate_interfaces(blocks: list[Component]) -> Findings:
                         f"{part.kind} '{part.name}': {interface.direction} interface "
                         f"'{interface.name}' is declared twice",
                         related=(first[key],),
-                        alike=component.called,
+                        group_key=component.called,
                     )

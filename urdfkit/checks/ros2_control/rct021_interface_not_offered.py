@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
 from urdfkit.ros.ros_control import components, control_plugins, driven_joints
@@ -45,7 +46,6 @@ _INTERFACES = {
     "VelocityJointInterface": "velocity",
     "EffortJointInterface": "effort",
 }
-_BY_PACKAGE = {f"{kind}_controllers": kind for kind in _INTERFACES.values()}
 _GRIPPER = "GripperActionController"
 _DRIVE = "diff_drive_controller/DiffDriveController"
 
@@ -71,14 +71,14 @@ def _without_command(subject: Subject, read: list[tuple[ParameterFile, Controlle
     served = {
         value.text
         for _, one in read
-        for value in _commanded_joints(one)
-        if one.ros == 1 and by_ros[1].get(value.text, set()).issuperset(_commands(one))
+        for value in commanded_joints(one)
+        if one.ros == 1 and by_ros[1].get(value.text, set()).issuperset(commands(one))
     }
     for name in served:  # another controller of the file is for this joint as it is
         by_ros[1].pop(name, None)
     for file, one in read:
-        joints, offered = _commanded_joints(one), by_ros[one.ros]
-        yield from _lacking(one, file, joints, _commands(one), offered, "command")
+        joints, offered = commanded_joints(one), by_ros[one.ros]
+        yield from _lacking(one, file, joints, commands(one), offered, "command")
 
 
 def _lacking(
@@ -141,26 +141,6 @@ def _transmitted(subject: Subject) -> _Offered:
             if name in _INTERFACES:
                 offered.setdefault(joint.get("name") or "", set()).add(_INTERFACES[name])
     return offered
-
-
-def _commands(controller: Controller) -> list[str]:
-    """The command interfaces that it needs of each joint; empty if that is not known."""
-    if controller.ros == 1 and (kind := _BY_PACKAGE.get(controller.type.partition("/")[0])):
-        return [kind]
-    known = catalogue().get(controller.type)
-    if known is None:
-        return []
-    if known.interface:
-        return [known.interface]
-    named = controller.values([known.interfaces]) if known.interfaces else []
-    return [value.text for value in named if value.text]
-
-
-def _commanded_joints(controller: Controller) -> list[Value]:
-    """The joints that it commands; ``command_joints`` takes precedence over ``joints``."""
-    kind = catalogue().get(controller.type)
-    commanded = controller.values(["command_joints"])
-    return commanded or (controller.values(kind.joints) if kind else [])
 
 
 def _states(controller: Controller) -> list[str]:

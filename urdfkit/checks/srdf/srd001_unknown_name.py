@@ -82,7 +82,7 @@ def check(subject: Subject) -> Findings:
 def _unknown(kind: str, name: Attribute, known: set[str]) -> Finding:
     fix = fix_value(name, Suggester(known).suggested(name.value))
     message = f"unknown {kind} '{name.value}'{Suggester(known, _LIKE).hint(name.value)}"
-    return Finding(name, message, fix=fix, alike=name.value if fix else kind)
+    return Finding(name, message, fix=fix, group_key=name.value if fix else kind)
 
 
 def _is_free_flyer(attribute: Attribute) -> bool:

@@ -18,7 +18,8 @@ from collections.abc import Iterable
 
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.joints import unit
-from urdfkit.robot.model import Joint, number
+from urdfkit.robot.model import Joint
+from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.text.document import Element

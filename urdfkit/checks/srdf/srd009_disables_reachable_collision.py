@@ -76,5 +76,5 @@ def check(subject: Subject) -> Findings:
                 element,
                 f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}",
                 weight=collision.depth,
-                alike="never",
+                group_key="never",
             )

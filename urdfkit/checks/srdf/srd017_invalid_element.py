@@ -14,8 +14,8 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
-from urdfkit.robot.model import number
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.values import number
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, unreadable
 from urdfkit.ros.moveit.srdf_grammar import lacking, mistakes

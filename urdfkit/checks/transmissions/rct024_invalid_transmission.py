@@ -28,8 +28,8 @@ from collections.abc import Iterable
 
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
-from urdfkit.robot.model import number
 from urdfkit.robot.samples import element_xml, robot_xml
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import words
 from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.ros_control import ROS1, called, is_of_pr2, reads_transmissions

@@ -11,6 +11,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -36,11 +37,10 @@ def check(subject: Subject) -> Findings:
         return
     main = _largest(subject.tree, roots)
     others = [root for root in roots if root is not main]
-    names = ", ".join(f"'{root.name}'" for root in roots[:SHOWN])
-    more = f" and {len(roots) - SHOWN} more" if len(roots) > SHOWN else ""
+    names = [f"'{root.name}'" for root in roots]
     yield Finding(
         others[0].at,
-        f"{len(roots)} root links: {names}{more}",
+        f"{len(roots)} root links: {few(names, SHOWN)}",
         related=tuple(
             Related(root.at.span, f"'{root.name}' has no parent")
             for root in (main, *others[1:SHOWN])

@@ -18,9 +18,10 @@ from math import hypot
 from urdfkit.core.spatial import Rotation, Transform, Vector, dot, rotate
 from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body, number
+from urdfkit.robot.model import Body
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.tree import KinematicTree
+from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_before, replace_value

@@ -43,11 +43,11 @@ def _unused(subject: Subject) -> Findings:
         if name not in xacro.usage.names:
             fix = Fix("delete the property", remove_spans([definition.tag.whole_span]))
             at = Location(definition.tag.span, definition.frame)
-            yield Finding(at, f"property '{name}' is never used", fix=fix, alike="unused")
+            yield Finding(at, f"property '{name}' is never used", fix=fix, group_key="unused")
     for argument in xacro.arguments:
         if argument.name not in xacro.usage.names:
             at = Location(argument.tag.span, argument.frame)
-            yield Finding(at, f"argument '{argument.name}' is never used", alike="unused")
+            yield Finding(at, f"argument '{argument.name}' is never used", group_key="unused")
     # XAC002 reports macros that are called without the prefix.
     called = {*xacro.usage.calls, *(element.tag for element in subject.document.root.walk())}
     for macro in () if "call" in xacro.usage.calls else xacro.macros:

@@ -14,8 +14,8 @@ import re
 from math import pi
 
 from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
-from urdfkit.robot.model import number
 from urdfkit.robot.samples import xacro_xml
+from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.xacro.definitions import Definition

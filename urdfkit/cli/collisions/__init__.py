@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     help="Whether the <unit> of a COLLADA mesh is applied. [default: as the targets do]",
 )
 @click.option("--format", "form", type=click.Choice(["text", "json", "markdown"]), default="text")
+@limited
 def command(
     asked: dict[str, Any],
     samples: int,

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.robot.assets.collision_shapes import CollisionProposal, edited, propose
@@ -37,6 +37,7 @@ from urdfkit.text.source import shown
 @click.option("--write", is_flag=True, help="Write the collisions and their mesh files.")
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
 @one_robot
+@limited
 def command(
     asked: dict[str, Any],
     error: float | None,

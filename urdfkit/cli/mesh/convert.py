@@ -7,7 +7,7 @@ from math import inf
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh.saving import save
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import scaled, upright
@@ -24,6 +24,7 @@ from urdfkit.mesh.writers import require_replaceable
 @click.option("--upright", "turn", is_flag=True, help="Rotate the up axis of the file to z.")
 @click.option("--scale", type=float, default=1.0, metavar="FACTOR", help="Multiply all lengths.")
 @click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh.")
+@limited
 def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
     """Convert a mesh to another format, or clean it in the same one.
 

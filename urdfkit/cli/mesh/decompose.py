@@ -7,7 +7,7 @@ import os
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
 from urdfkit.mesh.containment import missing, protrusion
@@ -27,6 +27,7 @@ from urdfkit.mesh.transforms import in_metres
     "--engine", type=click.Choice(ENGINES), default="vhacd", help="Decomposition algorithm."
 )
 @click.option("--force", is_flag=True, help="Replace OUT even if it is a valid mesh.")
+@limited
 def command(file: str, out: str | None, split: bool, most: int, engine: str, force: bool) -> int:
     """Decompose a mesh into convex pieces for physics engines.
 

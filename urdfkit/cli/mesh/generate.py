@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.parts import PARTS
@@ -42,6 +42,7 @@ def _is_robot(files: list[str]) -> bool:
 @click.option("--force", is_flag=True, help="Replace the file even if it is a valid mesh.")
 @click.option("--dry-run", is_flag=True, help="Print what would be generated; write nothing.")
 @read_by_options
+@limited
 def command(
     words: tuple[str, ...],
     model: str | None,
@@ -70,20 +71,21 @@ def command(
             raise options.UsageError(
                 f"pass the robot with --model{hint}; or pass a file and select the part with --part"
             )
-        made = [generate_part(files[0], part, size, force=force)]
-        undone: tuple[NotGenerated, ...] = ()
+        found: list[GeneratedMesh | NotGenerated] = [
+            generate_part(files[0], part, size, force=force)
+        ]
     else:
         arguments = tuple(word for word in words if ":=" in word)
         subject = robot({**asked, options.FILES: (model, *arguments)})
         if files:
-            one = generate(subject, files[0], part=part, size=size, force=force)
-            made = [one] if isinstance(one, GeneratedMesh) else []
-            undone = (one,) if isinstance(one, NotGenerated) else ()
+            found = [generate(subject, files[0], part=part, size=size, force=force)]
         elif part or size or force:
             raise options.UsageError("--part, --size and --force apply to one mesh; pass its name")
         else:
-            found = generate_missing(subject)
-            made, undone = list(found.made), found.undone
+            every = generate_missing(subject)
+            found = [*every.made, *every.undone]
+    made = [one for one in found if isinstance(one, GeneratedMesh)]
+    undone = [one for one in found if isinstance(one, NotGenerated)]
     if not dry_run:
         for one in made:
             one.write()
@@ -91,9 +93,7 @@ def command(
     return int(bool(undone))
 
 
-def render(
-    made: list[GeneratedMesh], undone: tuple[NotGenerated, ...], dry_run: bool
-) -> Iterator[str]:
+def render(made: list[GeneratedMesh], undone: list[NotGenerated], dry_run: bool) -> Iterator[str]:
     """What was made, and what was not."""
     if not made and not undone:
         yield "nothing is missing"

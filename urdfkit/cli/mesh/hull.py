@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.mesh.convex_hull import hull
@@ -17,6 +17,7 @@ from urdfkit.mesh.transforms import in_metres
 @with_examples("hull", "urdfkit mesh hull arm.dae -o arm_hull.stl")
 @click.argument("file", metavar="FILE")
 @writes
+@limited
 def command(file: str, out: str | None, in_place: bool, force: bool) -> int:
     """Compute the convex hull of a mesh.
 

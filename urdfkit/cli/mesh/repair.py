@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import output, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.mesh.health import Health
@@ -23,6 +23,7 @@ from urdfkit.mesh.transforms import in_metres
 @click.option("--keep-holes", is_flag=True, help="Do not fill holes.")
 @click.option("--one-sided", is_flag=True, help="Remove one side of double-sided sheets.")
 @click.option("--union", is_flag=True, help="Boolean union of bodies that overlap or are nested.")
+@limited
 def command(
     file: str,
     out: str | None,

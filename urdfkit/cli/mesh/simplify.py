@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import options, output, progress
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.mesh.io.load import load
@@ -24,6 +24,7 @@ from urdfkit.mesh.transforms import in_metres
 @click.option("--triangles", type=int, metavar="N", help="Maximum number of triangles.")
 @click.option("--error", type=float, metavar="METRES", help="Maximum deviation of the surface.")
 @writes
+@limited
 def command(
     file: str,
     triangles: int | None,

@@ -52,7 +52,8 @@ class Accessors:
         accessor = self._root["accessors"][index]
         found = self._numbers(accessor)
         if accessor.get("normalized") is not True or found.dtype.kind == "f":
-            return found.astype(np.float64)
+            with np.errstate(invalid="ignore"):  # of what is not finite
+                return found.astype(np.float64)
         fractions: Floats = np.maximum(found / float(np.iinfo(found.dtype).max), -1.0)
         return fractions
 

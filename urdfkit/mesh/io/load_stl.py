@@ -35,7 +35,9 @@ def binary(data: bytes) -> Mesh:
     coloured = np.count_nonzero(table["colour"] & 0x8000) if number else 0
     if coloured:
         extras = (f"colours of {counted(int(coloured), 'triangle')}",)
-    return _mesh(table["corners"].reshape(-1, 3).astype(np.float64), losses, extras)
+    with np.errstate(invalid="ignore"):  # of what is not finite
+        corners = table["corners"].reshape(-1, 3).astype(np.float64)
+    return _mesh(corners, losses, extras)
 
 
 def ascii_text(data: bytes) -> Mesh:

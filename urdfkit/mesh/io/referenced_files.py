@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
-from urdfkit.workspace.package_folders import is_within
+from urdfkit.workspace.package_directories import is_within
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
@@ -108,7 +108,7 @@ def _may_be_read(path: str, directory: str) -> bool:
 @lru_cache(maxsize=256)
 def _roots(directory: str) -> tuple[str, ...]:
     """The workspaces of a directory: of its path, and of where that leads."""
-    from urdfkit.workspace.resolve import Resolver  # few meshes name files of other directorys
+    from urdfkit.workspace.resolve import Resolver  # few meshes name files of other directories
 
     packages = Resolver().packages
     near = (os.path.join(at, "x") for at in (os.path.abspath(directory), disk.real(directory)))

@@ -6,7 +6,7 @@ import os
 from importlib import import_module
 
 from urdfkit.core import atomic, disk
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import UnwritableFile, UrdfkitError
 from urdfkit.mesh.geometry import Mesh
 
 #: The module that writes each format, by suffix.
@@ -132,10 +132,26 @@ def write_files(files: dict[str, bytes], directory: str) -> list[str]:
     """Write what `encode` gave into a directory, which is made where it is missing.
 
     Raises:
-        UnwritableFile: a directory or file cannot be written.
+        UnwritableFile: a directory or file cannot be written, or a link leads out of its workspace.
     """
-    atomic.make_folder(directory)
     paths = [os.path.join(directory, name) for name in files]
+    for path in paths:
+        _require_inside(path)
+    atomic.make_directory(directory)
     for path, data in reversed([*zip(paths, files.values(), strict=True)]):
         atomic.write(path, data)
     return paths
+
+
+def _require_inside(path: str) -> None:
+    """See that no link on the way to a file leads out of the workspace that the file is in."""
+    real = disk.real(path)
+    if real == path:
+        return
+    from urdfkit.workspace.package_directories import is_within
+    from urdfkit.workspace.resolve import Resolver
+
+    if not is_within(real, disk.real(Resolver().packages.workspace(path))):
+        raise UnwritableFile(
+            f"{path}: a link leads to {real}, outside of the workspace; pass that path instead"
+        )

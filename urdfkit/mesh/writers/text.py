@@ -9,6 +9,9 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
 
+#: More would need a power of ten beyond all numbers.
+_MOST_DECIMALS = 300
+
 
 class Table(NamedTuple):
     """Rows without repetition, and which of them each corner of each face has.
@@ -41,7 +44,7 @@ def rounded_rows(rows: Floats) -> Floats:
     largest = float(np.abs(rows).max(initial=0.0))
     if largest == 0.0:
         return np.zeros_like(rows)
-    decimals = 8 - int(np.floor(np.log10(largest)))
+    decimals = min(8 - int(np.floor(np.log10(largest))), _MOST_DECIMALS)
     return np.asarray(np.round(rows, decimals) + 0.0)
 
 

@@ -9,6 +9,7 @@ from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.writers import UnwritableMesh
 
 _KINDS = ((b"\x89PNG", ".png"), (b"\xff\xd8\xff", ".jpg"), (b"RIFF", ".webp"), (b"BM", ".bmp"))
+_SUFFIXES = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tga", ".tif", ".tiff", ".gif", ".dds")
 
 
 def texture_bytes(material: MeshMaterial | None) -> bytes | None:
@@ -47,7 +48,9 @@ def texture_files(mesh: Mesh, name: str) -> tuple[dict[int, str], dict[str, byte
         if data is None or part.material is None:
             continue
         texture = part.material.texture
-        wanted = os.path.basename(texture) if isinstance(texture, str) else f"{stem}{_kind(data)}"
+        wanted = os.path.basename(texture) if isinstance(texture, str) else ""
+        if not wanted.lower().endswith(_SUFFIXES):  # a mesh must not name any file to be written
+            wanted = f"{stem}{_kind(data)}"
         names[number] = _free(wanted, data, contents)
         contents[names[number]] = data
     return names, contents

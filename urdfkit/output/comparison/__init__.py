@@ -21,7 +21,7 @@ from urdfkit.output.comparison.surfaces import changed_surfaces
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.kinematics import frames
 from urdfkit.text.diagnostic import Diagnostic, Severity
-from urdfkit.text.source import without_folder
+from urdfkit.text.source import without_directory
 
 if TYPE_CHECKING:
     from urdfkit.core.spatial import Vector
@@ -43,7 +43,7 @@ class Comparison(Record):
         went: findings that only the state before had.
         notes: what could not be compared, a sentence each.
         tolerances: what was let pass.
-        pictures: addresses of pictures of the states before and after; empty if not asked for.
+        images: addresses of images of the states before and after; empty if not asked for.
         directories: workspaces of the two states, whose paths a page shows from there on.
     """
 
@@ -58,7 +58,7 @@ class Comparison(Record):
     went: tuple[Diagnostic, ...]
     notes: tuple[str, ...]
     tolerances: Tolerances
-    pictures: tuple[str, ...] = ()
+    images: tuple[str, ...] = ()
     directories: tuple[str, ...] = ()
 
     @property
@@ -99,7 +99,7 @@ def compare(
     options: Options = Options(),
     *,
     tolerances: Tolerances | None = None,
-    has_pictures: bool = False,
+    has_images: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Comparison:
     """What became of a robot.
@@ -110,7 +110,7 @@ def compare(
         after: the second state, as ``before``.
         options: of the checks of both states; packages of the repository are taken as they were.
         tolerances: what may differ; those of the class unless given.
-        has_pictures: draw both states, if the libraries for it are installed.
+        has_images: draw both states, if the libraries for it are installed.
         progress: called with the number of finished steps and of all steps.
 
     Raises:
@@ -120,7 +120,7 @@ def compare(
         UrdfkitError: there is no such revision, or git is not there.
     """
     advance = progress or (lambda done, total: None)
-    steps = 4 if has_pictures else 3
+    steps = 4 if has_images else 3
     with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
         states: list[RobotState] = []
         for word, name in ((before, "before"), (after, "after")):
@@ -129,12 +129,12 @@ def compare(
             states.append(RobotState(word, where, options))
         advance(2, steps)
         found = _compare(states[0], states[1], tolerances or Tolerances())
-        if has_pictures:
-            from urdfkit.output.comparison.pictures import pictures
+        if has_images:
+            from urdfkit.output.comparison.images import images
 
             advance(3, steps)
-            drawn = pictures(states[0].subject, states[1].subject, found)
-            found = found._replace(pictures=drawn)
+            rendered = images(states[0].subject, states[1].subject, found)
+            found = found._replace(images=rendered)
         for state in states:
             state.rename_sources()
     return found
@@ -171,8 +171,8 @@ def _directories(subject: Subject) -> tuple[str, str]:
 def portable(text: str, comparison: Comparison) -> str:
     """A page without the directories of the machine that it was made on."""
     for directory in comparison.directories:
-        text = without_folder(text, directory)
-    return without_folder(text, os.path.expanduser("~"), "~/")
+        text = without_directory(text, directory)
+    return without_directory(text, os.path.expanduser("~"), "~/")
 
 
 def _findings(

@@ -1,4 +1,4 @@
-"""A comparison as one HTML file that opens offline, with pictures of both states."""
+"""A comparison as one HTML file that opens offline, with images of both states."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MAX_ROWS = 400
 
 
 def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> str:
-    """A summary, pictures, and a table for each kind of difference.
+    """A summary, images, and a table for each kind of difference.
 
     Args:
         comparison: what to show.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfkit.output.diagrams.rows import caption, rows
 from urdfkit.robot.tree import KinematicTree
+from urdfkit.text.terminal import printable
 
 
 def render(tree: KinematicTree) -> str:
@@ -27,4 +28,4 @@ def render(tree: KinematicTree) -> str:
 def _quoted(text: str) -> str:
     """A string; characters that mean something to Mermaid or HTML are entities."""
     special = {'"': "#quot;", "#": "#35;", "<": "#lt;", ">": "#gt;", "`": "#96;", "\\": "#92;"}
-    return '"{}"'.format("".join(special.get(letter, letter) for letter in text))
+    return '"{}"'.format("".join(special.get(letter, letter) for letter in printable(text)))

@@ -1,4 +1,4 @@
-"""The tree as a picture, drawn here: no other program is needed.
+"""The tree as an image, drawn here: no other program is needed.
 
 Every link has a row, so that a robot of any shape can be read and printed.
 """
@@ -11,6 +11,7 @@ from xml.sax.saxutils import escape
 
 from urdfkit.output.diagrams.rows import Row, caption, rows
 from urdfkit.robot.tree import KinematicTree
+from urdfkit.text.terminal import printable
 
 #: In pixels: a row, a level of the tree, the margin, and a letter of the fixed-width font.
 ROW, LEVEL, MARGIN, LETTER = 30, 26, 16, 7.8
@@ -50,7 +51,7 @@ def render(tree: KinematicTree) -> str:
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" {size} role="img">',
-            f"<title>Kinematic tree of {escape(tree.model.name)}</title>",
+            f"<title>Kinematic tree of {_text(tree.model.name)}</title>",
             f"<style>{_STYLE}</style>",
             '<rect width="100%" height="100%"/>',
             *body,
@@ -85,9 +86,9 @@ def _box(row: Row, number: int) -> Iterator[str]:
         f'<rect x="{x:g}" y="{y - 11:g}" width="{_width(row.link) + 12:g}" height="22" rx="4" '
         f'stroke="{_COLOURS.get(kind, _OTHER)}"{dashed}/>'
     )
-    yield f'<text x="{x + 6:g}" y="{y + 4.5:g}">{escape(row.link)}</text>'
+    yield f'<text x="{x + 6:g}" y="{y + 4.5:g}">{_text(row.link)}</text>'
     if row.joint is not None:
-        label = escape(_label(row))
+        label = _text(_label(row))
         at = x + _width(row.link) + 22
         yield f'<text class="joint" x="{at:g}" y="{y + 4:g}">{label}</text>'
 
@@ -96,6 +97,11 @@ def _label(row: Row) -> str:
     assert row.joint is not None
     again = " (see above)" if row.is_again else ""
     return f"{row.joint.name}: {caption(row.joint)}{again}"
+
+
+def _text(text: str) -> str:
+    """A text in XML, which cannot hold all that a name can."""
+    return escape(printable(text))
 
 
 def _left(depth: int) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.output.diagrams.rows import captions, rows
 from urdfkit.robot.tree import KinematicTree
+from urdfkit.text.terminal import printable
 
 #: Deeper links are all drawn at this depth: no terminal is wider.
 MAX_DEPTH = 40
@@ -22,7 +23,7 @@ def render(tree: KinematicTree, width: int = 80) -> str:
         tree: of the model.
         width: columns; a longer description of a joint is wrapped.
     """
-    return "".join(f"{line}\n" for line in _lines(tree, width))
+    return "".join(f"{printable(line)}\n" for line in _lines(tree, width))
 
 
 def _lines(tree: KinematicTree, width: int) -> Iterator[str]:

@@ -8,7 +8,7 @@ from itertools import groupby
 
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Crashed, Report
-from urdfkit.lint.rule_index import NOT_CHECKED, foreign
+from urdfkit.lint.rule_index import NOT_CHECKED, external
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown
@@ -39,7 +39,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts."""
-    page = _Page(color, width)
+    page = _TextReport(color, width)
     between = ""
     for block in _blocks(report, page):
         yield between + block
@@ -47,7 +47,7 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
     yield summary(report, color=color, width=width)
 
 
-def _blocks(report: Report, page: _Page) -> Iterator[str]:
+def _blocks(report: Report, page: _TextReport) -> Iterator[str]:
     # What is shown as one is in one file, and the findings are in the order of files.
     for _, of_file in groupby(report.diagnostics, key=lambda one: page.path(one.span.source.path)):
         yield from map(page.diagnostic, grouped(tuple(of_file)))
@@ -84,7 +84,7 @@ def _fixable(report: Report) -> Iterator[str]:
 
 def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     """The last line: how much was found, and which rules did not get to look."""
-    page = _Page(color, width)
+    page = _TextReport(color, width)
     counts = {severity: report.count(severity) for severity in Severity}
     found = [_many(count, severity.value) for severity, count in counts.items() if count]
     text = f"{', '.join(found) or 'no findings'} in {_many(len(report.files), 'file')}"
@@ -156,7 +156,7 @@ def _many(count: int, noun: str) -> str:
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
-class _Page:
+class _TextReport:
     """Lays out findings for one width, with colours or without."""
 
     def __init__(self, color: bool, width: int) -> None:
@@ -181,7 +181,7 @@ class _Page:
         return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
 
     def crash(self, crash: Crashed, codes: Sequence[str]) -> str:
-        whose = "that rule" if crash.code in foreign() else "urdfkit"
+        whose = "that rule" if crash.code in external() else "urdfkit"
         more = f" and {len(codes) - MAX_CODES} more" if len(codes) > MAX_CODES else ""
         what = ", ".join(codes[:MAX_CODES]) + more or "the check"
         text = (

@@ -46,13 +46,13 @@ def render(document: Document, table: str = "findings") -> str:
 
 def _rows(rows: Iterable[dict[str, Any]], columns: Iterable[str]) -> Iterator[list[object]]:
     for row in rows:
-        yield [_cell(row[column]) for column in columns]
+        yield [cell(row[column]) for column in columns]
 
 
-def _cell(value: object) -> object:
-    """A list is its parts with spaces between; a text is never a formula."""
+def cell(value: object) -> object:
+    """A list as its parts with spaces between; a text that is a formula to no spreadsheet."""
     if isinstance(value, list):
-        return _cell(" ".join(map(str, value))) if value else ""
+        return cell(" ".join(map(str, value))) if value else ""
     if isinstance(value, str) and value.startswith(_FORMULA) and not _is_numbers(value):
         return f"'{value}"
     return value

@@ -1,4 +1,4 @@
-"""Drawings and pictures of a robot, each as an address that holds the whole picture."""
+"""Drawings and images of a robot, each as an address that holds the whole image."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 #: A tree of more links is no help as a drawing.
 MAX_LINKS = 400
 VIEWS = ("iso", "front", "left", "top")
-#: Pixels of the sheet of all views, and of the picture of the findings.
+#: Pixels of the sheet of all views, and of the image of the findings.
 SHEET, MARKED = (1280, 720), (960, 540)
 
 
@@ -30,17 +30,17 @@ def tree(subject: Subject) -> dict[str, str]:
     return {"tree": address("image/svg+xml", svg.render(subject.tree).encode("utf-8", "replace"))}
 
 
-def pictures(built: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
+def images(built: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
     """The robot from four sides; and with the links of errors and warnings in colour."""
-    from urdfkit.render import marked, picture
+    from urdfkit.render import marked, render_image
 
     seen = built._replace(items=tuple(item for item in built.items if item.role == "visual"))
     if not seen.items:
         return {}
-    found = {"picture": webp(picture(seen, VIEWS, size=SHEET))}
+    found = {"views": webp(render_image(seen, VIEWS, size=SHEET))}
     coloured = marked(seen, subject, diagnostics)
     if coloured.labels:
-        found["marked"] = webp(picture(coloured, size=MARKED))
+        found["marked"] = webp(render_image(coloured, size=MARKED))
     return found
 
 
@@ -51,5 +51,5 @@ def webp(image: Image) -> str:
 
 
 def address(kind: str, data: bytes) -> str:
-    """A ``data:`` address; a picture behind one runs no scripts, whatever is in it."""
+    """A ``data:`` address; an image behind one runs no scripts, whatever is in it."""
     return f"data:{kind};base64,{base64.b64encode(data).decode('ascii')}"

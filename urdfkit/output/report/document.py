@@ -30,7 +30,7 @@ from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.ros.gazebo.rejection import rejections
 from urdfkit.ros.targets import facts_of
 from urdfkit.text.diagnostic import Diagnostic, Severity
-from urdfkit.text.source import Source, shown, without_folder
+from urdfkit.text.source import Source, shown, without_directory
 from urdfkit.workspace.resolve import Resolver
 
 #: Of the document; a change that could break a reader counts it up.
@@ -179,8 +179,8 @@ def _portable(value: Any, subject: Subject) -> Any:
         return value
     file = disk.real(subject.source.path)
     for directory in (subject.resolver.packages.workspace(file), os.path.dirname(file)):
-        value = without_folder(value, directory)
-    return without_folder(value, os.path.expanduser("~"), "~/")
+        value = without_directory(value, directory)
+    return without_directory(value, os.path.expanduser("~"), "~/")
 
 
 def _targets(report: Report) -> list[dict[str, Any]]:

@@ -31,7 +31,7 @@ _SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 MAX_TEXTURE = 4 * 1024 * 1024
 
 
-class Writer:
+class GltfWriter:
     """Collects surfaces; `data` is the file."""
 
     def __init__(self) -> None:
@@ -61,7 +61,7 @@ class Writer:
         primitive = {
             "attributes": attributes,
             "indices": self._accessor(faces, target=_ELEMENTS),
-            "material": self._material(item.look),
+            "material": self._material(item.material),
         }
         mesh = self._once(
             ("mesh", json.dumps(primitive)), self._meshes, {"primitives": [primitive]}
@@ -175,7 +175,7 @@ class Writer:
 
 def write(items: Iterable[SceneItem]) -> tuple[bytes, int]:
     """A file of surfaces, and how many triangles it holds."""
-    writer = Writer()
+    writer = GltfWriter()
     for item in items:
         writer.add(item)
     return writer.data, writer.triangles
@@ -198,7 +198,7 @@ def _corners(item: SceneItem) -> tuple[NDArray[Any], ...] | None:
     index = triangles.reshape(-1)
     for values, factor, kind in (
         (item.normals, 127, np.int8),
-        (item.uv if item.look.texture else None, 1, np.float32),
+        (item.uv if item.material.texture else None, 1, np.float32),
         (item.colors, 255, np.uint8),
     ):
         columns.append(_column(values, index, factor, kind))

@@ -32,7 +32,7 @@ MAX_FINDINGS, MAX_ROWS = 500, 400
 #: Links of a matrix.
 MAX_MATRIX = 60
 
-_FOLDER = os.path.join(os.path.dirname(__file__), "templates")
+_DIRECTORY = os.path.join(os.path.dirname(__file__), "templates")
 #: The scripts of the 3D view, in the order of their needs.
 _SCENE = ("joints.js", "surfaces.js", "overlays.js", "camera.js", "scene.js")
 _SEVERITIES = ("error", "warning", "info")
@@ -40,7 +40,7 @@ _SEVERITIES = ("error", "warning", "info")
 
 def render(
     document: Document,
-    words: Translator,
+    translator: Translator,
     drawings: Mapping[str, str],
     scene: PageScene | None = None,
     engine: PageEngine | None = None,
@@ -51,8 +51,8 @@ def render(
 
     Args:
         document: its contents.
-        words: of the reader's language.
-        drawings: addresses of pictures, by name.
+        translator: into the reader's language.
+        drawings: addresses of images, by name.
         scene: the robot in three dimensions; None for a page without.
         engine: that draws the scene.
         shape: for the viewer, which sends its page new contents: the number of this robot.
@@ -65,23 +65,23 @@ def render(
     scripts = [_read(name) for name in names]
     inline = [*scripts, *([engine.script] if engine else [])]
     return environment.get_template("live.html.j2" if shape else "report.html.j2").render(
-        **_context(document, words, drawings),
+        **_context(document, translator, drawings),
         style=_safe(_read("page.css")),
         policy=_policy(inline, live=bool(shape)),
         shape=shape,
         scripts=[_safe(script) for script in scripts],
-        words=_json(words.known),
+        words=_json(translator.known),
         scene=scene and {"robot": _json(scene.robot), "model": _safe(_base64(scene.model))},
         engine=engine and engine._replace(script=_safe(engine.script)),
     )
 
 
-def render_plain(template: str, words: Translator, **context: object) -> str:
+def render_plain(template: str, translator: Translator, **context: object) -> str:
     """A page without a 3D view, of another template.
 
     Args:
         template: its file.
-        words: of the reader's language.
+        translator: into the reader's language.
         context: what it shows, by name.
     """
     scripts = [_read("page.js")]
@@ -94,26 +94,28 @@ def render_plain(template: str, words: Translator, **context: object) -> str:
             policy=_policy(scripts, live=False),
             scripts=[_safe(script) for script in scripts],
             version=__version__,
-            words=_json(words.known),
-            _=words,
+            words=_json(translator.known),
+            _=translator,
         )
     )
 
 
-def render_content(document: Document, words: Translator, drawings: Mapping[str, str]) -> str:
+def render_content(document: Document, translator: Translator, drawings: Mapping[str, str]) -> str:
     """The contents about the robot, without the page around it."""
-    context = _context(document, words, drawings)
+    context = _context(document, translator, drawings)
     return _environment().get_template("content.html.j2").render(context)
 
 
-def _context(document: Document, words: Translator, drawings: Mapping[str, str]) -> dict[str, Any]:
+def _context(
+    document: Document, translator: Translator, drawings: Mapping[str, str]
+) -> dict[str, Any]:
     robot = document["robot"]
     name = robot["name"] if robot else ""
     found = sorted(document["gathered"], key=lambda one: _SEVERITIES.index(one["severity"]))
     return {
         "document": document,
         "drawings": drawings,
-        "_": words,
+        "_": translator,
         "title": printable(name or os.path.basename(document["file"])),
         "absent": _by_reason(document["missing"].items()),
         "skipped": _by_reason((one["code"], one["reason"]) for one in document["skipped"]),
@@ -127,7 +129,7 @@ def _context(document: Document, words: Translator, drawings: Mapping[str, str])
             (key, title)
             for key, title, there in (
                 ("summary", "Summary", True),
-                ("pictures", "Images", "picture" in drawings),
+                ("pictures", "Images", "views" in drawings),
                 ("findings", "Findings", True),
                 ("tree", "Kinematic tree", "tree" in drawings),
                 ("masses", "Masses and inertias", document["links"]),
@@ -188,7 +190,7 @@ def _environment() -> Environment:
         raise UrdfkitError("HTML reports need Jinja: pip install 'urdfkit[report]'") from error
     environment = Environment(
         autoescape=True,
-        loader=FileSystemLoader(_FOLDER),
+        loader=FileSystemLoader(_DIRECTORY),
         trim_blocks=True,
         lstrip_blocks=True,
         undefined=StrictUndefined,
@@ -204,7 +206,7 @@ def _environment() -> Environment:
 
 
 def _read(name: str) -> str:
-    with open(os.path.join(_FOLDER, name), encoding="utf-8") as file:
+    with open(os.path.join(_DIRECTORY, name), encoding="utf-8") as file:
         return file.read()
 
 

@@ -14,9 +14,9 @@ _PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
 _VERDICTS = {"passes": "🟢", "passes with warnings": "🟡", "fails": "🔴"}
 
 
-def render(document: Document, words: Translator) -> str:
+def render(document: Document, translator: Translator) -> str:
     """Summary, verdicts and findings first; tables follow as long as they fit."""
-    return fitted(_sections(document, words))
+    return fitted(_sections(document, translator))
 
 
 def _sections(document: Document, _: Translator) -> Iterator[str]:

@@ -38,7 +38,7 @@ class PageScene(Record):
 
 
 def surfaces(subject: Subject) -> Surfaces:
-    """The triangles of a robot, for pictures and for the engine.
+    """The triangles of a robot, for images and for the engine.
 
     Raises:
         Unavailable: a library is not installed, or the robot has too many links for a page.

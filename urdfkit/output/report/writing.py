@@ -40,7 +40,7 @@ def report(
         options: of the check.
         language: of headings and the like: ``en`` or ``zh``.
         table: of CSV, one of `csv.COLUMNS`.
-        quick: leave out what takes a while: pictures, statics and collisions.
+        quick: leave out what takes a while: images, statics and collisions.
         progress: called with the number of steps done and of all, where it takes a while.
 
     Raises:
@@ -60,7 +60,7 @@ def report(
         from urdfkit.output.report import markdown
 
         return markdown.render(document, Translator(language)), document
-    return _page(reported, Translator(language), has_pictures=not quick)
+    return _page(reported, Translator(language), has_images=not quick)
 
 
 def _shows_all(form: str, table: str) -> bool:
@@ -68,24 +68,26 @@ def _shows_all(form: str, table: str) -> bool:
     return form in ("html", "json") or (form == "csv" and table in LONG)
 
 
-def _page(reported: ReportInput, words: Translator, *, has_pictures: bool) -> tuple[str, Document]:
-    """A page with pictures and the 3D view, if they can be had; else with the reason why not."""
+def _page(
+    reported: ReportInput, translator: Translator, *, has_images: bool
+) -> tuple[str, Document]:
+    """A page with images and the 3D view, if they can be had; else with the reason why not."""
     from urdfkit.output.report import html
 
-    document, data_uris, scene = drawn(reported, has_pictures=has_pictures)
+    document, data_uris, scene = rendered(reported, has_images=has_images)
     if scene is None:
-        return html.render(document, words, data_uris), document
+        return html.render(document, translator, data_uris), document
     from urdfkit.output.report import engine
 
-    return html.render(document, words, data_uris, scene, engine.load()), document
+    return html.render(document, translator, data_uris, scene, engine.load()), document
 
 
 class RobotImages(Record):
-    """A robot as pictures.
+    """A robot as images.
 
     Attributes:
         document: its contents, and why an image is missing.
-        drawings: addresses of pictures, by name.
+        drawings: addresses of images, by name.
         scene: the robot in three dimensions; None if it cannot be had.
     """
 
@@ -94,12 +96,12 @@ class RobotImages(Record):
     scene: PageScene | None
 
 
-def drawn(reported: ReportInput, *, has_pictures: bool) -> RobotImages:
+def rendered(reported: ReportInput, *, has_images: bool) -> RobotImages:
     """The drawings of a robot, and the robot in three dimensions; what cannot be had is left out.
 
     Args:
         reported: the robot.
-        has_pictures: with the pictures that take a while.
+        has_images: with the images that take a while.
     """
     from urdfkit.output.report import data_uris, scene
 
@@ -111,8 +113,8 @@ def drawn(reported: ReportInput, *, has_pictures: bool) -> RobotImages:
         built = scene.surfaces(subject)
     except Unavailable as error:
         return RobotImages(_without_view(reported.document, str(error)), found, None)
-    if has_pictures:
-        found |= data_uris.pictures(built, subject, reported.diagnostics)
+    if has_images:
+        found |= data_uris.images(built, subject, reported.diagnostics)
     document, triangles = reported.document, sum(len(item.faces) for item in built.items)
     if triangles > scene.MAX_TRIANGLES:
         reason = f"simplified: the robot has {triangles} triangles: see urdfkit mesh simplify"

@@ -8,18 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
-from math import dist, hypot
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, minus
-from urdfkit.physics.collision.bodies import (
-    THINNEST,
-    TOUCH,
-    CollisionBody,
-    collision_bodies,
-)
-from urdfkit.physics.collision.closed_forms import box_distance, point_distance, signed_distance
+from urdfkit.physics.collision.bodies import THINNEST, TOUCH, CollisionBody, collision_bodies
+from urdfkit.physics.collision.broad_phase import lower_bound, nearby, relative
+from urdfkit.physics.collision.closed_forms import point_distance, signed_distance
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.joints import span, start_of
 from urdfkit.robot.kinematics import SLIDING, STILL, TURNING, frames, laws, motion
@@ -201,10 +196,10 @@ class Contacts:
         """The pairs of links with bodies whose boxes overlap, in the order of the document."""
         order = {name: number for number, name in enumerate(self.bodies)}
         found: dict[tuple[str, str], list[BoundedPair]] = {}
-        for near in _near(self._every, self.frames):
+        for near in nearby(self._every, self.frames):
             first, second = sorted(near, key=lambda body: order[body.link])
             names = (first.link, second.link)
-            bound = _lower_bound(first, second, relative(first, second, self.frames))
+            bound = lower_bound(first, second, relative(first, second, self.frames))
             if bound < -TOUCH and self._are_connected(names):
                 found.setdefault(names, []).append((first, second, bound))
         pairs = sorted(found.items(), key=lambda pair: [order[name] for name in pair[0]])
@@ -252,7 +247,7 @@ class Contacts:
             for second in self.bodies[names[1]]:
                 at = relative(first, second, placed)
                 if (
-                    _lower_bound(first, second, at) < -TOUCH
+                    lower_bound(first, second, at) < -TOUCH
                     and self.distance(first, second, at) < -TOUCH
                 ):
                     return True
@@ -323,56 +318,6 @@ class Contacts:
             position = factor * given.get(leader, self._start.get(leader, 0.0)) + shift
             found = found @ joint.origin @ motion(joint, position)
         return found
-
-
-def relative(
-    first: CollisionBody, second: CollisionBody, frames: Mapping[str, Transform]
-) -> Transform:
-    """The frame of one body in that of another, given the frames of their links."""
-    placed = frames[first.link] @ first.origin
-    return placed.inverse @ frames[second.link] @ second.origin
-
-
-def _lower_bound(first: CollisionBody, second: CollisionBody, at: Transform) -> float:
-    """The signed distance of the boxes around two bodies, which that of the bodies is not below.
-
-    Args:
-        first: a body.
-        second: another one.
-        at: the frame of the second in that of the first.
-    """
-    between = Transform(at.rotation, minus(at.apply(second.center), first.center))
-    return box_distance(first.half, second.half, between)
-
-
-def _near(
-    bodies: Iterable[CollisionBody], frames: Mapping[str, Transform]
-) -> Iterator[tuple[CollisionBody, CollisionBody]]:
-    """The bodies of different links whose bounding spheres overlap.
-
-    Only those are compared that overlap along the axis on which the spheres are spread most.
-    """
-    spheres = [
-        ((frames[body.link] @ body.origin).apply(body.center), hypot(*body.half), body)
-        for body in bodies
-    ]
-    spread = (
-        [
-            max(center[axis] for center, _, _ in spheres)
-            - min(center[axis] for center, _, _ in spheres)
-            for axis in range(3)
-        ]
-        if spheres
-        else [0.0]
-    )
-    axis = spread.index(max(spread))
-    spheres.sort(key=lambda sphere: sphere[0][axis] - sphere[1])
-    for number, (center, radius, body) in enumerate(spheres):
-        for other_center, other_radius, other in spheres[number + 1 :]:
-            if other_center[axis] - other_radius > center[axis] + radius:
-                break
-            if body.link != other.link and dist(center, other_center) < radius + other_radius:
-                yield body, other
 
 
 def _by_size(first: CollisionBody, second: CollisionBody) -> tuple[CollisionBody, CollisionBody]:

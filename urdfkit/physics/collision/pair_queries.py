@@ -81,7 +81,7 @@ class Examiner:
         """A body by its number."""
         return self._forms[body]
 
-    def look(self, pairs: Iterable[Pair], limit: float = inf) -> PairQuery:
+    def query(self, pairs: Iterable[Pair], limit: float = inf) -> PairQuery:
         """Begin to measure pairs; those farther apart than the limit, in m, are left out."""
         return PairQuery(self, pairs, limit)
 
@@ -104,7 +104,7 @@ class Examiner:
 
 
 class PairQuery:
-    """A look at some pairs, which goes from configurations to more of them."""
+    """Distances of some pairs, which go from configurations to more of them."""
 
     def __init__(self, examiner: Examiner, pairs: Iterable[Pair], limit: float) -> None:
         self._examiner = examiner

@@ -62,7 +62,7 @@ class SampledPoses:
         known = [self._pair(*pair) for pair in pairs]
         bound = [pair for pair in known if self._is_bound(pair) and self.chain.between(*pair)]
         rows = self.chain.samples(samples, 0, 0)
-        seen = self._examiner.look(bound).at(rows, count=True)
+        seen = self._examiner.query(bound).at(rows, count=True)
         poses = {
             pair: self._poses(pair, rows[one.hits[:_POSES]])
             for pair, one in zip(bound, seen, strict=True)
@@ -76,13 +76,13 @@ class SampledPoses:
         ]
         every = np.concatenate(list(poses.values()))
         is_free = np.ones(len(every), dtype=bool)
-        for one in self._examiner.look(checked).at(every, count=True):
+        for one in self._examiner.query(checked).at(every, count=True):
             is_free[one.hits] = False
         found: dict[Pair, Collision] = {}
         ends = np.cumsum([len(some) for some in poses.values()])[:-1]
         for (pair, some), free in zip(poses.items(), np.split(is_free, ends), strict=True):
             if free.any():
-                (nearest,) = self._examiner.look([pair]).at(some[free], count=True)
+                (nearest,) = self._examiner.query([pair]).at(some[free], count=True)
                 pose = self.chain.pose(some[free][nearest.row], *pair)
                 found[pair] = Collision(-nearest.distance, pose)
         return [found.get(pair) for pair in known]

@@ -82,12 +82,12 @@ class _Examination:
 
     def __init__(self, task: Task, examiner: Examiner) -> None:
         self._task, self._examiner = task, examiner
-        self._query: PairQuery = examiner.look(task.pairs)
+        self._query: PairQuery = examiner.query(task.pairs)
         self._found = {pair: PairFindings() for pair in task.pairs}
 
     def findings(self) -> list[PairFindings]:
         task = self._task
-        for pair, hits in self._look(task.pairs, task.start[None], count=True):
+        for pair, hits in self._measure(task.pairs, task.start[None], count=True):
             self._found[pair].hits_at_start = hits > 0
         moving = [pair for pair, moves in zip(task.pairs, task.moves, strict=True) if moves]
         counted = min(task.samples, COUNTED)
@@ -99,7 +99,7 @@ class _Examination:
 
     def _count(self, pairs: Sequence[Pair], counted: int) -> None:
         for rows in self._blocks(0, counted):
-            for pair, hits in self._look(pairs, rows, count=True):
+            for pair, hits in self._measure(pairs, rows, count=True):
                 self._found[pair].hits += hits
         for pair in pairs:
             self._found[pair].samples = counted
@@ -119,7 +119,7 @@ class _Examination:
         while free and done < self._task.samples:
             before, end = free, min(self._task.samples, 2 * done)
             for rows in self._blocks(done, end):
-                for pair, hits in self._look(free, rows, count=False):
+                for pair, hits in self._measure(free, rows, count=False):
                     self._found[pair].hits_elsewhere = hits > 0
                 free = self._free(free)
             done = end
@@ -128,7 +128,7 @@ class _Examination:
             if done >= ENOUGH and free == before:
                 return
 
-    def _look(
+    def _measure(
         self, pairs: Sequence[Pair], rows: Floats, *, count: bool
     ) -> Iterator[tuple[Pair, int]]:
         """In how many of some configurations (n, dof) each of some pairs collides."""

@@ -12,13 +12,15 @@ import pickle
 import sys
 from typing import Any, BinaryIO
 
+from urdfkit.core.limits import limit_memory
+
 #: Bytes that a process may take; a humanoid with large meshes takes a twentieth.
 _MEMORY = 8 * 2**30
 
 
 def main() -> None:
     """Answer until standard input ends."""
-    _bound()
+    limit_memory(_MEMORY)
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     from urdfkit.physics.collision.collision_geometry import form
@@ -32,14 +34,6 @@ def main() -> None:
     examiner = Examiner(chain, forms)
     while (task := _receive(sys.stdin.buffer)) is not None:
         _send(answers, task.run(examiner))
-
-
-def _bound() -> None:
-    """A crash leaves no core behind, and hostile bodies cannot take all memory."""
-    import resource  # which Windows lacks; there is no coal either
-
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
 
 
 def _receive(tasks: BinaryIO) -> Any:

@@ -18,6 +18,7 @@ from urdfkit.text.document import Attribute
 from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.edits import from_macro, insert_after, remove_elements
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
+from urdfkit.workspace.resolve import OUTSIDE
 
 if TYPE_CHECKING:
     from urdfkit.mesh.fitting import Fits
@@ -185,6 +186,9 @@ def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
         if taken := next((path for path in needed if _is_other(path, needed[path])), ""):
             left[proposal.link.name] = f"{taken} is there already, and is another mesh"
             continue
+        if outside := next((path for path in needed if not robot.files.resolver.admits(path)), ""):
+            left[proposal.link.name] = f"{outside} {OUTSIDE}: not written"
+            continue
         meshes |= needed
         elements = [body.at for body in proposal.link.collisions]
         changes += insert_after(proposal.bodies[-1].at, lines)
@@ -238,7 +242,8 @@ def _collision(robot: Robot, body: Body, fits: Fits, meshes: dict[str, Mesh]) ->
     reference, path = place
     lines: list[str] = []
     # Scaled already, so the new element has no scale, and other scales need other files.
-    x, y, z = body.shape.scale if body.shape else (1.0, 1.0, 1.0)
+    assert body.shape is not None
+    x, y, z = body.shape.scale
     scale = "" if x == y == z == 1 else f"_{x:g}_{y:g}_{z:g}"
     for number, part in enumerate(best.mesh.parts, start=1):
         end = f"{scale}_collision{'' if best.kind == 'hull' else f'_{number}'}.stl"

@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import os
-import re
 from functools import cached_property
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import SIMILAR_FILE, TYPO, nearest
+from urdfkit.core.suggest import SIMILAR_FILE, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
+from urdfkit.robot.assets.file_names import is_mistyped, numbers_in, stem, suffix
 from urdfkit.robot.model import Body, Link, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
-from urdfkit.workspace.resolve import ResolvedReference, Resolver
+from urdfkit.workspace.references import ResolvedReference
+from urdfkit.workspace.resolve import Resolver
 
-#: Folders of a package that are searched for a file of the wanted name.
+#: Directories of a package that are searched for a file of the wanted name.
 MAX_DIRECTORIES = 2000
 #: Directories of a missing file that lead to one of several files of its name for sure.
-MIN_COMMON_FOLDERS = 2
-
-_SEPARATORS = str.maketrans("_-.", "   ")
+MIN_COMMON_DIRECTORIES = 2
 
 
 class MeshReference(Record):
@@ -144,7 +143,7 @@ class MeshFiles:
             for mesh in self.meshes
             if mesh.located.path is None
             and mesh.located.outside is None
-            and (mesh.located.package is None or mesh.located.folder is not None)
+            and (mesh.located.package is None or mesh.located.directory is not None)
             and mesh.located.scheme in ("package", "model", "absolute", "relative")
         )
 
@@ -169,9 +168,9 @@ class MeshFiles:
         """The references to files that git leaves out of the repository that they lie in."""
         if not self.each_file:
             return []
-        from urdfkit.workspace.gitignore import Ignored
+        from urdfkit.workspace.gitignore import GitIgnored
 
-        ignored = Ignored()
+        ignored = GitIgnored()
         return [mesh for mesh in self.each_file if mesh.located.path in ignored]
 
     @cached_property
@@ -179,14 +178,14 @@ class MeshFiles:
         """The references whose package is not found, by its name."""
         found: dict[str, list[MeshReference]] = {}
         for mesh in self.meshes:
-            if mesh.located.package is not None and mesh.located.folder is None:
+            if mesh.located.package is not None and mesh.located.directory is None:
                 found.setdefault(mesh.located.package, []).append(mesh)
         return found
 
     def spelling_on_disk(self, mesh: MeshReference) -> Suggestion | None:
         """For a missing file, the reference with upper and lower case as on disk."""
         base, relative = self._expected(mesh.located)
-        spelling = self.resolver.folders.find_ignoring_case(base, relative)
+        spelling = self.resolver.directories.find_ignoring_case(base, relative)
         if spelling is None:
             return None
         path = os.path.normpath(os.path.join(base, spelling))
@@ -202,7 +201,7 @@ class MeshFiles:
         located = mesh.located
         similar = self._similar_name(located)
         found = [self._same_name_elsewhere(located), similar]
-        if similar[0] is not None and _stem(similar[0]) == _stem(located.relative):
+        if similar[0] is not None and stem(similar[0]) == stem(located.relative):
             found.reverse()
         found.append(self._same_name_elsewhere(located, any_format=True))
         path, sure = next((one for one in found if one[0] is not None), (None, False))
@@ -213,8 +212,8 @@ class MeshFiles:
 
     def reference_to(self, path: str, like: ResolvedReference) -> str:
         """A reference to a file, of the same sort as another one if it can be."""
-        if like.folder:
-            return f"{like.scheme}://{like.package}/{_relative(path, like.folder)}"
+        if like.directory:
+            return f"{like.scheme}://{like.package}/{_relative(path, like.directory)}"
         package = self.resolver.packages.enclosing(path)
         if like.scheme != "relative" and package:
             return f"package://{package[0]}/{_relative(path, package[1])}"
@@ -235,8 +234,8 @@ class MeshFiles:
 
     def _expected(self, located: ResolvedReference) -> tuple[str, str]:
         """The directory below which a missing file should be, and its path there."""
-        if located.folder:
-            return located.folder, located.relative
+        if located.directory:
+            return located.directory, located.relative
         if located.scheme == "relative":
             return self._directory, located.relative
         return os.path.split(located.tried[0])
@@ -248,47 +247,47 @@ class MeshFiles:
 
         Of several the one in the most directories of the wanted names; none if that is not one.
         """
-        base = located.folder
+        base = located.directory
         if base is None:
             package = self.resolver.packages.enclosing(self.top)
             base = package[1] if package else self.resolver.packages.workspace(self.top)
         if base not in self._below:
-            self._below[base] = self.resolver.folders.files_below(base, MAX_DIRECTORIES)
+            self._below[base] = self.resolver.directories.files_below(base, MAX_DIRECTORIES)
         directory, wanted = os.path.split(located.relative)
         found: dict[int, list[str]] = {}
         for path in self._below[base]:
             name = os.path.basename(path)
             if name.casefold() != wanted.casefold() and not (
-                any_format and _suffix(name) in BY_SUFFIX and _stem(name) == _stem(wanted)
+                any_format and suffix(name) in BY_SUFFIX and stem(name) == stem(wanted)
             ):
                 continue
             common, ours, theirs = _without_common_end(directory, _relative(path, base))
             # Not the same part of another model of the series.
-            if not (numbers := _numbers(ours)) or _numbers(theirs) in ([], numbers):
+            if not (own := numbers_in(ours)) or numbers_in(theirs) in ([], own):
                 found.setdefault(common, []).append(path)
         best = max(found, default=0)
         if len(found.get(best, ())) != 1:
             return None, False
-        is_only = len(found) == 1 or best >= MIN_COMMON_FOLDERS
+        is_only = len(found) == 1 or best >= MIN_COMMON_DIRECTORIES
         return found[best][0], is_only and not any_format
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
         """A mesh file of a similar name in the same directory, and whether that is a typo."""
         base, relative = self._expected(located)
         directory, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
-        entries = self.resolver.folders.entries(directory) or {}
-        numbers = _numbers(wanted)
+        entries = self.resolver.directories.entries(directory) or {}
+        numbers = numbers_in(wanted)
         meshes = [
             name
             for name, is_directory in entries.items()
-            if not is_directory and _suffix(name) in BY_SUFFIX and _numbers(name) == numbers
+            if not is_directory and suffix(name) in BY_SUFFIX and numbers_in(name) == numbers
         ]
         # Without the endings, which are alike anyway.
         stems = {os.path.splitext(name)[0]: name for name in meshes}
-        stem = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
-        if stem is None:
+        close = nearest(os.path.splitext(wanted)[0], stems, SIMILAR_FILE)
+        if close is None:
             return None, False
-        return os.path.join(directory, stems[stem]), is_typo(wanted, stems[stem])
+        return os.path.join(directory, stems[close]), is_mistyped(wanted, stems[close])
 
 
 def _without_common_end(directory: str, path: str) -> tuple[int, str, str]:
@@ -308,39 +307,6 @@ def _content(mesh: MeshReference) -> bytes:
         return disk.read(path)
     except OSError:
         return path.encode("utf-8", "surrogateescape")
-
-
-def is_typo(wrong: str, right: str) -> bool:
-    """True if the name of a file or a package is a typo of another one.
-
-    ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
-    alike for itself, and all numbers equal.
-    """
-    if _suffix(wrong) != _suffix(right) or _numbers(wrong) != _numbers(right):
-        return False
-    words, others = _words(wrong), _words(right)
-    if "".join(words) == "".join(others):
-        return True
-    return len(words) == len(others) and all(
-        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], TYPO))
-        for word, other in zip(words, others, strict=True)
-    )
-
-
-def _numbers(name: str) -> list[str]:
-    return re.findall(r"\d+", name)
-
-
-def _words(name: str) -> list[str]:
-    return os.path.splitext(name)[0].casefold().translate(_SEPARATORS).split()
-
-
-def _stem(name: str) -> str:
-    return os.path.splitext(os.path.basename(name))[0].casefold()
-
-
-def _suffix(name: str) -> str:
-    return os.path.splitext(name)[1].lower()
 
 
 def _relative(path: str, directory: str) -> str:

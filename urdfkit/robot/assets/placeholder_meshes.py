@@ -25,6 +25,7 @@ from urdfkit.robot.assets.target_bounds import (
     BUILDABLE,
     is_buildable,
 )
+from urdfkit.workspace.resolve import OUTSIDE
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Mesh
@@ -211,11 +212,13 @@ def _make(
     size: Vector | None = None,
 ) -> GeneratedMesh | NotGenerated:
     located = references[0].located
-    if located.package is not None and located.folder is None:
+    if located.package is not None and located.directory is None:
         reason = f"package '{located.package}' not found; pass its directory with --package"
         return NotGenerated(path, references, defect, reason)
     if located.scheme not in ("package", "model", "absolute", "relative"):
         return NotGenerated(path, references, defect, f"'{located.scheme}://' leads to no file")
+    if not robot.files.resolver.admits(path):
+        return NotGenerated(path, references, defect, f"{OUTSIDE}: not written")
     if "Git LFS" in defect:
         return NotGenerated(
             path, references, defect, "run 'git lfs pull', which fetches the mesh itself"

@@ -15,7 +15,8 @@ from urdfkit.core.spatial import rotate, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.inertials.defects import HEAVIEST, TOO_SMALL
 from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia
-from urdfkit.robot.model import Tensor, number
+from urdfkit.robot.model import Tensor
+from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Confidence, Fix
 from urdfkit.text.editing.edits import all_or_none, from_macro, replace_value
 

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
-from urdfkit.robot.model import Body, Link, RobotModel, Tensor, number
+from urdfkit.robot.model import Body, Link, RobotModel, Tensor
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody, rigid_bodies
 from urdfkit.robot.shapes import MeshSolid
 from urdfkit.robot.symmetry import numbered_pairs, pairs
 from urdfkit.robot.tree import KinematicTree
+from urdfkit.robot.values import number
 from urdfkit.text.document import Element, Tag
 
 if TYPE_CHECKING:

@@ -13,8 +13,9 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments
 from urdfkit.robot.inertials.diagnosis import CLEAR
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
-from urdfkit.robot.model import Inertial, Link, Tensor, numbers
+from urdfkit.robot.model import Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.values import numbers
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.edits import (

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate, times
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import number
+from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 
 if TYPE_CHECKING:
-    from urdfkit.workspace.folders import Folders
+    from urdfkit.workspace.directories import Directories
 
 #: Bounds of the search.
 MAX_DIRECTORIES, MAX_FILES, MAX_BYTES = 500, 1000, 65_536
@@ -47,14 +47,16 @@ class ResourcePaths(Record):
     is_reported: bool
 
 
-def survey(root: str, folders: Folders) -> ResourcePaths:
+def survey(root: str, directories: Directories) -> ResourcePaths:
     """Look through the text files of a workspace, within bounds.
 
     Args:
         root: the directory.
-        folders: cached listings of directories.
+        directories: cached listings of directories.
     """
-    files = [path for path in folders.files_below(root, MAX_DIRECTORIES) if path.endswith(_TEXTS)]
+    files = [
+        path for path in directories.files_below(root, MAX_DIRECTORIES) if path.endswith(_TEXTS)
+    ]
     starter = None
     for path in files[:MAX_FILES]:
         data = _begin(path)

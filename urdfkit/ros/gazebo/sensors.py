@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.robot.model import Placed, number
+from urdfkit.robot.model import Placed
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog.sensors import Setting, settings
 
 if TYPE_CHECKING:

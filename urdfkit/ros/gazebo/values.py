@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from urdfkit.robot.model import number
+from urdfkit.robot.values import number
 
 if TYPE_CHECKING:
     from urdfkit.text.document import Element

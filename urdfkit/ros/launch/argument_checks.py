@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN
-from urdfkit.ros.launch.signature import Signature
+from urdfkit.ros.launch.signature import USE, Signature
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.document import CallFrame
+from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
@@ -21,6 +21,61 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
 #: Files that are searched for one that includes another, and directories of them.
 MAX_FILES, MAX_DIRECTORIES = 500, 2000
+
+
+class ArgumentUses:
+    """The arguments that one launch file uses, in the order of the file.
+
+    Attributes:
+        declared: the names that are known so far, with those that the including file lends.
+    """
+
+    def __init__(self, declared: set[str]) -> None:
+        self.declared = declared
+        self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
+
+    def declare(self, names: Iterable[str]) -> None:
+        self.declared.update(names)
+
+    def use(self, element: Element, names: Iterable[str]) -> None:
+        """Note the arguments that attributes of these names use and nothing declares so far."""
+        for name in names:
+            attribute = element.attributes.get(name)
+            for used in USE.findall(attribute.value) if attribute else ():
+                if attribute and used not in self.declared:
+                    self._undeclared.setdefault(used, (attribute.span, frozenset(self.declared)))
+
+    def problems(
+        self,
+        frame: CallFrame | None,
+        *,
+        carries_over: bool,
+        is_sure: Callable[[], bool],
+        is_lost: bool,
+    ) -> Iterator[Problem]:
+        """What is used and not declared.
+
+        Args:
+            frame: of the include that leads here.
+            carries_over: what an include declares holds behind it, as in ROS 2.
+            is_sure: says whether no other file can declare what this one uses; else only typos
+                are reported.
+            is_lost: the command line cannot set what is missing.
+        """
+        missing = {
+            name: use
+            for name, use in self._undeclared.items()
+            if not (carries_over and name in self.declared)
+        }
+        is_certain = bool(missing) and is_sure()
+        for name, (span, declared) in missing.items():
+            if not is_certain and not is_typo(name, declared):
+                continue
+            if name in self.declared:
+                message = f"argument '{name}' is used before it is declared"
+                yield Problem("LAU006", span, message, frame=frame)
+            else:
+                yield undeclared(name, declared, span, frame, is_lost=is_lost)
 
 
 def is_typo(name: str, known: Iterable[str]) -> bool:
@@ -91,7 +146,7 @@ def is_included(path: str, resolver: Resolver) -> bool:
     home = resolver.packages.enclosing(path)
     directory = home[1] if home else os.path.dirname(os.path.abspath(path))
     name = os.path.basename(path)
-    siblings = filter(is_launch, resolver.folders.files_below(directory, MAX_DIRECTORIES))
+    siblings = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
     others = [file for file in siblings if os.path.basename(file) != name]
     return len(others) > MAX_FILES or any(_names(name.encode(), one, resolver) for one in others)
 

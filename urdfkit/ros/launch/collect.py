@@ -58,6 +58,7 @@ class Collector:
         self.packages: dict[str, PackageUse] = {}
         self.problems: list[Problem] = []
         self.started: list[StartedProgram] = []
+        self.started_by_included: list[StartedProgram] = []
         self.is_whole = True
         self.names_parameters = False
         self.included = included
@@ -82,8 +83,8 @@ class Collector:
         self.files.append(FileUse(span.text, path, exists, span, purpose, is_outside))
         return exists
 
-    def command(self, text: str, span: Span, frame: CallFrame) -> None:
-        """A shell command whose output is the robot description."""
+    def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
+        """A shell command whose output is the robot description, or the YAML of one."""
         try:
             words = shlex.split(text)
         except ValueError:
@@ -97,10 +98,16 @@ class Collector:
         files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
         arguments = dict(word.split(":=", 1) for word in words[1:] if ":=" in word)
         if len(files) == 1:
-            self.description(files[0], arguments, span, frame)
+            self.description(files[0], arguments, span, frame, is_yaml=is_yaml)
 
     def description(
-        self, path: str, arguments: Mapping[str, str | None], span: Span, frame: CallFrame
+        self,
+        path: str,
+        arguments: Mapping[str, str | None],
+        span: Span,
+        frame: CallFrame,
+        *,
+        is_yaml: bool = False,
     ) -> None:
         """A file that is the robot description, expanded with arguments; None is not known."""
         if not disk.exists(path):
@@ -108,12 +115,19 @@ class Collector:
         if self.file(path, span, "robot description"):
             known = {name: value for name, value in arguments.items() if value is not None}
             is_whole = len(known) == len(arguments)
-            self.descriptions.append(LaunchedDescription(path, known, frame, is_whole))
+            found = LaunchedDescription(path, known, frame, is_whole, is_yaml)
+            self.descriptions.append(found)
 
     def follow(
-        self, path: str, source: Source, arguments: Mapping[str, str | None], frame: CallFrame
+        self,
+        path: str,
+        source: Source,
+        arguments: Mapping[str, str | None],
+        frame: CallFrame,
+        *,
+        is_sure: bool = True,
     ) -> None:
-        """Take over the robots and the parameters of an included launch file.
+        """Take over the robots, parameters and programs of an included launch file.
 
         The rest of it is reported when it is read by itself.
 
@@ -122,6 +136,7 @@ class Collector:
             source: the file that includes it.
             arguments: that it is given; None for those that are known at run time only.
             frame: the place of the include.
+            is_sure: False if a condition decides that is known at run time only.
         """
         outer = (*self.outer, source.path)
         if path in outer or len(outer) > MAX_DEPTH or self.included >= MAX_INCLUDED:
@@ -133,6 +148,11 @@ class Collector:
         inner = Collector(self.resolver, self._reader, outer, self.included + 1)
         self._reader(inner, included, arguments, frame)
         self.included = inner.included
+        self.is_whole = self.is_whole and inner.is_whole
+        self.started_by_included += (
+            one._replace(is_sure=one.is_sure and is_sure)
+            for one in (*inner.started, *inner.started_by_included)
+        )
         self.descriptions += inner.descriptions
         self.files += (one for one in inner.files if one.purpose == PARAMETERS and one.exists)
         self.names_parameters = self.names_parameters or inner.names_parameters
@@ -144,6 +164,7 @@ class Collector:
             tuple(self.packages.values()),
             tuple(self.problems),
             tuple(self.started),
+            tuple(self.started_by_included),
             self.is_whole,
             self.names_parameters,
         )

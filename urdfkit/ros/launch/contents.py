@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame
@@ -24,12 +26,14 @@ class LaunchedDescription(Record):
         arguments: for xacro.
         frame: the launch file's place, for the chain of calls.
         is_whole: False if it is given arguments that are known at run time only.
+        is_yaml: True if launch reads it as YAML, as it does with parameters without a type.
     """
 
     path: str
     arguments: dict[str, str]
     frame: CallFrame
     is_whole: bool = True
+    is_yaml: bool = False
 
 
 class FileUse(Record):
@@ -74,17 +78,22 @@ class StartedProgram(Record):
         package: empty for a program that is no node.
         executable: in the package; empty if it is not known, or for a program.
         words: of its command line; those of a program begin with its name.
-        parameters: names of the parameters that it is given; None if not all are known.
+        parameters: the parameters that it is given, each with its value or None where that is not
+            known; None if not all of their names are known.
         span: where it is started.
         frame: the launch files that led there.
+        is_sure: False if a condition decides that is known at run time only.
+        is_remapped: True if it gives topics other names.
     """
 
     package: str
     executable: str
     words: tuple[Word, ...]
-    parameters: frozenset[str] | None
+    parameters: Mapping[str, str | None] | None
     span: Span
     frame: CallFrame | None
+    is_sure: bool = True
+    is_remapped: bool = False
 
 
 class Launch(Record):
@@ -95,6 +104,7 @@ class Launch(Record):
         files, packages: that it names, found or not.
         problems: what is wrong with its text, under the codes of the rules that explain it.
         started: the programs that it starts.
+        included: those that the files start which it includes.
         is_whole: False if it includes what was not read.
         names_parameters: True if it gives parameters names that are in no file, by a namespace for
             what is in a file, or in its own text.
@@ -105,6 +115,7 @@ class Launch(Record):
     packages: tuple[PackageUse, ...]
     problems: tuple[Problem, ...]
     started: tuple[StartedProgram, ...]
+    included: tuple[StartedProgram, ...]
     is_whole: bool
     names_parameters: bool
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
@@ -55,12 +55,21 @@ class _Reader:
         self.frame = frame
         self.values = Values(collector, source, tree, arguments)
         self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+        #: Commands whose output becomes a parameter without a type.
+        self._untyped: set[ast.expr] = set()
+        #: Actions may be in a group whose condition decides.
+        self._has_groups = any(
+            called(call) == "GroupAction" and argument(call, None, "condition")
+            for call in self.calls
+        )
         self.configurations = Configurations(self.values, of_python(tree), self.calls, unread(tree))
 
     def read(self) -> None:
         for call in self.calls:
             if called(call) == "DeclareLaunchArgument":
                 self._declare(call)
+            elif called(call) == "Node":
+                self._untyped.update(self._untyped_commands(call))
         handles = {
             "Command": self._command,
             "ExecuteProcess": self._process,
@@ -105,27 +114,39 @@ class _Reader:
             None if argument(call, None, "ros_arguments") else self._parameters(parameters),
             self.values.span(call),
             None,
+            is_sure=not self._has_groups and self._condition(call) is True,
+            is_remapped=argument(call, None, "remappings") is not None,
         )
         self.collector.started.append(started)
 
-    def _parameters(self, node: ast.expr | None) -> frozenset[str] | None:
-        """The names of the parameters in a list of dictionaries; None if it holds others."""
-        names: set[str] = set()
+    def _parameters(self, node: ast.expr | None) -> dict[str, str | None] | None:
+        """The parameters in a list of dictionaries; None if it holds others."""
+        found: dict[str, str | None] = {}
         for item in self.values.items(node) if node else ():
             given = self.values.suggested(item)
             if not isinstance(given, ast.Dict):
                 return None
-            for key in given.keys:
+            for key, value in zip(given.keys, given.values, strict=True):
                 name = self.values.text(key)
                 if name is None:
                     return None
-                names.add(name)
-        return frozenset(names)
+                found[name] = self.values.text(value)
+        return found
+
+    def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
+        parameters = argument(node, None, "parameters")
+        for item in self.values.items(parameters) if parameters else ():
+            given = self.values.suggested(item)
+            for value in given.values if isinstance(given, ast.Dict) else ():
+                found = self.values.suggested(value)
+                if isinstance(found, ast.Call) and called(found) == "Command":
+                    yield found
 
     def _process(self, call: ast.Call) -> None:
         words = self.values.words(argument(call, 0, "cmd"))
         span = self.values.span(call)
-        self.collector.started.append(StartedProgram("", "", words, frozenset(), span, None))
+        is_sure = not self._has_groups and self._condition(call) is True
+        self.collector.started.append(StartedProgram("", "", words, {}, span, None, is_sure))
 
     def _include(self, call: ast.Call) -> None:
         node = argument(call, 0, "launch_description_source")
@@ -137,17 +158,24 @@ class _Reader:
         self.collector.is_whole = self.collector.is_whole and is_there
         self.collector.problems += self.configurations.include(call, path)
         passed = self.configurations.given(call)
-        if is_there and passed is not None and not self._is_off(call):
-            self.collector.follow(path, self.source, passed, self._frame(call))
+        holds = self._condition(call)
+        if is_there and passed is not None and holds is not False:
+            is_sure = holds is True and not self._has_groups
+            self.collector.follow(path, self.source, passed, self._frame(call), is_sure=is_sure)
 
-    def _is_off(self, action: ast.Call) -> bool:
-        """True if its condition does not hold; what cannot be known counts as on."""
-        condition = self.values.suggested(argument(action, None, "condition"))
+    def _condition(self, action: ast.Call) -> bool | None:
+        """Whether the condition of an action holds; None if that is known at run time only."""
+        written = argument(action, None, "condition")
+        if written is None:
+            return True
+        condition = self.values.suggested(written)
         if not isinstance(condition, ast.Call):
-            return False
+            return None
         value = (self.values.text(argument(condition, 0, "predicate_expression")) or "").lower()
-        off = {"IfCondition": ("false", "0"), "UnlessCondition": ("true", "1")}
-        return value in off.get(called(condition), ())
+        holds = {"true": True, "1": True, "false": False, "0": False}.get(value)
+        if holds is None or called(condition) not in ("IfCondition", "UnlessCondition"):
+            return None
+        return holds is (called(condition) == "IfCondition")
 
     def _command(self, call: ast.Call) -> None:
         command = argument(call, 0, "command")
@@ -156,7 +184,9 @@ class _Reader:
             return
         text = self.values.text(command)
         if text is not None:
-            self.collector.command(text, self.values.span(call), self._frame(call))
+            is_yaml = call in self._untyped
+            span, frame = self.values.span(call), self._frame(call)
+            self.collector.command(text, span, frame, is_yaml=is_yaml)
 
     def _process_file(self, call: ast.Call) -> None:
         """Of the module xacro."""

@@ -119,7 +119,7 @@ def _declarations(
 
 def _launch_files(directory: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
     """The launch files of a directory whose text mentions a package."""
-    files = filter(is_launch, resolver.folders.files_below(directory, MAX_DIRECTORIES))
+    files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
     for path in islice(files, MAX_FILES):
         try:
             source = resolver.read(path)

@@ -20,6 +20,8 @@ _VALUED = frozenset(
     "--wait-for --shutdown-timeout --set-state --spin-time".split()
 )
 #: Options after which the command line itself says what a controller is.
+#: Options and words with which controllers are loaded and not started.
+_LEFT_INACTIVE = ("--inactive", "--stopped", "--load-only", "load")
 _DEFINING = frozenset(("-t", "--controller-type"))
 
 
@@ -36,6 +38,12 @@ def controllers(started: StartedProgram) -> Iterator[Word]:
         if not is_value and word.text and not text.startswith("-"):
             yield word
         is_value = text in _VALUED and "=" not in (word.text or "")
+
+
+def activates(started: StartedProgram) -> bool:
+    """True if a program that loads controllers starts them, too."""
+    texts = {word.text for word in started.words}
+    return None not in texts and texts.isdisjoint(_LEFT_INACTIVE)
 
 
 def _arguments(started: StartedProgram) -> tuple[Word, ...]:

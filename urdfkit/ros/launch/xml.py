@@ -9,11 +9,10 @@ from collections.abc import Iterable, Mapping
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.argument_checks import (
+    ArgumentUses,
     declares_others,
     is_included,
-    is_typo,
     missing_in_include,
-    undeclared,
     unknown_to_included,
 )
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
@@ -70,9 +69,8 @@ class _File:
         self.outer = outer
         self._ros: int | None = None
         self._level = 0
-        #: Names of arguments, those that the including file lends among them.
-        self._declared: set[str] = {*arguments, *lent}
-        self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
+        self._unknown_conditions = 0
+        self._arguments = ArgumentUses({*arguments, *lent})
         self._is_whole = True
 
     def read(self) -> None:
@@ -88,7 +86,12 @@ class _File:
         if document is not None and is_launch:
             self._ros = 2 if is_yaml else dialect(document.root) or self._ros_of_package()
             self._children(document.root)
-            self._report_undeclared()
+            self.collector.problems += self._arguments.problems(
+                self.frame,
+                carries_over=self._ros == 2,
+                is_sure=self._is_sure,
+                is_lost=self._ros == 1 and bool(self.outer),
+            )
 
     def _unreadable(self, at: Span, reason: str) -> None:
         problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
@@ -110,14 +113,17 @@ class _File:
             "test": self._node,
         }
         for element in parent.children:
-            self._references(element, ("if", "unless"))
+            self._arguments.use(element, ("if", "unless"))
             if self._is_off(element):
                 # Other values of the arguments may turn it on.
-                self._declared |= {e.get("name") or "" for e in arguments_in(element)}
+                self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
-            self._look_at(element)
+            self._check(element)
             if handle := handles.get(element.tag):
+                is_unknown = self._is_unknown(element)
+                self._unknown_conditions += is_unknown
                 handle(element)
+                self._unknown_conditions -= is_unknown
         self._level -= 1
 
     def _is_off(self, element: Element) -> bool:
@@ -128,39 +134,19 @@ class _File:
                 return True
         return False
 
+    def _is_unknown(self, element: Element) -> bool:
+        """True if its condition is known at run time only."""
+        conditions = (element.attributes.get(name) for name in ("if", "unless"))
+        return any(one is not None and self.text(one) is None for one in conditions)
+
     def _ros_of_package(self) -> int | None:
         manifest = manifest_of(self.collector.resolver, self.source.path)
         return manifest.ros if manifest else None
 
-    # -------------------------------------------------------- what is wrong
-
-    def _look_at(self, element: Element) -> None:
+    def _check(self, element: Element) -> None:
         if self._ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
             self.collector.problems += mistakes(element, self._ros, self.frame)
-        self._references(element, element.attributes)
-
-    def _references(self, element: Element, names: Iterable[str]) -> None:
-        """Note the arguments that are used and not declared so far."""
-        for name in names:
-            attribute = element.attributes.get(name)
-            for used in USE.findall(attribute.value) if attribute else ():
-                if attribute and used not in self._declared:
-                    self._undeclared.setdefault(used, (attribute.span, frozenset(self._declared)))
-
-    def _report_undeclared(self) -> None:
-        missing = self._undeclared
-        if self._ros == 2:  # where what an include declares, holds behind it
-            missing = {n: use for n, use in missing.items() if n not in self._declared}
-        if missing and not self._is_sure():
-            missing = {n: use for n, use in missing.items() if is_typo(n, use[1])}
-        is_lost = self._ros == 1 and bool(self.outer)
-        for name, (span, declared) in missing.items():
-            if name in self._declared:
-                message = f"argument '{name}' is used before it is declared"
-                problem = Problem("LAU006", span, message, frame=self.frame)
-            else:
-                problem = undeclared(name, declared, span, self.frame, is_lost=is_lost)
-            self.collector.problems.append(problem)
+        self._arguments.use(element, element.attributes)
 
     def _is_sure(self) -> bool:
         """True if no other file can declare what this one uses."""
@@ -170,11 +156,9 @@ class _File:
         """True if files that include this one may give it more arguments than are known."""
         return not self.outer and is_included(self.source.path, self.collector.resolver)
 
-    # ------------------------------------------------------------- elements
-
     def _arg(self, element: Element) -> None:
         name = element.get("name") or ""
-        self._declared.add(name)
+        self._arguments.declare([name])
         attribute = element.attributes.get("value") or element.attributes.get("default")
         if attribute and name not in self.given:
             value = self.text(attribute)
@@ -184,7 +168,7 @@ class _File:
     def _include(self, element: Element) -> None:
         for child in element.children:
             if child.tag in ("arg", "env", "let"):  # roslaunch does not read any other
-                self._look_at(child)
+                self._check(child)
         attribute = element.attributes.get("file")
         path = self._path_in(attribute) if attribute else None
         purpose = "included launch file"
@@ -203,7 +187,7 @@ class _File:
         self._is_whole = self._is_whole and taken.is_whole
         self._compare(element, taken, source)
         if self._ros == 2:
-            self._declared |= taken.names  # which an include leaves behind
+            self._arguments.declare(taken.names)  # which an include leaves behind
         frame = frame_at(self.source, element.tag_at, self.frame)
         if path.endswith(".py"):
             self.collector.is_whole = False
@@ -218,7 +202,7 @@ class _File:
             return
         lent = {child.get("name") or "" for child in element.children}
         if self._lends(element):
-            lent |= self._declared
+            lent |= self._arguments.declared
         _File(self.collector, source, self._passed(element), lent, frame, here).read()
 
     def _lends(self, element: Element) -> bool:
@@ -236,7 +220,7 @@ class _File:
             return  # what was given on the command line, too
         known = {name for name, _ in passed}
         if self._ros == 2:
-            known |= self._declared
+            known |= self._arguments.declared
         problems = self.collector.problems
         problems += unknown_to_included(passed, taken, source, self.frame, ros=self._ros or 2)
         if self._ros == 1 or not self._may_be_lent():
@@ -302,13 +286,16 @@ class _File:
             self._parameters(element),
             element.span,
             self.frame,
+            is_sure=not self._unknown_conditions,
+            is_remapped=element.child("remap") is not None,
         )
         self.collector.started.append(started)
         self._children(element)
 
     def _executable(self, element: Element) -> None:
         words = self._words(element.attributes.get("cmd"))
-        started = StartedProgram("", "", words, frozenset(), element.span, self.frame)
+        is_sure = not self._unknown_conditions
+        started = StartedProgram("", "", words, {}, element.span, self.frame, is_sure)
         self.collector.started.append(started)
 
     def _words(self, attribute: Attribute | None) -> tuple[Word, ...]:
@@ -329,14 +316,19 @@ class _File:
             Word(None if _UNKNOWN_WORD in word else word, attribute.span) for word in words
         )
 
-    def _parameters(self, element: Element) -> frozenset[str] | None:
-        """The names of the parameters that a node is given in ROS 2, if no files give some.
+    def _parameters(self, element: Element) -> dict[str, str | None] | None:
+        """The parameters that a node is given in ROS 2, if no files give some.
 
         In ROS 1 parameters belong to no node.
         """
         if self._ros != 2 or any(child.get("from") for child in element.children):
             return None
-        return frozenset(child.get("name") or "" for child in element.all("param"))
+        given = element.all("param")
+        values = [child.attributes.get("value") for child in given]
+        return {
+            child.get("name") or "": self.text(value) if value else None
+            for child, value in zip(given, values, strict=True)
+        }
 
     def _rosparam(self, element: Element) -> None:
         attribute = element.attributes.get("file")

@@ -10,7 +10,7 @@ from math import radians
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.robot.model import number
+from urdfkit.robot.values import number
 from urdfkit.ros.moveit.config import load_next_to
 from urdfkit.text.located_yaml import Key, Value
 

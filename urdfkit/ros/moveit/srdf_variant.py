@@ -65,7 +65,7 @@ def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
     if package is None:
         return
     own = disk.real(description.source.path)
-    below = description.resolver.folders.files_below(package[1], _MAX_DIRECTORIES)
+    below = description.resolver.directories.files_below(package[1], _MAX_DIRECTORIES)
     paths = [path for path in below if path.endswith((".urdf", ".xacro"))]
     robots = [path for path in paths if disk.real(path) != own and _is_robot(path)]
     xacros = 0

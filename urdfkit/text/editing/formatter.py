@@ -15,9 +15,9 @@ from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableRobot
 from urdfkit.text.editing.edits import STEP
 from urdfkit.text.editing.start_tags import MACRO, holders, parameters, start_tag, vectors
-from urdfkit.text.editing.tokens import Token, TokenKind, tokens
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
+from urdfkit.text.tokens import Token, TokenKind, tokens
 from urdfkit.text.xml_reader import syntax_problems
 
 #: Columns of a line; only what cannot be broken is longer.
@@ -27,6 +27,7 @@ MAX_DEPTH = 1000
 #: What a tab in front of a comment's line stands for.
 _TAB = 4
 
+_TAGS = (TokenKind.START, TokenKind.EMPTY)
 #: Blocks in which other programs read their own tags.
 _FOREIGN = frozenset(("gazebo", "transmission", "ros2_control"))
 
@@ -48,11 +49,11 @@ def formatted(source: Source, width: int = WIDTH) -> bytes:
         UnreadableRobot: it is not well-formed, or no robot.
     """
     _require_robot(source)
-    text = source.data.decode().replace("\r\n", "\n")
-    found = list(tokens(text))
+    data = source.data.replace(b"\r\n", b"\n")
+    found = list(tokens(data))
     outline = _outline(found, source.path)
-    layout = "\n".join(_Writer(found, text, outline, width).lines()) + "\n"
-    if _meaning(layout) != _meaning(text):
+    layout = "\n".join(_LineWriter(found, data, outline, width).lines()) + "\n"
+    if _meaning(layout.encode()) != _meaning(data):
         raise AssertionError(f"{source.path}: formatting would change the meaning")
     newline = "\r\n" if b"\r\n" in source.data else "\n"
     return layout.replace("\n", newline).encode()
@@ -72,7 +73,7 @@ def _require_robot(source: Source) -> None:
         problems = syntax_problems(source)
         reason = f"{problems[0].span}: {problems[0].message}"
         raise UnreadableRobot(reason, tuple(problems)) from None
-    root = next(one for one in tokens(source.data.decode()) if one.kind is TokenKind.START)
+    root = next(one for one in tokens(source.data) if one.kind in _TAGS)
     if root.name != "robot" and not is_xacro(source):
         raise UnreadableRobot(f"{source.path}: not a robot, its root is <{root.name}>")
 
@@ -102,12 +103,12 @@ class _Open(Record):
     is_foreign: bool
 
 
-class _Writer:
+class _LineWriter:
     """Makes lines of tokens."""
 
-    def __init__(self, found: list[Token], text: str, outline: _Outline, width: int) -> None:
+    def __init__(self, found: list[Token], data: bytes, outline: _Outline, width: int) -> None:
         self._tokens = found
-        self._text = text
+        self._data = data
         self._width = width
         self._ends, self._verbatim = outline
         self._lines: list[str] = []
@@ -128,7 +129,7 @@ class _Writer:
                 self._comment(token, number)
             elif token.kind is TokenKind.END:
                 self._end(token)
-            elif token.kind is TokenKind.START:
+            elif token.kind in _TAGS:
                 number = self._element(token, number)
             else:
                 self._line(token.text)
@@ -146,10 +147,12 @@ class _Writer:
         """Write a start tag, or a whole element that stays as it is; the last token of it."""
         end = self._ends.get(number, number)
         if number in self._verbatim:
-            inner = self._text[token.at + len(token.text) : self._tokens[end].at]
+            inner = self._data[token.end : self._tokens[end].start].decode()
             self._line(f"{self._start_tag(token, '>')}{inner}</{token.name}>")
             return end
-        if token.is_empty or all(_is_blank(self._tokens[i]) for i in range(number + 1, end)):
+        if token.kind is TokenKind.EMPTY or all(
+            _is_blank(self._tokens[i]) for i in range(number + 1, end)
+        ):
             self._line(self._start_tag(token, "/>"))
             return end
         self._line(self._start_tag(token, ">"))
@@ -165,7 +168,7 @@ class _Writer:
         if len(self._open) > 1:
             self._gap = 0
         self._open.pop()
-        self._line(f"</{token.text[2:-1].strip()}>")
+        self._line(f"</{token.name}>")
 
     @property
     def _indent(self) -> str:
@@ -194,11 +197,11 @@ class _Writer:
         ):
             self._lines[-1] += f" {_stripped(token.text)}"
             return
-        self._line(_shifted(token.text, self._column(token.at), len(self._indent)))
+        self._line(_shifted(token.text, self._column(token.start), len(self._indent)))
 
     def _column(self, at: int) -> int | None:
         """The indentation of a place; None if something else stands before it on its line."""
-        before = self._text[self._text.rfind("\n", 0, at) + 1 : at]
+        before = self._data[self._data.rfind(b"\n", 0, at) + 1 : at].decode()
         return None if before.strip() else len(before.expandtabs(_TAB))
 
 
@@ -212,10 +215,10 @@ def _outline(found: list[Token], path: str) -> _Outline:
     verbatim: set[int] = set()
     stack: list[int] = []
     for number, token in enumerate(found):
-        if token.kind is TokenKind.START:
-            if "xml:space" in token.text and ("xml:space", "preserve") in _values(token):
+        if token.kind in _TAGS:
+            if ("xml:space", "preserve") in token.pairs:
                 verbatim.add(number)
-            if not token.is_empty:
+            if token.kind is TokenKind.START:
                 stack.append(number)
                 if len(stack) > MAX_DEPTH:
                     raise UnreadableRobot(f"{path}: elements are nested too deeply to be formatted")
@@ -228,10 +231,6 @@ def _outline(found: list[Token], path: str) -> _Outline:
         elif stack and _holds_meaning(token, [found[i].name for i in stack]):
             verbatim.add(stack[-1])
     return _Outline(ends, verbatim & ends.keys())
-
-
-def _values(token: Token) -> list[tuple[str, str]]:
-    return [(name, quoted[1:-1]) for name, quoted in token.attributes]
 
 
 def _is_blank(token: Token) -> bool:
@@ -273,7 +272,7 @@ def _shifted(comment: str, old: int | None, new: int) -> str:
     return "\n".join(lines)
 
 
-def _meaning(text: str) -> list[tuple[object, ...]]:
+def _meaning(data: bytes) -> list[tuple[object, ...]]:
     """What a document says, whatever its layout: tags, values, texts and comments in order."""
     events: list[tuple[object, ...]] = []
     path: list[str] = []
@@ -302,5 +301,5 @@ def _meaning(text: str) -> list[tuple[object, ...]]:
     parser.CharacterDataHandler = text_of
     parser.CommentHandler = lambda data: events.append(("comment", data.split()))
     parser.ProcessingInstructionHandler = lambda *words: events.append(("instruction", *words))
-    parser.Parse(text.encode(), True)
+    parser.Parse(data, True)
     return events

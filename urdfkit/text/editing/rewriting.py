@@ -17,6 +17,7 @@ from urdfkit.text.source import Source
 
 #: Deletions and insertions up to which the smallest diff is looked for.
 _MAX_EDITS = 2000
+_CHANGED = "it has changed meanwhile; run it again"
 
 
 class Rewrite(Record):
@@ -38,13 +39,17 @@ class Rewrite(Record):
 
 
 def rewrites(edits: Iterable[Edit]) -> tuple[Rewrite, ...]:
-    """The files of some edits with these made; nothing is written."""
+    """The files of some edits with these made; nothing is written.
+
+    Raises:
+        UnwritableFile: a file has changed since it was read.
+    """
     by_source: dict[Source, list[Edit]] = {}
     for edit in edits:
         by_source.setdefault(edit.span.source, []).append(edit)
     found = []
     for source, changes in by_source.items():
-        before = on_disk(source.path) or b""
+        before = unchanged(source)
         after = encoded(apply_edits(source.data, changes), source.encoding, before)
         found.append(Rewrite(os.path.normpath(source.path), before, after))
     return tuple(found)
@@ -140,9 +145,21 @@ def write(rewrites: Iterable[Rewrite]) -> None:
         if now is None:
             raise UnwritableFile(f"{one.path}: file not found")
         if now != one.before:
-            raise UnwritableFile(f"{one.path}: it has changed meanwhile; run it again")
+            raise UnwritableFile(f"{one.path}: {_CHANGED}")
     for one in rewrites:
-        atomic.write(one.path, one.after)
+        atomic.write(one.path, one.after, before=one.before)
+
+
+def unchanged(source: Source) -> bytes:
+    """The bytes of the file of a source; none if it is not there.
+
+    Raises:
+        UnwritableFile: it has changed since it was read.
+    """
+    now = on_disk(source.path)
+    if now is not None and Source(source.path, now).data != source.data:
+        raise UnwritableFile(f"{source.path}: {_CHANGED}")
+    return now or b""
 
 
 def on_disk(path: str) -> bytes | None:

@@ -8,7 +8,7 @@ from functools import cache
 
 from urdfkit.text import schema
 from urdfkit.text.editing.edits import STEP
-from urdfkit.text.editing.tokens import Token
+from urdfkit.text.tokens import Token
 
 MACRO = "xacro:macro"
 #: First attributes of tags of xacro; those of URDF come from its grammar.
@@ -58,15 +58,15 @@ def start_tag(token: Token, close: str, indent: str, width: int, *, is_foreign: 
 
 def _attributes(token: Token, *, is_foreign: bool) -> Iterator[tuple[str, str]]:
     """Names and quoted values, in their order."""
-    written = token.attributes
+    written = token.pairs
     order = () if is_foreign else _order().get(token.name, ())
     known = sorted((a for a in written if a[0] in order), key=lambda a: order.index(a[0]))
-    for name, quoted in (*known, *(a for a in written if a[0] not in order)):
-        value = quoted[1:-1]
+    for name, text in (*known, *(a for a in written if a[0] not in order)):
+        value = text
         if name in vectors() and not is_foreign:
-            value = _vector(value)
+            value = _vector(text)
         elif (token.name, name) == (MACRO, "params"):
-            value = "\n".join(map(" ".join, parameters(value) or [[value]]))
+            value = "\n".join(map(" ".join, parameters(text) or [[text]]))
         yield name, f"'{value}'" if '"' in value else f'"{value}"'
 
 

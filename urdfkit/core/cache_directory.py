@@ -9,7 +9,7 @@ import sys
 VARIABLE = "URDFKIT_CACHE_DIR"
 
 
-def cache_folder() -> str | None:
+def cache_directory() -> str | None:
     """The directory of the cache; None if the environment wants none."""
     given = os.environ.get(VARIABLE)
     if given is not None:

@@ -17,8 +17,8 @@ _GONE, _NEW, _CHANGED = (0.86, 0.15, 0.12, 1.0), (0.16, 0.62, 0.3, 1.0), (0.96, 
 _SAME = (0.8, 0.82, 0.85, 1.0)
 
 
-def pictures(before: Subject, after: Subject, found: Comparison) -> tuple[str, ...]:
-    """Addresses of two pictures; none where the libraries or the shapes for them are missing.
+def images(before: Subject, after: Subject, found: Comparison) -> tuple[str, ...]:
+    """Addresses of two images; none where the libraries or the shapes for them are missing.
 
     Links that are gone are red, new ones green, and those that differ or moved amber.
     """
@@ -32,7 +32,7 @@ def pictures(before: Subject, after: Subject, found: Comparison) -> tuple[str, .
     scenes = [render.build(subject) for subject in (before, after)]
     if not all(scene.items for scene in scenes):
         return ()
-    camera = render.looking(np.concatenate([scene.points() for scene in scenes]), size=SIZE)
+    camera = render.place_camera(np.concatenate([scene.points() for scene in scenes]), size=SIZE)
     colours = _colours(found, after)
     renamed = found.names.links
     both = {renamed.get(name, name) for name in scenes[0].frames} & scenes[1].frames.keys()
@@ -41,8 +41,8 @@ def pictures(before: Subject, after: Subject, found: Comparison) -> tuple[str, .
         items = []
         for item in scene.items:
             name = names.get(item.link, item.link)
-            look = render.SurfaceMaterial(colours.get(name, _SAME) if name in both else only)
-            items.append(item._replace(look=look, colors=None, uv=None))
+            material = render.SurfaceMaterial(colours.get(name, _SAME) if name in both else only)
+            items.append(item._replace(material=material, colors=None, uv=None))
         image = render.draw(scene._replace(items=tuple(items)), camera)
         addresses.append(data_uris.webp(Image.fromarray(image).convert("RGB")))
     return tuple(addresses)

@@ -4,15 +4,15 @@ from pathlib import Path
 import pytest
 
 from tests.workspaces import add_file, record_listings
-from urdfkit.workspace.folders import Folders, walk
+from urdfkit.workspace.directories import Directories, walk
 
 
 def test_a_file_is_found_by_its_exact_name(tmp_path: Path) -> None:
     arm = add_file(tmp_path / "meshes" / "visual" / "Arm.STL")
-    folders = Folders()
-    assert folders.find(str(tmp_path), "meshes/visual/Arm.STL") == str(arm)
-    assert folders.find(str(tmp_path), "./meshes//visual/../visual/Arm.STL") == str(arm)
-    assert folders.find(str(tmp_path / "meshes"), "../meshes/visual/Arm.STL") == str(arm)
+    directories = Directories()
+    assert directories.find(str(tmp_path), "meshes/visual/Arm.STL") == str(arm)
+    assert directories.find(str(tmp_path), "./meshes//visual/../visual/Arm.STL") == str(arm)
+    assert directories.find(str(tmp_path / "meshes"), "../meshes/visual/Arm.STL") == str(arm)
     for wrong in (
         "meshes/visual/arm.stl",
         "Meshes/visual/Arm.STL",
@@ -24,19 +24,19 @@ def test_a_file_is_found_by_its_exact_name(tmp_path: Path) -> None:
         ".",
         "\0",
     ):
-        assert folders.find(str(tmp_path), wrong) is None, wrong
+        assert directories.find(str(tmp_path), wrong) is None, wrong
 
 
 def test_case_is_told_apart(tmp_path: Path) -> None:
     add_file(tmp_path / "meshes" / "Arm.STL")
-    folders = Folders()
-    assert folders.find_ignoring_case(str(tmp_path), "MESHES/arm.stl") == "meshes/Arm.STL"
-    assert folders.find_ignoring_case(str(tmp_path), "meshes/Arm.STL") == "meshes/Arm.STL"
-    assert folders.find_ignoring_case(str(tmp_path / "meshes"), "../Meshes/arm.stl") == (
+    directories = Directories()
+    assert directories.find_ignoring_case(str(tmp_path), "MESHES/arm.stl") == "meshes/Arm.STL"
+    assert directories.find_ignoring_case(str(tmp_path), "meshes/Arm.STL") == "meshes/Arm.STL"
+    assert directories.find_ignoring_case(str(tmp_path / "meshes"), "../Meshes/arm.stl") == (
         "../meshes/Arm.STL"
     )
-    assert folders.find_ignoring_case(str(tmp_path), "meshes/hand.stl") is None
-    assert folders.find_ignoring_case(str(tmp_path), "") is None
+    assert directories.find_ignoring_case(str(tmp_path), "meshes/hand.stl") is None
+    assert directories.find_ignoring_case(str(tmp_path), "") is None
 
 
 def test_of_two_names_that_differ_in_case_none_is_meant(tmp_path: Path) -> None:
@@ -44,8 +44,8 @@ def test_of_two_names_that_differ_in_case_none_is_meant(tmp_path: Path) -> None:
     add_file(tmp_path / "ARM.stl")
     if len(os.listdir(tmp_path)) < 2:
         pytest.skip("this file system does not tell upper and lower case apart")
-    assert Folders().find_ignoring_case(str(tmp_path), "arm.stl") is None
-    assert Folders().find_ignoring_case(str(tmp_path), "ARM.stl") == "ARM.stl"
+    assert Directories().find_ignoring_case(str(tmp_path), "arm.stl") is None
+    assert Directories().find_ignoring_case(str(tmp_path), "ARM.stl") == "ARM.stl"
 
 
 def test_links_that_lead_nowhere_or_in_circles_are_no_files(tmp_path: Path) -> None:
@@ -53,10 +53,10 @@ def test_links_that_lead_nowhere_or_in_circles_are_no_files(tmp_path: Path) -> N
     os.symlink("circle", tmp_path / "circle")
     add_file(tmp_path / "real.stl")
     os.symlink("real.stl", tmp_path / "link.stl")
-    folders = Folders()
-    assert folders.entries(str(tmp_path)) == {"real.stl": False, "link.stl": False}
-    assert folders.find(str(tmp_path), "gone.stl") is None
-    assert folders.find(str(tmp_path), "link.stl") == str(tmp_path / "link.stl")
+    directories = Directories()
+    assert directories.entries(str(tmp_path)) == {"real.stl": False, "link.stl": False}
+    assert directories.find(str(tmp_path), "gone.stl") is None
+    assert directories.find(str(tmp_path), "link.stl") == str(tmp_path / "link.stl")
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes have no names here")
@@ -64,26 +64,26 @@ def test_pipes_and_devices_are_no_files(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.yaml")
     (tmp_path / "null.yaml").symlink_to(os.devnull)
     add_file(tmp_path / "a.yaml")
-    assert Folders().entries(str(tmp_path)) == {"a.yaml": False}
+    assert Directories().entries(str(tmp_path)) == {"a.yaml": False}
 
 
-def test_every_folder_is_listed_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_directory_is_listed_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for number in range(100):
         add_file(tmp_path / "meshes" / f"link_{number}.stl")
     listed = record_listings(monkeypatch)
-    folders = Folders()
+    directories = Directories()
     for number in range(100):
-        assert folders.find(str(tmp_path), f"meshes/link_{number}.stl")
-        assert folders.find(str(tmp_path), f"none/link_{number}.stl") is None
+        assert directories.find(str(tmp_path), f"meshes/link_{number}.stl")
+        assert directories.find(str(tmp_path), f"none/link_{number}.stl") is None
     assert sorted(listed) == [str(tmp_path), str(tmp_path / "meshes")]
 
 
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="permissions do not bind root")
-def test_a_folder_that_may_be_entered_but_not_listed(tmp_path: Path) -> None:
+def test_a_directory_that_may_be_entered_but_not_listed(tmp_path: Path) -> None:
     arm = add_file(tmp_path / "meshes" / "arm.stl")
     (tmp_path / "meshes").chmod(0o100)
     try:
-        assert Folders().find(str(tmp_path), "meshes/arm.stl") == str(arm)
+        assert Directories().find(str(tmp_path), "meshes/arm.stl") == str(arm)
     finally:
         (tmp_path / "meshes").chmod(0o700)
 
@@ -92,9 +92,9 @@ def test_files_below_come_nearest_first_and_are_bounded(tmp_path: Path) -> None:
     for name in ("b.stl", "a/d/e.stl", "a/c.stl", ".git/config"):
         add_file(tmp_path / name)
     os.symlink("..", tmp_path / "a" / "up")
-    found = Folders().files_below(str(tmp_path), 100)
+    found = Directories().files_below(str(tmp_path), 100)
     assert [os.path.relpath(path, tmp_path) for path in found] == ["b.stl", "a/c.stl", "a/d/e.stl"]
-    assert len(Folders().files_below(str(tmp_path), 2)) == 2
+    assert len(Directories().files_below(str(tmp_path), 2)) == 2
 
 
 def test_a_walk_lists_what_os_walk_lists_and_each_directory_once(
@@ -107,12 +107,12 @@ def test_a_walk_lists_what_os_walk_lists_and_each_directory_once(
     (tmp_path / "round").symlink_to(tmp_path)
     expected = [*walk(str(tmp_path))]
     listed = record_listings(monkeypatch)
-    folders = Folders()
-    assert folders.walk(str(tmp_path)) == expected
+    directories = Directories()
+    assert directories.walk(str(tmp_path)) == expected
     assert [os.path.relpath(path, tmp_path) for path in expected] == [
         "dead", "top", "a/z", "b/x", "b/a/y",
     ]  # fmt: skip
     monkeypatch.chdir(tmp_path)
-    assert folders.walk(".")[:2] == ["./dead", "./top"]
-    folders.files_below(str(tmp_path), 100)
+    assert directories.walk(".")[:2] == ["./dead", "./top"]
+    directories.files_below(str(tmp_path), 100)
     assert len(listed) == len(set(listed))

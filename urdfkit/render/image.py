@@ -1,4 +1,4 @@
-"""Pictures of a robot: one view or several on a sheet, ready to be saved."""
+"""Images of a robot: one view or several on a sheet, ready to be saved."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PIL import Image, ImageColor
 
 from urdfkit.core import atomic
 from urdfkit.errors import UrdfkitError
-from urdfkit.render.camera import CameraOptions, looking, unfit
+from urdfkit.render.camera import CameraOptions, place_camera, unfit
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import caption, opaque, write
 from urdfkit.render.pixels import STUDIO
@@ -24,16 +24,16 @@ if TYPE_CHECKING:
 _GAP = 2
 
 
-class PictureError(UrdfkitError):
-    """A picture that cannot be made; the text says why."""
+class ImageError(UrdfkitError):
+    """An image that cannot be made; the text says why."""
 
 
-def picture(
+def render_image(
     scene: Scene,
     views: Sequence[str] = ("iso",),
     *,
     size: tuple[int, int] = (1280, 720),
-    look: CameraOptions | None = None,
+    camera_options: CameraOptions | None = None,
     progress: Callable[[int, int], None] | None = None,
     **drawing: Unpack[DrawingOptions],
 ) -> Image.Image:
@@ -42,24 +42,26 @@ def picture(
     Args:
         scene: the robot, as `build` gives it.
         views: names of `camera.VIEWS`; several make a sheet.
-        size: of the picture, in pixels.
-        look: of the camera, as `looking` takes it.
+        size: of the image, in pixels.
+        camera_options: as `place_camera` takes it.
         progress: called with the number of steps done and of all.
         drawing: as `draw` takes it.
 
     Raises:
         NoSuchView: a view has no name, or a number is out of bounds.
-        PictureError: the size is out of bounds.
+        ImageError: the size is out of bounds.
     """
     has_background = drawing.get("background", STUDIO) is not None
     columns, rows = _grid(len(views))
     cell = (size[0] // columns, size[1] // rows)
     gap = _GAP if len(views) > 1 else 0
     if reason := unfit(size) or unfit((cell[0] - gap, cell[1] - gap)):
-        raise PictureError(reason)
+        raise ImageError(reason)
     whole = Image.new("RGBA", size, (190, 195, 202, 255) if has_background else (0, 0, 0, 0))
     for number, view in enumerate(views):
-        camera = looking(scene.points(), view, size=(cell[0] - gap, cell[1] - gap), **(look or {}))
+        camera = place_camera(
+            scene.points(), view, size=(cell[0] - gap, cell[1] - gap), **(camera_options or {})
+        )
         part = _part(progress, number, len(views))
         image = Image.fromarray(draw(scene, camera, progress=part, **drawing))
         if scene.labels:
@@ -83,12 +85,12 @@ def colour(word: str) -> tuple[float, float, float]:
     """A colour by its name in HTML or as ``#rrggbb``, each part from 0 to 1.
 
     Raises:
-        PictureError: it is none.
+        ImageError: it is none.
     """
     try:
         r, g, b = ImageColor.getrgb(word)[:3]
     except ValueError as error:
-        raise PictureError(f"'{word}' is not a colour; use a name, or #rrggbb") from error
+        raise ImageError(f"'{word}' is not a colour; use a name, or #rrggbb") from error
     return r / 255, g / 255, b / 255
 
 
@@ -101,22 +103,22 @@ def _grid(count: int) -> tuple[int, int]:
 
 
 def save(image: Image.Image, path: str | os.PathLike[str]) -> None:
-    """Write a picture, whole or not at all, in the format that the suffix names.
+    """Write an image, whole or not at all, in the format that the suffix names.
 
     Raises:
-        PictureError: Pillow writes no such format.
+        ImageError: Pillow writes no such format.
         UnwritableFile: the file cannot be written.
     """
     suffix = os.path.splitext(os.fspath(path))[1].lower()
     form = Image.registered_extensions().get(suffix)
     if form is None or form not in Image.SAVE:
         what = f"'{suffix}' is not a supported image format" if suffix else "it has no suffix"
-        raise PictureError(f"{os.fspath(path)}: {what}; write .png, .webp or .jpg")
+        raise ImageError(f"{os.fspath(path)}: {what}; write .png, .webp or .jpg")
     if form == "JPEG":
         image = opaque(image)
     buffer = io.BytesIO()
     try:
         image.save(buffer, form, compress_level=4) if form == "PNG" else image.save(buffer, form)
     except (OSError, ValueError, KeyError) as error:
-        raise PictureError(f"{os.fspath(path)}: {error}") from error
+        raise ImageError(f"{os.fspath(path)}: {error}") from error
     atomic.write(path, buffer.getvalue())

@@ -11,10 +11,10 @@ from urdfkit.core import disk
 _BUILT = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
 
 
-def walk(folder: str) -> Iterator[str]:
-    """The files below a folder, sorted, apart from hidden ones and from what a build makes."""
-    for parent, folders, files in disk.walk(folder):
-        folders[:] = sorted(filter(_is_walked, folders))
+def walk(directory: str) -> Iterator[str]:
+    """The files below a directory, sorted, apart from hidden ones and from what a build makes."""
+    for parent, directories, files in disk.walk(directory):
+        directories[:] = sorted(filter(_is_walked, directories))
         yield from (os.path.join(parent, name) for name in sorted(files))
 
 
@@ -22,17 +22,17 @@ def _is_walked(name: str) -> bool:
     return not name.startswith(".") and name not in _BUILT
 
 
-class Folders:
-    """Listings of folders.
+class Directories:
+    """Listings of directories.
 
     A file is looked up in the listings instead of being asked for by its whole path: a hundred
-    meshes of one folder cost one listing, and a name that differs in case is distinguished on
+    meshes of one directory cost one listing, and a name that differs in case is distinguished on
     file systems that do not care, too.
     """
 
     def __init__(self) -> None:
         self._entries: dict[str, dict[str, bool] | None] = {}
-        #: What is neither a file nor a folder, such as a link that leads nowhere, by folder.
+        #: What is neither a file nor a directory, such as a link that leads nowhere, by directory.
         self._others: dict[str, list[str]] = {}
         self._below: dict[str, list[str]] = {}
         self._links: set[str] = set()
@@ -48,25 +48,25 @@ class Folders:
         return self._real[path]
 
     def is_link(self, path: str) -> bool:
-        """True for a symbolic link in a folder whose entries were asked for."""
+        """True for a symbolic link in a directory whose entries were asked for."""
         return path in self._links
 
-    def entries(self, folder: str) -> dict[str, bool] | None:
-        """What is in a folder: True for folders, False for the rest; None if it cannot be read."""
-        if folder not in self._entries:
+    def entries(self, directory: str) -> dict[str, bool] | None:
+        """Names in a directory, True for directories; None if it cannot be read."""
+        if directory not in self._entries:
             try:
-                self._entries[folder] = self._list(folder)
+                self._entries[directory] = self._list(directory)
             except (OSError, ValueError):  # ValueError: a NUL in the name
-                self._entries[folder] = None
-        return self._entries[folder]
+                self._entries[directory] = None
+        return self._entries[directory]
 
-    def _list(self, folder: str) -> dict[str, bool]:
+    def _list(self, directory: str) -> dict[str, bool]:
         found = {}
-        for entry in disk.entries(folder):
+        for entry in disk.entries(directory):
             if self._counts(entry):
-                found[entry.name] = _is_folder(entry)
+                found[entry.name] = _is_directory(entry)
             else:
-                self._others.setdefault(folder, []).append(entry.name)
+                self._others.setdefault(directory, []).append(entry.name)
         return found
 
     def _counts(self, entry: os.DirEntry[str]) -> bool:
@@ -74,11 +74,11 @@ class Folders:
         if not entry.is_symlink():
             return entry.is_file() or entry.is_dir()
         self._links.add(entry.path)
-        return disk.is_file(entry.path) or disk.is_folder(entry.path)
+        return disk.is_file(entry.path) or disk.is_directory(entry.path)
 
-    def find(self, folder: str, relative: str) -> str | None:
+    def find(self, directory: str, relative: str) -> str | None:
         """The file at a path below a directory, spelled exactly so; None if there is none."""
-        at = folder
+        at = directory
         parts = _parts(relative)
         for number, part in enumerate(parts, start=1):
             if part == "..":
@@ -94,12 +94,12 @@ class Folders:
             at = path
         return at if parts and parts[-1] != ".." else None
 
-    def find_ignoring_case(self, folder: str, relative: str) -> str | None:
-        """Like ``find``, but for a path whose case may differ; relative to the folder.
+    def find_ignoring_case(self, directory: str, relative: str) -> str | None:
+        """Like ``find``, but for a path whose case may differ; relative to the directory.
 
         None if there is no such file, or several.
         """
-        at = folder
+        at = directory
         parts_on_disk: list[str] = []
         parts = _parts(relative)
         for number, part in enumerate(parts, start=1):
@@ -108,31 +108,31 @@ class Folders:
                 parts_on_disk.append(part)
                 continue
             entries = self.entries(at) or {}
-            is_folder = number < len(parts)
-            names = [name for name in _alike(entries, part) if entries[name] is is_folder]
+            is_directory = number < len(parts)
+            names = [name for name in _alike(entries, part) if entries[name] is is_directory]
             if len(names) != 1:
                 return None
             parts_on_disk.append(names[0])
             at = os.path.join(at, names[0])
         return "/".join(parts_on_disk) or None
 
-    def walk(self, folder: str) -> list[str]:
+    def walk(self, directory: str) -> list[str]:
         """As the function `walk`; with links that lead nowhere, pipes and devices."""
-        top = os.path.abspath(folder)
+        top = os.path.abspath(directory)
         if top not in self._below:
             self._below[top] = self._walked(top)
-        prefix = os.path.join(folder, "")
+        prefix = os.path.join(directory, "")
         return [prefix + path for path in self._below[top]]
 
     def _walked(self, top: str) -> list[str]:
-        """The paths below a folder, relative to it."""
+        """The paths below a directory, relative to it."""
         found: list[str] = []
         stack = [""]  # relative to the top, each with a separator at its end
         while stack:
             relative = stack.pop()
             at = os.path.join(top, relative[:-1]) if relative else top
             entries = self.entries(at) or {}
-            files = [name for name, is_folder in entries.items() if not is_folder]
+            files = [name for name, is_directory in entries.items() if not is_directory]
             files += self._others.get(at, ())
             found += [relative + name for name in sorted(files)]
             stack += [
@@ -142,19 +142,19 @@ class Folders:
             ]
         return found
 
-    def files_below(self, folder: str, limit: int) -> list[str]:
-        """The files in a folder and all below it, nearest first; hidden folders are left out.
+    def files_below(self, directory: str, limit: int) -> list[str]:
+        """The files in a directory and below it, nearest first; hidden directories are left out.
 
         Args:
-            folder: where to start.
-            limit: how many folders to list at most.
+            directory: where to start.
+            limit: how many directories to list at most.
         """
         found: list[str] = []
-        queue = [folder]
+        queue = [directory]
         for at in queue:  # grows while it is walked
-            for name, is_folder in sorted((self.entries(at) or {}).items()):
+            for name, is_directory in sorted((self.entries(at) or {}).items()):
                 path = os.path.join(at, name)
-                if not is_folder:
+                if not is_directory:
                     found.append(path)
                 elif len(queue) < limit and name[0] != "." and not self.is_link(path):
                     queue.append(path)
@@ -173,7 +173,7 @@ def _parts(relative: str) -> list[str]:
     return [part for part in relative.split("/") if part not in ("", ".")]
 
 
-def _is_folder(entry: os.DirEntry[str]) -> bool:
+def _is_directory(entry: os.DirEntry[str]) -> bool:
     try:
         return entry.is_dir()
     except OSError:  # a symbolic link in a circle

@@ -1,0 +1,358 @@
+"""What is fuzzed: seeds, and the call of the library that takes an input.
+
+A harness raises nothing but what is a defect: what cannot be done is an `UrdfkitError`.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import redirect_stderr, redirect_stdout
+from functools import lru_cache
+from pathlib import Path
+from random import Random
+from typing import NamedTuple
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint import config_reader, engine, rule_index
+from urdfkit.lint.ignore_comments import ignores
+from urdfkit.lint.options import Options
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.lint.rules import Rule
+from urdfkit.ros.gazebo.samples import ARM, CONTROL, DRIVE, DRIVEN
+from urdfkit.ros.launch import read_launch
+from urdfkit.text import located_yaml
+from urdfkit.text.editing.formatter import formatted
+from urdfkit.text.file_kinds import is_xacro
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import read_xml
+from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.resolve import Resolver
+from urdfkit.xacro import expand
+
+ROOT = Path(__file__).resolve().parents[1]
+MODELS = ROOT / "models"
+_HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+
+
+class Harness(NamedTuple):
+    """One kind of input.
+
+    Attributes:
+        seeds: inputs to begin with.
+        run: takes one input; the current directory is a scratch one.
+    """
+
+    seeds: Callable[[], list[bytes]]
+    run: Callable[[bytes], object]
+
+
+class CrashedRule(Exception):
+    """A rule failed; the check went on without it."""
+
+
+# ------------------------------------------------------------------ seeds
+
+
+@lru_cache
+def _rules() -> list[Rule]:
+    return [rule_index.get(code) for code in rule_index.codes()]
+
+
+def _examples(*families: str) -> Iterator[bytes]:
+    """The examples of rules whose code begins with one of some words."""
+    for rule in _rules():
+        if rule.code.startswith(families):
+            for which in ("BAD", "GOOD"):
+                text = rule.example(which)
+                if text:
+                    yield whole_robot(text).encode("utf-8", "surrogateescape")
+
+
+def _files(*suffixes: str) -> list[bytes]:
+    """The files beside the examples of rules, and those of the models."""
+    import sys
+
+    found = [
+        path.read_bytes() for path in sorted(MODELS.rglob("*")) if path.name.endswith(suffixes)
+    ]
+    for rule in _rules():
+        rule.example("BAD")  # which imports it
+        files: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FILES", {})
+        found += [data for name, data in files.items() if name.endswith(suffixes)]
+    return list(dict.fromkeys(one for one in found if one and len(one) < 20_000))
+
+
+def _robots() -> list[bytes]:
+    plain = [one for one in _examples("") if b"<robot" in one and b"xacro:" not in one]
+    return [*plain, *_files(".urdf")]
+
+
+def _xacros() -> list[bytes]:
+    return [*(one for one in _examples("") if b"xacro:" in one), *_files(".xacro")]
+
+
+def _expressions() -> list[bytes]:
+    written = re.findall(rb"\$[{(][^\n\"]*[)}]", b"\n".join(_xacros()))
+    return [
+        *dict.fromkeys(written),
+        b"${'%d-%s' % (1, 'a')}",
+        b"${[x*2 for x in python.range(3) if x]}",
+        b"${dict(a=1)['a'] + sum([1, 2])}",
+        b"${'a'.join(sorted(['b', 'c'], key=len)).upper().split('x')}",
+        b"${radians(90) if True and not False else max(1, 2) ** 2 // 3 % 4 << 5}",
+        b"${'{:>8.3f}{}'.format(pi, 'a')}${str(round(1.5, 1))}",
+        b"${python.set([1]) | python.set([2])}${list(map(float, '1 2'.split()))}",
+        b"${xacro.load_yaml('a.yaml')['a'][0]}$(eval arg('a') + 1)$(arg a)$(env ROS_DISTRO)",
+    ]
+
+
+def _launches() -> list[bytes]:
+    return [
+        *(one for one in _examples("LAU", "GAZ") if b"launch" in one),
+        *_files(".launch", ".py"),
+    ]
+
+
+def _srdfs() -> list[bytes]:
+    body = """<group name="arm"><chain base_link="a" tip_link="b"/><joint name="j"/></group>
+    <group_state name="up" group="arm"><joint name="j" value="0.5"/></group_state>
+    <end_effector name="hand" parent_link="b" group="hand" parent_group="arm"/>
+    <virtual_joint name="v" type="fixed" parent_frame="world" child_link="a"/>
+    <passive_joint name="j"/><disable_default_collisions link="a"/>
+    <disable_collisions link1="a" link2="b" reason="Adjacent"/>"""
+    return [f'<robot name="r">{body}</robot>'.encode(), *_files(".srdf")]
+
+
+def _manifests() -> list[bytes]:
+    return _files("package.xml")
+
+
+def _configurations() -> list[bytes]:
+    """The settings of the documentation, each by itself."""
+    text = (ROOT / "docs" / "configuration.md").read_text(encoding="utf-8")
+    (example,) = re.findall(r"(?s)```toml\n(.*?)```", text)
+    table = [part.encode() for part in re.split(r"\n(?=\[)", example)]
+    return [*table, *table[0].splitlines(), example.encode()]
+
+
+def _meshes(*suffixes: str) -> Callable[[], list[bytes]]:
+    def seeds() -> list[bytes]:
+        from urdfkit.mesh import samples
+        from urdfkit.mesh.io.load import load_bytes
+        from urdfkit.mesh.writers import encode
+
+        box = samples.stl(samples.box((0, 0, 0), (0.1, 0.1, 0.3)))
+        mesh = load_bytes(box, "a.stl")
+        made = [box] if ".stl" in suffixes else []
+        for suffix in set(suffixes) - {".gltf"}:
+            made += encode(mesh, f"a{suffix}").values()
+        return [*made, *_files(*suffixes)]
+
+    return seeds
+
+
+def _command_lines() -> list[bytes]:
+    """The command lines of the documentation, with files of the scratch directory."""
+    text = "\n".join(path.read_text(encoding="utf-8") for path in (ROOT / "docs").rglob("*.md"))
+    lines = re.findall(r"(?m)^\s*(?:\$ )?urdfkit ([\w -]+.*)$", text)
+    named = [_FILE_NAME.sub(lambda found: _SCRATCH.get(found[1], "r.urdf"), one) for one in lines]
+    return [one.encode() for one in dict.fromkeys(named) if one.split()[0] not in _NEVER]
+
+
+# -------------------------------------------------------------------- runs
+
+
+def _check(path: str, data: bytes | None = None, *, select: tuple[str, ...] = ()) -> None:
+    """Check one file; a rule that fails is a defect."""
+    source = path if data is None else Source(os.path.abspath(path), data)
+    report = engine.check(source, options=Options(select=select, cache=False))
+    for crash in report.crashed:
+        raise CrashedRule(f"{crash.code}: {crash.error}\n{crash.traceback}")
+    for found in report.diagnostics:
+        str(found.span)
+
+
+def _text(data: bytes) -> None:
+    source = Source("r.urdf", data)
+    _, problems = read_xml(source)
+    for problem in problems:
+        str(problem.span)
+    ignores(source)
+    is_xacro(source)
+    formatted(source)
+
+
+def _robot(data: bytes) -> None:
+    _check("r.urdf", data)
+
+
+def _xacro(data: bytes) -> None:
+    _check("r.urdf.xacro", data)
+
+
+def _expression(data: bytes) -> None:
+    """A text with expressions as the value of an attribute."""
+    text = data.decode("utf-8", "replace").replace("&", "&amp;").replace("<", "&lt;")
+    text = "".join(char for char in text if char >= " ").replace('"', "&quot;")
+    body = f'{_HEAD}<xacro:arg name="a" default="1"/><link name="{text}"/></robot>'
+    found = expand(Source("r.xacro", body.encode("utf-8", "replace")), Resolver(environment={}))
+    if found.document is not None:
+        found.text()
+    for problem in found.problems:
+        str(problem.span)
+
+
+def _yaml(data: bytes) -> None:
+    source = Source("a.yaml", data)
+    located_yaml.load(source)
+    located_yaml.mistake(source)
+    _write("a.yaml", data)
+    robot = f"{_HEAD}<link name=\"${{xacro.load_yaml('a.yaml')}}\"/></robot>"
+    expand(Source(os.path.abspath("y.xacro"), robot.encode()), Resolver(environment={}))
+
+
+def _launch(data: bytes) -> None:
+    name = "r.launch" if data.lstrip()[:1] == b"<" else "r.launch.py"
+    launch = read_launch(Source(os.path.abspath(name), data), Resolver(environment={}))
+    for problem in launch.problems:
+        str(problem.span)
+
+
+_ARM = b"""<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="revolute">
+<parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>"""
+
+
+def _srdf(data: bytes) -> None:
+    _write("srdf/r.srdf", data)
+    _check("srdf/r.urdf", _ARM, select=("SRD",))
+
+
+def _controllers(data: bytes) -> None:
+    """A parameter file of the two wheels of a robot."""
+    _write("control/c.yaml", data)
+    robot = whole_robot(ARM + CONTROL + DRIVEN)
+    robot = re.sub(
+        r"<parameters>[^<]*<", f"<parameters>{os.path.abspath('control/c.yaml')}<", robot
+    )
+    _check("control/r.urdf", robot.encode(), select=("RCT",))
+
+
+def _package(data: bytes) -> None:
+    _write("package/package.xml", data)
+    robot = os.path.abspath("package/r.urdf")
+    manifest = manifest_of(Resolver(environment={}), robot)
+    if manifest is not None:
+        _ = manifest.dependencies, manifest.dependency_tag, manifest.ros
+    mesh = b'<mesh filename="package://other/a.stl"/>'
+    visual = b'<link name="a"><visual><geometry>%s</geometry></visual></link>' % mesh
+    _check("package/r.urdf", b'<robot name="r">%s</robot>' % visual, select=("PKG",))
+
+
+def _configuration(data: bytes) -> None:
+    _write("urdfkit.toml", data)
+    try:
+        config_reader.load(os.path.abspath("urdfkit.toml"), trusted=False)
+    finally:
+        os.remove("urdfkit.toml")
+
+
+def _mesh(name: str) -> Callable[[bytes], None]:
+    def run(data: bytes) -> None:
+        from urdfkit.mesh.io.load import UnloadableMesh, load_bytes, salvage
+        from urdfkit.mesh.measuring import measure
+
+        _write(name, data)
+        try:
+            salvage(name)
+        except UnloadableMesh:
+            pass
+        measure(load_bytes(data, os.path.abspath(name)))
+
+    return run
+
+
+#: Commands that serve until they are ended, start other programs, or write beside their files.
+_NEVER = frozenset("lsp view scan init clean".split())
+_UNSAFE = re.compile(r"\.\.|/|~|\$")
+#: A path of the documentation, and what stands for it by suffix.
+_FILE_NAME = re.compile(r"[\w./$-]+\.(urdf|xacro|stl|dae|obj|launch)\b")
+_SCRATCH = {"xacro": "r.xacro", "stl": "a.stl", "dae": "a.stl", "obj": "a.stl"}
+
+
+def _arguments(data: bytes) -> None:
+    """A command line; it may name nothing outside of the scratch directory."""
+    from urdfkit.cli import main
+    from urdfkit.mesh import samples
+
+    words = data.decode("utf-8", "replace").replace("\0", "").split()
+    if not words or words[0] in _NEVER or any(map(_UNSAFE.search, words)):
+        return
+    _write("r.urdf", _ARM)
+    _write("r.xacro", _ARM)
+    _write("a.stl", samples.stl(samples.box((0, 0, 0), (0.1, 0.1, 0.3))))
+    with redirect_stdout(io.TextIOWrapper(io.BytesIO())), redirect_stderr(io.StringIO()) as err:
+        code = main(words)
+    if code not in (0, 1, 2):
+        raise AssertionError(f"exit code {code}: {err.getvalue()}")
+
+
+def _lsp(data: bytes) -> None:
+    """An edited text, and questions at some places of it."""
+    from lsprotocol import types as lsp
+
+    from urdfkit.lsp import actions, completion, hover, navigation, outline
+    from urdfkit.lsp.text import PositionEncoding
+    from urdfkit.lsp.workspace import Workspace
+
+    random = Random(data)
+    path = os.path.abspath("lsp.urdf.xacro")
+    workspace = Workspace()
+    workspace.set_text(path, data)
+    workspace.check(path, thorough=False, is_cancelled=lambda: False)
+    robot = workspace.robot(path)
+    page = robot.page(path)
+    outline.outline(robot, page)
+    for _ in range(5):
+        place = lsp.Position(random.randint(0, 60), random.randint(0, 80))
+        offset = PositionEncoding("utf-16").offset(page.source, place)
+        completion.complete(robot, page, offset)
+        hover.hover(robot, page, offset, workspace.diagnostics(path))
+        navigation.definitions(robot, page, offset)
+        navigation.references(robot, page, offset, definitions=True)
+        try:
+            navigation.rename(robot, page, offset, "other")
+        except UrdfkitError:
+            pass
+    for found in workspace.diagnostics(path)[:3]:
+        list(actions.actions(page, found))
+
+
+def _write(name: str, data: bytes) -> None:
+    os.makedirs(os.path.dirname(name) or ".", exist_ok=True)
+    with open(name, "wb") as file:
+        file.write(data)
+
+
+HARNESSES: dict[str, Harness] = {
+    "text": Harness(lambda: [*_robots(), *_xacros()], _text),
+    "robot": Harness(_robots, _robot),
+    "xacro": Harness(_xacros, _xacro),
+    "expression": Harness(_expressions, _expression),
+    "yaml": Harness(lambda: _files(".yaml"), _yaml),
+    "launch": Harness(_launches, _launch),
+    "srdf": Harness(_srdfs, _srdf),
+    "controllers": Harness(lambda: [DRIVE, *_files(".yaml")], _controllers),
+    "package": Harness(_manifests, _package),
+    "configuration": Harness(_configurations, _configuration),
+    "stl": Harness(_meshes(".stl"), _mesh("a.stl")),
+    "collada": Harness(_meshes(".dae"), _mesh("a.dae")),
+    "obj": Harness(_meshes(".obj"), _mesh("a.obj")),
+    "ply": Harness(_meshes(".ply"), _mesh("a.ply")),
+    "gltf": Harness(_meshes(".glb", ".gltf"), _mesh("a.glb")),
+    "arguments": Harness(_command_lines, _arguments),
+    "lsp": Harness(lambda: [*_robots(), *_xacros()], _lsp),
+}

@@ -1,0 +1,106 @@
+"""LAU020: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+from urdfkit.text.diagnostic import Diagnostic, Severity
+
+NODE = "Node(package='ros_gz_bridge', executable='parameter_bridge', {})\n"
+ROBOT = """<robot name="r"><link name="base"/><gazebo reference="base">
+<sensor name="front" type="gpu_lidar"><topic>scan</topic></sensor></gazebo></robot>"""
+
+
+def of_words(directory: Path, *words: str, files: dict[str, str] | None = None) -> list[Diagnostic]:
+    text = NODE.format(f"arguments={[*words]!r}")
+    if files:
+        text = f"x = open(__file__ + '/../../urdf/r.urdf')\nopen('{directory}/r.urdf')\n{text}"
+    return reported(directory, "LAU020", "a.launch.py", text, files)
+
+
+@pytest.mark.parametrize(
+    "word",
+    [
+        "/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock",
+        "/clock@rosgraph_msgs/msg/Clock[ignition.msgs.Clock",
+        "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist",
+        "/odom@nav_msgs/msg/Odometry@gz.msgs.Odometry",
+        "/a@sensor_msgs/msg/Imu[gz.msgs.IMU@/b",
+        "/range@sensor_msgs/msg/Range[gz.msgs.LaserScan",  # of a later release
+        "/world/default/control@ros_gz_interfaces/srv/ControlWorld",
+        "__node:=bridge",
+    ],
+)
+def test_what_the_bridge_passes_on(tmp_path: Path, word: str) -> None:
+    assert of_words(tmp_path, word) == []
+
+
+@pytest.mark.parametrize(
+    ("word", "help"),
+    [
+        ("/imu@sensor_msgs/msg/Imu[gz.msgs.Pose", "write gz.msgs.IMU"),
+        ("/imu@sensor_msgs/msg/Imu[gz.msgs.Imu", "write gz.msgs.IMU"),
+        ("/imu@sensor_msgs/msg/Imu[gazebo.msgs.IMU", "write gz.msgs.IMU"),
+        ("/imu@sensor_msgs/Imu[gz.msgs.IMU", "write sensor_msgs/msg/Imu"),
+        ("/imu@sensor_msgs/msg/Imu", "write topic@package/msg/Name[gz.msgs.Name"),
+    ],
+)
+def test_what_it_does_not(tmp_path: Path, word: str, help: str) -> None:
+    (found,) = of_words(tmp_path, word)
+    assert found.severity is Severity.ERROR
+    assert found.help.startswith(help)
+    assert found.span.text == repr(word)
+
+
+@pytest.mark.parametrize(
+    ("entry", "place", "severity"),
+    [
+        ("ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.IMU", None, None),
+        ("ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.Pose", "sensor_msgs", "error"),
+        ("ros_type_name: sensor_msgs/msg/Imu", "sensor_msgs", "error"),
+        (
+            "ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.IMU, direction: GZ_2_ROS",
+            "sensor_msgs",
+            "error",
+        ),
+        (
+            "ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.IMU, diretion: GZ_TO_ROS",
+            "GZ_TO",
+            "warning",
+        ),
+    ],
+)
+def test_entries_of_a_file(
+    tmp_path: Path, entry: str, place: str | None, severity: str | None
+) -> None:
+    path = tmp_path / "config" / "bridge.yaml"
+    text = NODE.format(f"parameters=[{{'config_file': '{path}'}}]")
+    files = {"config/bridge.yaml": f"- {{topic_name: imu, {entry}}}\n"}
+    found = reported(tmp_path, "LAU020", "a.launch.py", text, files)
+    told = [
+        (one.span.source.path, one.severity.value, one.span.text[: len(place or "")])
+        for one in found
+    ]
+    assert told == ([(str(path), severity, place)] if place else [])
+
+
+@pytest.mark.parametrize(
+    ("words", "count"),
+    [
+        (["/lidar@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"], 1),
+        (["/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"], 0),
+        (["/imu@sensor_msgs/msg/Imu[gz.msgs.IMU"], 0),
+        (
+            [
+                "/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan",
+                "/world_lidar@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan",
+            ],
+            0,
+        ),
+    ],
+)
+def test_a_sensor_on_another_topic(tmp_path: Path, words: list[str], count: int) -> None:
+    found = of_words(tmp_path, *words, files={"r.urdf": ROBOT})
+    assert [one.severity for one in found] == [Severity.WARNING] * count
+    assert all(one.help == "write scan" for one in found)

@@ -1,0 +1,107 @@
+"""LAU021: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+ROBOT = """<robot name="r"><link name="base"/><link name="lidar"/>
+<joint name="mast" type="fixed"><parent link="base"/><child link="lidar"/>
+<origin xyz="0 0 1"/></joint></robot>"""
+STATE = "Node(package='robot_state_publisher', executable='robot_state_publisher')\n"
+STATIC = "Node(package='tf2_ros', executable='static_transform_publisher', arguments={})\n"
+GUI = "Node(package='joint_state_publisher_gui', executable='joint_state_publisher_gui'{})\n"
+SPAWNER = "Node(package='controller_manager', executable='spawner', arguments={}{})\n"
+CONTROLLERS = """
+controller_manager:
+  ros__parameters:
+    a: {type: joint_trajectory_controller/JointTrajectoryController}
+    b: {type: velocity_controllers/JointGroupVelocityController}
+    c: {type: position_controllers/JointGroupPositionController}
+a: {ros__parameters: {joints: [j1, j2], command_interfaces: [position]}}
+b: {ros__parameters: {joints: [j2]}}
+c: {ros__parameters: {joints: [j2]}}
+"""
+
+
+def messages(directory: Path, text: str) -> list[str]:
+    """What is said of a launch file with a robot and controllers."""
+    robot = f"open('{directory}/r.urdf')\n"
+    manager = "Node(package='controller_manager', executable='ros2_control_node', "
+    manager += f"parameters=['{directory}/c.yaml'])\n"
+    files = {"r.urdf": ROBOT, "c.yaml": CONTROLLERS}
+    found = reported(directory, "LAU021", "a.launch.py", robot + manager + text, files)
+    return [one.message for one in found]
+
+
+@pytest.mark.parametrize(
+    ("words", "count"),
+    [
+        ("'0 0 1 0 0 0 base lidar'.split()", 0),  # not followed
+        ("['0', '0', '2', '0', '0', '0', 'base', 'lidar']", 1),
+        ("['0', '0', '1', '0', '0', '0', 'map', '/lidar']", 1),
+        ("['--frame-id', 'base', '--child-frame-id', 'lidar']", 1),
+        ("['--z', '1', '--frame-id', 'base', '--child-frame-id', 'lidar']", 0),
+        ("['0', '0', '1', '0', '0', '0', 'base', 'lidar']", 0),
+        ("['0', '0', '0', '0', '0', '0', 'map', 'base']", 0),
+        ("['0', '0', '0', '0', '0', '0', 'map']", 0),
+    ],
+)
+def test_static_transforms(tmp_path: Path, words: str, count: int) -> None:
+    found = messages(tmp_path, STATE + STATIC.format(words))
+    assert len(found) == count
+    assert all("'lidar' is published twice" in one and "'mast'" in one for one in found)
+
+
+def test_without_a_robot_state_publisher_nothing_is_published_twice(tmp_path: Path) -> None:
+    words = "['0', '0', '2', '0', '0', '0', 'base', 'lidar']"
+    assert messages(tmp_path, STATIC.format(words)) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (GUI.format("") + SPAWNER.format("['joint_state_broadcaster']", ""), 1),
+        (GUI.format("") + SPAWNER.format("['arm']", ""), 0),
+        (GUI.format("") + SPAWNER.format("['joint_state_broadcaster', '--inactive']", ""), 0),
+        (
+            GUI.format(", condition=IfCondition(LaunchConfiguration('gui'))")
+            + SPAWNER.format("['joint_state_broadcaster']", ""),
+            0,
+        ),
+        (
+            GUI.format(", remappings=[('joint_states', 'wanted')]")
+            + SPAWNER.format("['joint_state_broadcaster']", ""),
+            0,
+        ),
+        (
+            GUI.format(", parameters=[{'source_list': ['a']}]")
+            + SPAWNER.format("['joint_state_broadcaster']", ""),
+            0,
+        ),
+    ],
+)
+def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
+    assert len(messages(tmp_path, text)) == count
+
+
+@pytest.mark.parametrize(
+    ("text", "claimed"),
+    [
+        (SPAWNER.format("['a', 'c']", ""), "'a' and 'c'"),
+        (SPAWNER.format("['a']", "") + SPAWNER.format("['c']", ""), "'a' and 'c'"),
+        (SPAWNER.format("['a', 'b']", ""), ""),  # position and velocity
+        (SPAWNER.format("['a']", "") + SPAWNER.format("['c', '--inactive']", ""), ""),
+        (
+            SPAWNER.format("['a']", "")
+            + SPAWNER.format("['c']", ", condition=IfCondition(LaunchConfiguration('x'))"),
+            "",
+        ),
+    ],
+)
+def test_claims(tmp_path: Path, text: str, claimed: str) -> None:
+    found = messages(tmp_path, text)
+    assert [claimed in one and "'position' of joint 'j2'" in one for one in found] == (
+        [True] if claimed else []
+    )

@@ -1,0 +1,78 @@
+"""LAU022: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+STATE = "Node(package='robot_state_publisher', executable='robot_state_publisher'{})\n"
+NODE = "Node(package='{}', executable='{}', {})\n"
+SPAWNER = NODE.format("controller_manager", "spawner", "arguments={}")
+CONTROLLERS = """
+controller_manager:
+  ros__parameters:
+    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+"""
+
+
+def messages(directory: Path, text: str) -> list[str]:
+    manager = f"parameters=['{directory}/c.yaml']"
+    start = NODE.format("controller_manager", "ros2_control_node", manager)
+    found = reported(directory, "LAU022", "a.launch.py", start + text, {"c.yaml": CONTROLLERS})
+    return [one.message for one in found]
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (STATE.format("") + SPAWNER.format(["arm"]), 1),
+        (STATE.format("") + SPAWNER.format(["states", "arm"]), 0),
+        (STATE.format("") + SPAWNER.format(["arm"]) + SPAWNER.format(["states"]), 0),
+        (STATE.format("") + SPAWNER.format(["other"]), 0),  # of a type that is not known
+        (SPAWNER.format(["arm"]), 0),
+        (STATE.format(""), 0),
+        (
+            STATE.format("")
+            + SPAWNER.format(["arm"])
+            + NODE.format("joint_state_publisher", "joint_state_publisher", ""),
+            0,
+        ),
+        (
+            STATE.format("")
+            + SPAWNER.format(["arm"])
+            + NODE.format(
+                "ros_gz_bridge",
+                "parameter_bridge",
+                "arguments=['/j@sensor_msgs/msg/JointState[gz.msgs.Model']",
+            ),
+            0,
+        ),
+        (STATE.format("") + SPAWNER.format(["arm"]) + "IncludeLaunchDescription(x)\n", 1),
+        (
+            STATE.format(", condition=IfCondition(LaunchConfiguration('x'))")
+            + SPAWNER.format(["arm"]),
+            0,
+        ),
+    ],
+)
+def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
+    found = messages(tmp_path, text)
+    assert len(found) == count
+    assert all("joint states" in one for one in found)
+
+
+@pytest.mark.parametrize(
+    ("given", "count"),
+    [
+        (", parameters=[{'robot_description': x}]", 1),
+        (", parameters=[{'robot_description': x, 'use_sim_time': True}]", 0),
+        (", parameters=[unknown]", 0),
+    ],
+)
+def test_clocks(tmp_path: Path, given: str, count: int) -> None:
+    other = NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+    spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    assert len(messages(tmp_path, STATE.format(given) + other + spawn)) == count
+    assert messages(tmp_path, STATE.format(given) + other) == []

@@ -1,0 +1,41 @@
+"""The bundle command: what it prints, and its exit codes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+pytest.importorskip("trimesh")
+ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+
+
+def test_it_says_what_it_wrote(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["bundle", str(ARM), "-o", "out", "--for", "web"]) == 0
+    assert capsys.readouterr().out == "wrote out: two_link_arm.urdf, 2 mesh files, 28 kB\n"
+
+
+def test_a_robot_that_the_program_rejects_gives_1(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    robot = tmp_path / "robot.urdf"
+    robot.write_bytes(ARM.read_bytes().replace(b'izz="0.0054"', b'izz="5"'))
+    (tmp_path / "meshes").symlink_to(ARM.parents[1] / "meshes")
+    words = ["--package", f"two_link_arm={ARM.parents[1]}"]
+    out = str(tmp_path / "out")
+    assert main(["bundle", str(robot), "-o", out, "--for", "mujoco", *words]) == 1
+    told = capsys.readouterr().out.split("MuJoCo rejects it all the same:")[1]
+    assert "INE003" in told
+    assert main(["bundle", str(robot), "-o", out, "--force", *words]) == 0
+
+
+def test_what_cannot_be_written_gives_2(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["bundle", str(ARM), "-o", str(tmp_path)]) == 0
+    assert main(["bundle", str(ARM), "-o", str(tmp_path)]) == 2
+    assert "--force replaces it" in capsys.readouterr().err

@@ -1,0 +1,282 @@
+"""Bundles load where nothing of this machine is, in the programs that they are for."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests import update_corpus_findings as corpus_findings
+from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.workspaces import add_file, add_package
+from urdfkit import bundle, check, read
+from urdfkit.errors import UnwritableFile, UrdfkitError
+from urdfkit.mesh import samples
+
+np = pytest.importorskip("numpy")
+trimesh = pytest.importorskip("trimesh")
+
+TRIANGLES = samples.box((0, 0, 0), (0.1, 0.2, 0.3))
+BOX = trimesh.creation.box((0.1, 0.2, 0.3))
+PNG = bytes.fromhex(
+    "89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de"
+    "0000000c49444154789c63606060000000040001f61738550000000049454e44ae426082"
+)
+INERTIAL = (
+    '<inertial><mass value="2"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+)
+ROBOT = f"""<?xml version="1.0" encoding="iso-8859-1"?>
+<robot name="Arm 1 é">
+  <link name="base">
+    {INERTIAL}
+    <visual>
+      <geometry><mesh filename="package://arm/meshes/visual/body.dae"/></geometry>
+      <material name="wood"><texture filename="package://arm/images/wood.png"/></material>
+    </visual>
+    <collision><geometry><mesh filename="package://arm/meshes/collision/body.stl"/></geometry></collision>
+  </link>
+  <link name="tip">
+    {INERTIAL}
+    <visual><geometry><mesh filename="../meshes/visual/tip.obj" scale="1 2 1"/></geometry></visual>
+    <visual><geometry><mesh filename="package://arm/meshes/tip.glb"/></geometry></visual>
+  </link>
+  <joint name="turn" type="continuous">
+    <parent link="base"/><child link="tip"/><origin xyz="0 0.1 0.5" rpy="0.1 0.2 0.3"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+</robot>
+"""
+
+
+def ascii_stl(triangles: list[list[tuple[float, float, float]]]) -> bytes:
+    lines = ["solid body"]
+    for corners in triangles:
+        lines += ["facet normal 0 0 0", "outer loop"]
+        lines += [f"vertex {x} {y} {z}" for x, y, z in corners]
+        lines += ["endloop", "endfacet"]
+    return "\n".join([*lines, "endsolid body", ""]).encode()
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    """A robot with a mesh of each kind that some program cannot read."""
+    package = add_package(tmp_path / "src" / "arm", "arm")
+    add_file(package / "meshes" / "visual" / "body.dae", BOX.export(file_type="dae"))
+    add_file(package / "meshes" / "collision" / "body.stl", ascii_stl(TRIANGLES))
+    add_file(
+        package / "meshes" / "visual" / "tip.obj",
+        b"mtllib ../tip.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+        b"vt 0 0\nf 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 1/1 4/1 3/1\nf 2/1 3/1 4/1\n",
+    )
+    add_file(package / "meshes" / "tip.mtl", b"newmtl wood\nKd 1 0 0\nmap_Kd ../images/wood.png\n")
+    add_file(package / "meshes" / "images" / "wood.png", PNG)
+    (package / "meshes" / "tip.glb").write_bytes(BOX.export(file_type="glb"))
+    add_file(package / "images" / "wood.png", PNG)
+    return add_file(package / "urdf" / "arm.urdf", ROBOT.encode("latin-1"))
+
+
+def contents(out: Path) -> dict[str, bytes]:
+    files = (path for path in sorted(out.rglob("*")) if path.is_file())
+    return {path.relative_to(out).as_posix(): path.read_bytes() for path in files}
+
+
+def names(out: Path) -> list[str]:
+    return [name for name in contents(out) if name != "bundle.json"]
+
+
+def test_meshes_come_with_their_files_under_names_of_their_own(robot: Path, tmp_path: Path) -> None:
+    made, rejected = bundle(robot, tmp_path / "out")
+    assert rejected == ()
+    assert names(tmp_path / "out") == [
+        "arm_1.urdf",
+        "meshes/body.dae",
+        "meshes/collision_body.stl",
+        "meshes/meshes_tip.glb",
+        "meshes/tip/tip.mtl",
+        "meshes/tip/tip.obj",
+        "meshes/tip/wood.png",
+        "textures/wood.png",
+    ]
+    assert made.outside == ()
+
+
+@pytest.mark.parametrize(
+    ("consumer", "suffixes"),
+    [
+        ("mujoco", {".obj", ".stl"}),
+        ("pybullet", {".dae", ".obj", ".stl"}),
+        ("web", {".dae", ".stl"}),
+        ("isaac", {".dae", ".obj", ".stl"}),
+        ("ros", {".dae", ".obj", ".stl", ".glb"}),
+    ],
+)
+def test_meshes_are_of_formats_that_the_program_reads(
+    robot: Path, tmp_path: Path, consumer: str, suffixes: set[str]
+) -> None:
+    made, _ = bundle(robot, tmp_path / "out", consumer=consumer)
+    meshes = [one.new for one in made.renamed if "/textures/" not in f"/{one.new}"]
+    assert {os.path.splitext(name)[1] for name in meshes} == suffixes
+    report = check(tmp_path / "out" / made.urdf, select=["MSH001", "MSH007", "MSH009", "XAC011"])
+    assert report.diagnostics == ()
+
+
+def test_the_manifest_says_where_everything_comes_from(robot: Path, tmp_path: Path) -> None:
+    bundle(robot, tmp_path / "out", consumer="mujoco")
+    files = contents(tmp_path / "out")
+    told = json.loads(files.pop("bundle.json"))
+    assert {one["path"]: (one["size"], one["sha256"]) for one in told["files"]} == {
+        name: (len(data), hashlib.sha256(data).hexdigest()) for name, data in files.items()
+    }
+    changes = {one["source"]: one["change"] for one in told["files"] if one["change"]}
+    assert changes["arm/meshes/visual/body.dae"] == "COLLADA written as OBJ"
+    assert changes["arm/meshes/collision/body.stl"] == "ASCII STL written as STL"
+    (tip,) = (one for one in told["references"] if one["old"].endswith("tip.glb"))
+    assert (tip["element"], tip["file"]) == (
+        "link/tip/visual[2]/geometry/mesh@filename",
+        "arm/urdf/arm.urdf",
+    )
+    assert tip["line"] == ROBOT[: ROBOT.index("tip.glb")].count("\n") + 1
+    assert str(tmp_path) not in json.dumps(told)
+
+
+def frames_and_masses(pin: Any, urdf: str | Path) -> tuple[Any, ...]:
+    model = pin.buildModelFromUrdf(str(urdf))
+    data = model.createData()
+    pin.framesForwardKinematics(model, data, pin.neutral(model))
+    return [frame.homogeneous for frame in data.oMf], [one.mass for one in model.inertias], model
+
+
+def test_other_programs_load_it_where_nothing_else_is(robot: Path, tmp_path: Path) -> None:
+    pin, yourdfpy = pytest.importorskip("pinocchio"), pytest.importorskip("yourdfpy")
+    out = tmp_path / "elsewhere" / "out"
+    made, _ = bundle(robot, out, consumer="mujoco")
+    os.rename(tmp_path / "src", tmp_path / "gone")
+    loaded = yourdfpy.URDF.load(str(out / made.urdf), load_collision_meshes=True)
+    assert len(loaded.scene.geometry) == 3
+    frames, masses, model = frames_and_masses(pin, out / made.urdf)
+    expected_frames, expected_masses, _ = frames_and_masses(
+        pin, tmp_path / "gone" / "arm" / "urdf" / "arm.urdf"
+    )
+    assert np.array_equal(frames, expected_frames)
+    assert masses == expected_masses
+    for kind in (pin.VISUAL, pin.COLLISION):
+        pin.buildGeomFromUrdf(model, str(out / made.urdf), kind, package_dirs=[str(out)])
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        "",
+        "<mujoco/>",
+        "<mujoco><compiler/></mujoco>",
+        '<mujoco><compiler meshdir="../meshes" discardvisual="false"/></mujoco>',
+        '<mujoco><compiler strippath="true" discardvisual="false"/></mujoco>',
+    ],
+)
+def test_mujoco_loads_it(robot: Path, tmp_path: Path, written: str) -> None:
+    mujoco = pytest.importorskip("mujoco")
+    robot.write_bytes(robot.read_bytes().replace(b"</robot>", f"{written}</robot>".encode()))
+    made, rejected = bundle(robot, tmp_path / "out", consumer="mujoco")
+    assert rejected == ()
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "out" / made.urdf))
+    assert model.nmesh == (4 if "discardvisual" in written else 1)
+    assert model.body_mass[1:].sum() == pytest.approx(2)  # MuJoCo welds the root
+
+
+def test_why_a_program_rejects_it_is_told_where_it_was_written(robot: Path, tmp_path: Path) -> None:
+    robot.write_bytes(robot.read_bytes().replace(b'izz="1"', b'izz="3"', 1))
+    _, (rejection,) = bundle(robot, tmp_path / "out", consumer="mujoco")
+    assert (rejection.code, rejection.span.source.path) == ("INE003", str(robot))
+
+
+def test_a_package_for_ros_is_found_by_its_name(robot: Path, tmp_path: Path) -> None:
+    made, _ = bundle(robot, tmp_path / "ws" / "arm_1", consumer="ros")
+    assert made.urdf == "urdf/arm_1.urdf"
+    written = read(tmp_path / "ws" / "arm_1" / made.urdf)
+    assert all(mesh.at.value.startswith("package://arm_1/meshes/") for mesh in written.files.meshes)
+    assert written.files.missing == ()
+    report = check(tmp_path / "ws" / "arm_1", select=["PKG"])
+    assert report.diagnostics == ()
+
+
+def test_what_still_leads_elsewhere_is_told(robot: Path, tmp_path: Path) -> None:
+    plugin = (
+        b'<gazebo><plugin name="p"><parameters>package://arm/c.yaml</parameters></plugin></gazebo>'
+    )
+    robot.write_bytes(robot.read_bytes().replace(b"</robot>", plugin + b"</robot>"))
+    made, _ = bundle(robot, tmp_path / "out")
+    assert made.outside == (("gazebo/plugin/p/parameters", "package://arm/c.yaml"),)
+
+
+def test_a_missing_mesh_is_an_error_at_its_place(tmp_path: Path) -> None:
+    mission = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+    with pytest.raises(UrdfkitError, match=r"xacro:266:25: package://gazebo_pkg/meshes/hokuyo.dae"):
+        bundle(mission, tmp_path / "out")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_broken_mesh_leaves_nothing_behind(robot: Path, tmp_path: Path) -> None:
+    mesh = robot.parents[1] / "meshes" / "collision" / "body.stl"
+    mesh.write_bytes(b"")
+    with pytest.raises(UrdfkitError, match=r"body\.stl: "):
+        bundle(robot, tmp_path / "made" / "out")
+    assert list((tmp_path / "made").iterdir()) == []
+
+
+def test_only_a_bundle_is_replaced_and_only_on_request(robot: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    bundle(robot, out)
+    before = contents(out)
+    with pytest.raises(UnwritableFile, match="--force"):
+        bundle(robot, out, consumer="web")
+    assert contents(out) == before
+    bundle(robot, out, consumer="web", force=True)
+    assert "meshes/meshes_tip.dae" in contents(out)
+    for other in (tmp_path, robot):
+        with pytest.raises(UnwritableFile, match="is a"):
+            bundle(robot, other, force=True)
+
+
+def test_equal_bundles_have_equal_zips(robot: Path, tmp_path: Path) -> None:
+    for name in ("a.zip", "b.zip"):
+        bundle(robot, tmp_path / name)
+    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
+    bundle(robot, tmp_path / "out")
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        assert {name: archive.read(name) for name in archive.namelist()} == contents(
+            tmp_path / "out"
+        )
+
+
+@needs_corpus
+@pytest.mark.slow
+@pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
+def test_robots_of_the_corpus_load_from_their_bundles(
+    entry: tuple[Path, dict[str, Any]], tmp_path: Path
+) -> None:
+    pin = pytest.importorskip("pinocchio")
+    folder, model = entry
+    try:
+        robot = read(folder / model["path"], arguments=corpus_findings.arguments_of(model))
+        made, _ = bundle(robot, tmp_path / "out", consumer="mujoco")
+    except UrdfkitError as error:
+        pytest.skip(str(error))
+    try:
+        expected = pin.buildModelFromXML(robot.text.decode())
+    except ValueError as error:
+        pytest.skip(f"Pinocchio rejects the robot itself: {error}")
+    frames, masses, loaded = frames_and_masses(pin, tmp_path / "out" / made.urdf)
+    data = expected.createData()
+    pin.framesForwardKinematics(expected, data, pin.neutral(expected))
+    assert np.allclose(frames, [one.homogeneous for one in data.oMf], atol=1e-12)
+    assert masses == [one.mass for one in expected.inertias]
+    for kind in (pin.VISUAL, pin.COLLISION):
+        pin.buildGeomFromUrdf(
+            loaded, str(tmp_path / "out" / made.urdf), kind, package_dirs=[str(tmp_path / "out")]
+        )

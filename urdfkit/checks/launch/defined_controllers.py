@@ -1,0 +1,19 @@
+"""The controllers that a launch file has at hand."""
+
+from __future__ import annotations
+
+from urdfkit.lint.rules import Subject
+from urdfkit.ros.controllers import Controller, read
+
+
+def defined_controllers(subject: Subject) -> dict[str, Controller]:
+    """The controllers in the parameter files of a launch file and of its robots, by name."""
+    found: dict[str, Controller] = {}
+    for file in subject.launch.parameters:
+        if file.exists:
+            found |= {one.name: one for one in read(subject.resolver.read(file.path))}
+    for description in subject.launch.descriptions:
+        robot = subject.other_robot(description.path, description.arguments)
+        if robot.reading.document is not None:
+            found |= {one.name: one for _, several in robot.controllers for one in several}
+    return found

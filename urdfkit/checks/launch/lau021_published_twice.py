@@ -1,0 +1,134 @@
+"""Two programs of a launch file do what only one may do.
+
+- A static_transform_publisher publishes the transform of a link that has a joint above it, beside
+  the robot_state_publisher: tf keeps what came last, and the robot flickers where the two differ.
+- joint_state_publisher and the joint_state_broadcaster of ros2_control publish on `/joint_states`:
+  the model jumps between the real positions and those of the sliders.
+- Two controllers that are started claim the same command interface of a joint: the second does not
+  become active. Load it with `--inactive`.
+
+Programs behind a condition that is known at run time only are left out.
+
+Sources:
+    robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/README.md
+    ros2_control, joint_state_broadcaster: https://control.ros.org/rolling/doc/ros2_controllers/joint_state_broadcaster/doc/userdoc.html
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import dist
+
+from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.robot.model import Joint
+from urdfkit.ros.claims import commanded_joints, commands
+from urdfkit.ros.controllers import Controller
+from urdfkit.ros.launch.contents import StartedProgram, Word
+from urdfkit.ros.launch.spawned_controllers import activates, controllers
+from urdfkit.ros.launch.transforms import StaticTransform, static_transform
+
+NAME = "launch/robot.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+nodes = [
+    Node(package="joint_state_publisher", executable="joint_state_publisher"),
+    Node(package="controller_manager", executable="spawner", arguments=["joint_state_broadcaster"]),
+]
+"""
+GOOD = BAD.replace(BAD.splitlines(keepends=True)[3], "")
+
+_PUBLISHERS = ("joint_state_publisher", "joint_state_publisher_gui")
+_BROADCASTER = "joint_state_broadcaster"
+#: Positions in m that count as equal.
+_NEAR = 1e-3
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
+    launch = subject.launch
+    started = [one for one in (*launch.started, *launch.included) if one.is_sure]
+    yield from _transforms(subject, started)
+    yield from _joint_states(started)
+    yield from _claims(subject, started)
+
+
+def _transforms(subject: Subject, started: list[StartedProgram]) -> Findings:
+    published = [(one, found) for one in started if (found := static_transform(one))]
+    if not published or all(one.package != "robot_state_publisher" for one in started):
+        return
+    joints: dict[str, Joint] = {}
+    for description in subject.launch.descriptions:
+        robot = subject.other_robot(description.path, description.arguments)
+        if robot.reading.document is not None:
+            joints |= {joint.child.value: joint for joint in robot.model.joints if joint.child}
+    for one, transform in published:
+        child = transform.child
+        joint = joints.get(_frame(child))
+        if joint and not _says_the_same(transform, joint):
+            yield Finding(
+                Location(child.span, one.frame),
+                f"the transform of '{_frame(child)}' is published twice: by this node, and by "
+                f"robot_state_publisher for joint '{joint.name}'",
+                "remove the static_transform_publisher, or the joint",
+                related=(Related(joint.at.span, f"joint '{joint.name}'"),),
+            )
+
+
+def _says_the_same(transform: StaticTransform, joint: Joint) -> bool:
+    """True if it repeats a fixed joint, which harms nobody."""
+    parent = joint.parent.value if joint.parent else ""
+    distance = dist(transform.position, joint.origin.position)
+    return joint.kind == "fixed" and parent == _frame(transform.parent) and distance < _NEAR
+
+
+def _frame(word: Word) -> str:
+    return (word.text or "").lstrip("/")
+
+
+def _joint_states(started: list[StartedProgram]) -> Findings:
+    spawned = [word for one in started if activates(one) for word in controllers(one)]
+    broadcaster = next((word for word in spawned if word.text == _BROADCASTER), None)
+    for one in started:
+        is_other = one.is_remapped or "source_list" in (one.parameters or ())
+        if broadcaster and one.package in _PUBLISHERS and not is_other:
+            yield Finding(
+                Location(one.span, one.frame),
+                f"{one.package} and {_BROADCASTER} both publish the joint states",
+                f"remove {one.package}",
+                related=(Related(broadcaster.span, _BROADCASTER),),
+            )
+
+
+def _claims(subject: Subject, started: list[StartedProgram]) -> Findings:
+    defined = defined_controllers(subject)
+    owners: dict[tuple[str, str], Word] = {}
+    for word, one in _activated(started):
+        controller = defined.get((word.text or "").strip("/"))
+        for claim in _claimed(controller) if controller else ():
+            owner = owners.setdefault(claim, word)
+            if owner.text != word.text:
+                yield Finding(
+                    Location(word.span, one.frame),
+                    f"controllers '{owner.text}' and '{word.text}' are both started and claim "
+                    f"the command interface '{claim[1]}' of joint '{claim[0]}'",
+                    "start one of them with --inactive",
+                    related=(Related(owner.span, f"controller '{owner.text}'"),),
+                )
+                break
+
+
+def _activated(started: list[StartedProgram]) -> Iterator[tuple[Word, StartedProgram]]:
+    for one in started:
+        if activates(one):
+            yield from ((word, one) for word in controllers(one))
+
+
+def _claimed(controller: Controller) -> list[tuple[str, str]]:
+    """The joints and command interfaces that a controller of ROS 2 claims."""
+    if controller.ros != 2:
+        return []
+    joints = [value.text for value in commanded_joints(controller)]
+    return [(joint, interface) for joint in joints for interface in commands(controller)]

@@ -1,0 +1,107 @@
+"""What a launch file starts waits for something that it does not start.
+
+- Controllers and a robot_state_publisher, but nothing that publishes the joint states: the links
+  behind moving joints have no transform, and RViz shows them at the origin. Spawn
+  `joint_state_broadcaster`.
+- A robot_state_publisher by the wall clock, beside Gazebo and nodes with `use_sim_time`: its
+  transforms are years newer than their data.
+
+A file is left out that includes what is not at hand, unless that is part of ROS.
+
+Sources:
+    ros2_control, joint_state_broadcaster: https://control.ros.org/rolling/doc/ros2_controllers/joint_state_broadcaster/doc/userdoc.html
+    ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
+"""
+
+from __future__ import annotations
+
+from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.ros.launch.bridges import bridged_topics
+from urdfkit.ros.launch.collect import UNKNOWN
+from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.spawned_controllers import controllers
+from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.workspace.ros_packages import comes_with_ros
+
+NAME = "launch/robot.launch.xml"
+BAD = """\
+<launch>
+  <node pkg="robot_state_publisher" exec="robot_state_publisher">
+    <param name="robot_description" value="&lt;robot/>"/>
+  </node>
+  <node pkg="controller_manager" exec="ros2_control_node">
+    <param from="$(dirname)/control.yaml"/>
+  </node>
+  <node pkg="controller_manager" exec="spawner" args="arm"/>
+</launch>
+"""
+GOOD = BAD.replace('args="arm"', 'args="joints arm"')
+FILES = {
+    "launch/control.yaml": b"""\
+controller_manager:
+  ros__parameters:
+    arm: {type: joint_trajectory_controller/JointTrajectoryController}
+    joints: {type: joint_state_broadcaster/JointStateBroadcaster}
+""",
+    "package.xml": b"<package><name>arm</name></package>",
+}
+
+_PUBLISHER = "robot_state_publisher"
+_JOINT_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
+    launch = subject.launch
+    started = (*launch.started, *launch.included)
+    if not _is_whole(launch) or not all(one.is_sure for one in started):
+        return
+    publisher = next((one for one in started if one.package == _PUBLISHER), None)
+    if publisher is not None:
+        yield from _without_joint_states(subject, started)
+        yield from _by_wall_clock(publisher, started)
+
+
+def _is_whole(launch: Launch) -> bool:
+    """True if all is known that is started, but for what is part of ROS."""
+    packages = (one.searched is None or comes_with_ros(one.name) for one in launch.packages)
+    files = (one.exists or one.path.startswith(f"{UNKNOWN}/") for one in launch.files)
+    return all(packages) and all(files)
+
+
+def _without_joint_states(subject: Subject, started: tuple[StartedProgram, ...]) -> Findings:
+    spawned = [(word, one) for one in started for word in controllers(one)]
+    types = {name: one.type for name, one in defined_controllers(subject).items() if one.ros == 2}
+    known = [types.get((word.text or "").strip("/"), "") for word, _ in spawned]
+    bridged = (topic for one in started for topic in bridged_topics(one, subject.resolver))
+    if (
+        not all(known)
+        or any(kind.endswith("JointStateBroadcaster") for kind in known)
+        or any(one.package in _JOINT_STATES for one in started)
+        or any(topic.ros_type.endswith("/JointState") for topic in bridged)
+    ):
+        return
+    for word, one in spawned[:1]:
+        yield Finding(
+            Location(word.span, one.frame),
+            "nothing publishes the joint states: no joint_state_broadcaster is started",
+            "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
+        )
+
+
+def _by_wall_clock(publisher: StartedProgram, started: tuple[StartedProgram, ...]) -> Findings:
+    given = publisher.parameters
+    if given is None or "use_sim_time" in given or not any(map(spawner_of, started)):
+        return
+    other = next((one for one in started if _is_true(one, "use_sim_time")), None)
+    if other is not None:
+        yield Finding(
+            Location(publisher.span, publisher.frame),
+            f"{_PUBLISHER} has no use_sim_time, which '{other.executable}' has",
+            'give it {"use_sim_time": True}',
+        )
+
+
+def _is_true(started: StartedProgram, name: str) -> bool:
+    return ((started.parameters or {}).get(name) or "").lower() == "true"

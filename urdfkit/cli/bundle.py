@@ -1,0 +1,72 @@
+"""``urdfkit bundle``: a robot with all of its files, for another machine or program."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.progress import shown as progress
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.mesh.io.facts import counted
+from urdfkit.output.bundle import Bundle
+from urdfkit.output.bundle.consumers import CONSUMERS
+from urdfkit.output.bundle.writing import Rejection
+from urdfkit.output.bundle.writing import bundle as write
+from urdfkit.text.source import shown
+
+
+@with_examples(
+    "bundle",
+    "urdfkit bundle robot.urdf.xacro -o robot_bundle",
+    "urdfkit bundle robot.urdf.xacro -o robot.zip --for mujoco",
+)
+@one_robot
+@click.option(
+    "-o", "--output", "out", metavar="OUT", required=True, help="Directory or .zip to write."
+)
+@click.option(
+    "--for",
+    "consumer",
+    type=click.Choice([*CONSUMERS]),
+    default="any",
+    help="Convert the meshes that this program cannot read.",
+)
+@click.option("--force", is_flag=True, help="Replace OUT if it is a bundle.")
+def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
+    """Write a robot with all of its files, for another machine or program.
+
+    OUT has the expanded URDF, the meshes with their materials and textures, and bundle.json, which
+    says where each file comes from and what was changed. References are relative to the URDF; for
+    ros, OUT is a package and they begin with package://.
+
+    Exit codes: 0 done, 1 the program will reject the robot all the same, 2 a file is missing or
+    cannot be read or written.
+    """
+    with progress() as bar:
+        subject = robot(asked, bar)
+    bundle, rejections = write(subject, out, consumer=consumer, force=force)
+    output.page((*_summary(bundle, out), *_reasons(consumer, rejections)))
+    return int(bool(rejections))
+
+
+def _summary(bundle: Bundle, out: str) -> Iterator[str]:
+    meshes = len({one.new for one in bundle.renamed if "meshes/" in one.new})
+    size = output.size(sum(one.size for one in bundle.contents))
+    yield f"wrote {shown(out)}: {bundle.urdf}, {counted(meshes, 'mesh file')}, {size}"
+    changed = Counter(one.change for one in bundle.contents if one.change)
+    for change, number in changed.items():
+        yield from output.indented(f"{counted(number, 'file')}: {change}")
+    for element, value in bundle.outside:
+        yield from output.indented(f"{element} still names {value}")
+
+
+def _reasons(consumer: str, rejections: tuple[Rejection, ...]) -> Iterator[str]:
+    if rejections:
+        yield f"{CONSUMERS[consumer].what} rejects it all the same:"
+    for one in rejections:
+        yield from output.indented(f"{one.span}: {one.message} ({one.code})")

@@ -1,0 +1,124 @@
+"""A command line in a process of its own, which a library may crash and a limit may end.
+
+That is one line of an error for whoever waits, never the end of the command without a word. The
+process is forked before anything large is imported. Windows cannot fork: there the command runs as
+it is, without limits.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import time
+
+from urdfkit.core import limits
+
+TYPE_CHECKING = False
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import NoReturn
+
+#: Seconds in which a process that is stopped may remove what it has half written.
+_LAST_SECONDS = 2.0
+#: A line of a traceback of faulthandler.
+_FRAME = re.compile(r'File "([^"]*)", line \d+ in (\S+)')
+
+
+class _Stopped(Exception):
+    """SIGTERM."""
+
+
+def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
+    """The exit code of a function that runs in a process of its own.
+
+    Args:
+        run: what to do there.
+        leave: ends that process with an exit code.
+    """
+    lifeline, ours = os.pipe()
+    reports, told = os.pipe()
+    process = os.fork()
+    if process == 0:
+        os.close(ours)
+        os.close(reports)
+        _depend_on(lifeline)
+        limits.answer_to(told)
+        leave(run())
+    os.close(lifeline)
+    os.close(told)
+    signal.signal(signal.SIGTERM, _stop)
+    try:
+        said = _read(reports)
+        status = os.waitpid(process, 0)[1]
+    except (KeyboardInterrupt, _Stopped) as error:
+        os.close(ours)  # the process hears of it
+        _await_end(process)
+        return 130 if isinstance(error, KeyboardInterrupt) else 143
+    return _code(status, said)
+
+
+def _stop(number: int, frame: object) -> NoReturn:
+    raise _Stopped
+
+
+def _depend_on(lifeline: int) -> None:
+    """End with the process that waits for this one, in whatever way that one ends."""
+    from _thread import start_new_thread
+
+    def watch() -> None:
+        os.read(lifeline, 1)  # returns when the other end is closed
+        os.kill(os.getpid(), signal.SIGTERM)
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the other process hears Ctrl-C
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    start_new_thread(watch, ())
+
+
+def _read(pipe: int) -> str:
+    """All that the process tells, until it ends."""
+    parts = []
+    while part := os.read(pipe, 65536):
+        parts.append(part)
+    return b"".join(parts).decode("utf-8", "replace")
+
+
+def _await_end(process: int) -> None:
+    end = time.monotonic() + _LAST_SECONDS
+    while time.monotonic() < end:
+        if os.waitpid(process, os.WNOHANG)[0]:
+            return
+        time.sleep(0.01)
+    os.kill(process, signal.SIGKILL)
+    os.waitpid(process, 0)
+
+
+def _code(status: int, said: str) -> int:
+    """The exit code of a process that has ended; why, if it did not end by itself."""
+    from urdfkit.cli import fail
+
+    where = _where(said)
+    if "Timeout (" in said:
+        limit = re.findall(r"^limit (.*)$", said, re.MULTILINE)[-1]
+        return fail(2, f"not done after {limit}{where}; --timeout raises the limit")
+    if os.WIFEXITED(status):
+        return os.WEXITSTATUS(status)
+    number = os.WTERMSIG(status)
+    name = signal.Signals(number).name
+    if number == signal.SIGKILL:
+        return fail(2, f"the process was killed ({name}){where}; perhaps memory ran out")
+    return fail(2, f"a library crashed ({name}){where}")
+
+
+def _where(said: str) -> str:
+    """What was reached, and the function of urdfkit in which it ended, so far as that is known."""
+    done = re.findall(r"^done (.*)$", said, re.MULTILINE)
+    found = f": {done[-1]} done" if done else ""
+    main_thread = re.split("hread 0x", said)[-1]  # faulthandler lists it last
+    for path, function in _FRAME.findall(main_thread):
+        _, package, module = path.replace(os.sep, "/").rpartition("/urdfkit/")
+        if package:
+            name = module.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+            return f"{found}, in urdfkit.{name}.{function}"
+    return found

@@ -1,0 +1,135 @@
+"""Descriptions that lack arguments, with each set of values that is found for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.plan import Job
+from urdfkit.lint.report import Launched, UncheckedValues
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from urdfkit.lint.context import Subject
+
+
+#: Sets of values with which a robot is checked that lacks arguments; the UR arms have nine.
+MAX_GIVEN = 16
+
+
+def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
+    """A job with its description.
+
+    A robot that cannot be expanded for want of arguments comes with those that launch files give
+    it: once for each set of them. Where none gives them all, it comes with the values that are
+    found otherwise and with which it expands.
+
+    Args:
+        job: one description.
+        read: makes the description of a job.
+    """
+    subject = read(job)
+    if not (names := subject.reading.missing_arguments):
+        return [(job, subject)]
+    from urdfkit.ros.launch.robot_arguments import given
+
+    found, failed = [], {}
+    sets = given(job.path, names, subject.resolver)
+    for one in sets[:MAX_GIVEN]:
+        values = {name: (one.arguments[name], one.launch) for name in names}
+        arguments = {**one.arguments, **job.arguments}
+        now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
+        pair = (now, read(now))
+        if pair[1].reading.missing_arguments:
+            failed[tuple(one.arguments[name] for name in names)] = pair[1]
+        else:
+            found.append(pair)
+    if found:
+        offered = [{name: one.arguments[name] for name in names} for one in sets]
+        _note_unchecked(found, offered, failed)
+        return found
+    return _as_found(job, read, subject, names) or [(job, subject)]
+
+
+def _as_found(
+    job: Job, read: Callable[[Job], Subject], subject: Subject, names: tuple[str, ...]
+) -> list[tuple[Job, Subject]]:
+    """A job with values that nobody starts it with; empty if it expands with none of them."""
+    from urdfkit.lint.argument_values import combinations
+
+    xacro = subject.reading.xacro
+    assert xacro is not None, "only a xacro lacks arguments"
+    found: list[tuple[Job, Subject]] = []
+    failed: dict[tuple[str, ...], Subject] = {}
+    more: tuple[str, ...] = ()
+    sets = list(combinations(names, xacro, subject.resolver))
+    offered = [{name: value for name, (value, _) in values.items()} for values in sets]
+    for values, given in list(zip(sets, offered, strict=True))[:MAX_GIVEN]:
+        now = job._replace(arguments={**given, **job.arguments}, launched=_launched(job, values))
+        pair = (now, read(now))
+        if pair[1].reading.document is not None:
+            found.append(pair)
+        else:
+            failed[tuple(given.values())] = pair[1]
+        more += pair[1].reading.missing_arguments
+    if found:
+        _note_unchecked(found, offered, failed)
+    if found or set(more) <= set(names):
+        return found
+    return _as_found(job, read, subject, tuple(dict.fromkeys((*names, *more))))
+
+
+def _note_unchecked(
+    found: list[tuple[Job, Subject]],
+    offered: list[dict[str, str]],
+    failed: Mapping[tuple[str, ...], Subject],
+) -> None:
+    """Leave with the first description which values of its arguments none is checked with.
+
+    Args:
+        found: the descriptions that are checked.
+        offered: sets of values that files give.
+        failed: descriptions that do not expand, by their values in the order of the names.
+    """
+    from urdfkit.lint.unchecked import why_unchecked
+
+    left: dict[tuple[str, str], list[str]] = {}
+    for values in offered:
+        subject = failed.get(tuple(values.values()))
+        why = f"only {MAX_GIVEN} sets of arguments are tried"
+        if subject is not None:
+            why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
+        for name, value in values.items():
+            known = left.setdefault((name, why), [])
+            if all(job.arguments.get(name) != value for job, _ in found) and value not in known:
+                known.append(value)
+    found[0][1].unchecked = tuple(
+        UncheckedValues(name, tuple(values), len({one[name] for one in offered}), why)
+        for (name, why), values in left.items()
+        if values
+    )
+
+
+def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:
+    """The values of arguments with where they are from, each place once."""
+    origins: dict[str, dict[str, str]] = {}
+    for name, (value, origin) in values.items():
+        origins.setdefault(origin, {})[name] = value
+    return tuple(Launched(job.path, *one) for one in origins.items())
+
+
+def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:
+    """The given arguments that a description never mentions, each with the suggested one.
+
+    xacro takes any, so that a typo has no effect and is not reported. A launch file may pass them
+    on, and of what cannot be read not all is known: neither has any.
+    """
+    names = tuple(given)
+    if not names or subject.reading.document is None:
+        return {}
+    xacro = subject.reading.xacro
+    declared = {argument.name for argument in xacro.arguments} if xacro else set()
+    mentioned = declared | (xacro.usage.names if xacro else frozenset())
+    return {name: nearest(name, declared) or "" for name in names if name not in mentioned}

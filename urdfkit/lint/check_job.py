@@ -1,0 +1,97 @@
+"""The check of one description of a plan."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from collections.abc import Callable
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint import rule_index
+from urdfkit.lint.argument_sets import as_launched, unknown_arguments
+from urdfkit.lint.context import Subject
+from urdfkit.lint.merging import Checked
+from urdfkit.lint.options import Options
+from urdfkit.lint.plan import Job
+from urdfkit.lint.report import Skipped, crash
+from urdfkit.lint.runner import FileResult, run_rules
+from urdfkit.text.diagnostic import Severity
+from urdfkit.workspace.resolve import Resolver
+
+
+def reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
+    """Reads the description of a job."""
+    targets = None
+    if options.targets:
+        from urdfkit.ros.targets import parse
+
+        targets = parse(options.targets)
+
+    def read(job: Job) -> Subject:
+        return Subject(
+            job.text(resolver),
+            resolver,
+            job.arguments,
+            trust=options.trust,
+            targets=targets,
+            frame=job.frame,
+            parameters=job.parameters,
+            cache=options.cache,
+            progress=options.progress,
+        )
+
+    return read
+
+
+def check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
+    """Check one of several robots, and keep nothing but the result.
+
+    A robot is full of references in circles. The meshes that they hold are no more than a few
+    objects to the collector, but hundreds of megabytes: it would let dozens of robots pile up.
+    They are young; to look at the old objects as well, those of the modules, takes 20 ms.
+    """
+    checked = check_job(job, options, resolver)
+    if "numpy" in sys.modules:
+        gc.collect(1)
+    return checked
+
+
+def check_job(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
+    try:
+        return [
+            (launched, check_subject(launched, subject, options))
+            for launched, subject in as_launched(job, reader(options, resolver))
+        ]
+    except UrdfkitError:
+        raise
+    except Exception as error:  # a bug in urdfkit must not hide the findings of other robots
+        return [(job, failed(job, error))]
+
+
+def failed(job: Job, error: Exception) -> FileResult:
+    """The result of a robot on which urdfkit itself fails."""
+    return FileResult((), (), (crash("", job.path, error),), frozenset(), None, 0)
+
+
+def check_subject(job: Job, subject: Subject, options: Options) -> FileResult:
+    chosen = [code for code in options.select if not job.codes or code in job.codes]
+    # That a robot of a directory cannot be expanded by itself is no defect of it.
+    lacking = subject.reading.missing_argument_codes if job.found else ()
+    codes = [code for code in chosen if code not in lacking]
+    result = _skipped_as_one(run_rules(subject, codes, options), subject)
+    return result._replace(unknown_arguments=unknown_arguments(subject, options.arguments))
+
+
+def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
+    """A description that cannot be read, of which no error says so, is skipped as a whole."""
+    errors = {
+        d.code
+        for d in result.diagnostics
+        if d.severity is Severity.ERROR or d.code in rule_index.NOT_EXPANDED
+    }
+    if subject.is_readable or subject.reading.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
+        return result
+    from urdfkit.lint.unchecked import why_unchecked
+
+    why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
+    return result._replace(skipped=(Skipped("", subject.source.path, why),))

@@ -1,0 +1,175 @@
+"""Which descriptions of an include graph are robots, and which are libraries and parts."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from urdfkit.core import disk
+from urdfkit.core.record import Record
+from urdfkit.lint.config import RobotEntry
+from urdfkit.lint.include_graph import INCLUDE, ROBOT, IncludeGraph, is_description
+from urdfkit.text.comments import without_comments
+
+#: A macro without an end goes on to that of the file.
+_MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
+_LINK = re.compile(rb"<link[\s>]")
+_LINK_NAME = re.compile(rb"""<link\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
+_PARENT = re.compile(rb"""<parent\b[^<>]*?\blink\s*=\s*["']([^"']+)["']""")
+_NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
+_NAMELESS = re.compile(rb"""<robot\b(?![^<>]*\sname\s*=\s*["'][^"'])""")
+_ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
+_DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
+_PART = "a part of a robot that no file includes"
+_UNUSUAL = "has the root <robot>, but an unusual suffix, and no launch file references it"
+_CONTENT = re.compile(
+    rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w"
+)
+ROOT = re.compile(rb"\s*(?:<[?!][^>]*>\s*)*<robot[\s>]")
+
+
+class DirectoryContents(Record):
+    """What a directory holds.
+
+    Attributes:
+        robots: the entry points, sorted by path.
+        libraries: files of macros, properties or materials that no file includes.
+        closed: descriptions that cannot be opened: links that lead nowhere, no permission.
+        others: files that look like robots and are none of these, by why they are left out.
+    """
+
+    robots: tuple[RobotEntry, ...]
+    libraries: tuple[str, ...]
+    closed: tuple[str, ...] = ()
+    others: Mapping[str, str] = {}
+
+
+class EntryPoints:
+    """The robots among the descriptions of an include graph.
+
+    Args:
+        graph: of the files of a directory.
+        launches: paths of launch files; what they name is a robot, whatever its suffix.
+    """
+
+    def __init__(self, graph: IncludeGraph, launches: Iterable[str]) -> None:
+        self.graph = graph
+        self._launches = launches
+
+    def contents(self) -> DirectoryContents:
+        """The descriptions that no other file includes, and the libraries among them.
+
+        Where files include one another in a ring, one of them.
+        """
+        included = {target for targets in self.graph.includes.values() for target in targets}
+        roots = [
+            name
+            for path, name in self.graph.names.items()
+            if path not in included and is_description(name)
+        ]
+        roots += self._in_rings(roots)
+        libraries = tuple(filter(self._is_library, roots))
+        whole = [path for path in roots if path not in libraries]
+        parts = self._parts(whole)
+        outer = [path for path in whole if path not in parts]
+        if not outer:  # what nothing is a part of
+            parts, outer = [], whole
+        unusual = [
+            name
+            for path, name in self.graph.names.items()
+            if path not in included and not is_description(name) and self._is_robot(path)
+        ]
+        started = self._launched(unusual)
+        robots = sorted({*outer, *self._within(outer), *started})
+        named = tuple(RobotEntry(path, "", {}) for path in robots)
+        others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
+        others |= dict.fromkeys(parts, _PART)
+        return DirectoryContents(named, libraries, tuple(self.graph.closed), others)
+
+    def _parts(self, roots: Iterable[str]) -> list[str]:
+        """The xacros that are not whole: without a name, or with their include commented out."""
+        disabled = self.graph.disabled()
+        return [
+            path
+            for path in roots
+            if path.lower().endswith(".xacro")
+            and (disk.real(path) in disabled or self._is_nameless(path))
+            and self._lacks_parent(path)
+        ]
+
+    def _is_nameless(self, path: str) -> bool:
+        return bool(_NAMELESS.search(without_comments(self.graph.text(disk.real(path)))))
+
+    def _lacks_parent(self, path: str) -> bool:
+        """True for a file with a joint whose parent link is certainly in no file it includes.
+
+        Not certain: a link whose name is an expression, and an include that is not found.
+        """
+        files = self.graph.closure(disk.real(path))
+        if not files <= self.graph.names.keys():
+            return False
+        texts = [without_comments(self.graph.text(file)) for file in files]
+        for file, text in zip(files, texts, strict=True):
+            if not all(self.graph.targets([name], file) for name in INCLUDE.findall(text)):
+                return False
+        links = {name for text in texts for name in _LINK_NAME.findall(text)}
+        parents = {name for text in texts for name in _PARENT.findall(text)}
+        missing = {name for name in parents - links if b"$" not in name}
+        return bool(missing) and not any(b"$" in name for name in links)
+
+    def _is_robot(self, path: str) -> bool:
+        """True for a file with the root ``<robot>`` that has links outside of macros."""
+        data = without_comments(self.graph.text(path))
+        return bool(ROOT.match(data) and _LINK.search(_MACRO.sub(b"", data)))
+
+    def _launched(self, files: list[str]) -> list[str]:
+        """The files whose name stands in a launch file."""
+        texts = [self.graph.resolver.read(path).data for path in self._launches] if files else []
+        return [
+            path
+            for path in files
+            if any(os.fsencode(os.path.basename(path)) in text for text in texts)
+        ]
+
+    def _in_rings(self, roots: Iterable[str]) -> Iterator[str]:
+        """One file of each ring of includes that no root leads to; its check reports the ring."""
+        reached = {path for root in roots for path in self.graph.closure(disk.real(root))}
+        for path, name in sorted(self.graph.names.items()):
+            if path not in reached and is_description(name):
+                reached |= self.graph.closure(path)
+                yield name
+
+    def _within(self, robots: Iterable[str]) -> Iterator[str]:
+        """Whole robots that are included by such as cannot be expanded for want of arguments."""
+        for robot in map(disk.real, robots):
+            closure = self.graph.closure(robot)
+            if not self._lacking(closure):
+                continue
+            for path in closure.intersection(self.graph.names) - {robot}:
+                name = self.graph.names[path]
+                is_whole = is_description(name) and _NAMED.search(self.graph.text(path))
+                if (
+                    is_whole
+                    and not self._is_library(name)
+                    and not self._lacking(self.graph.closure(path))
+                ):
+                    yield name
+
+    def _lacking(self, files: Iterable[str]) -> set[bytes]:
+        """The arguments that some files use together, and none of them gives a default."""
+        used: set[bytes] = set()
+        known: set[bytes] = set()
+        for path in self.graph.names.keys() & files:
+            data = without_comments(self.graph.text(path))
+            used.update(_ARGUMENT.findall(data))
+            known.update(_DEFAULT.findall(data))
+        return used - known
+
+    def _is_library(self, path: str) -> bool:
+        """True if a file only defines things: outside of macros it makes no link and calls none."""
+        data = self.graph.text(disk.real(path))
+        if not ROBOT.search(data):
+            return False
+        outside = _MACRO.sub(b"", without_comments(data))
+        return not _CONTENT.search(outside) and not INCLUDE.search(outside)

@@ -1,0 +1,129 @@
+"""Checks by several processes, each of which a robot may kill."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.core import disk, expansion_limits
+from urdfkit.core.file_log import FileLog
+from urdfkit.core.own_sources import note_sources
+from urdfkit.lint import rule_index
+from urdfkit.lint.check_job import check_one_of_many, failed
+from urdfkit.lint.merging import Checked
+from urdfkit.lint.options import Options
+from urdfkit.lint.plan import Job
+from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future, ProcessPoolExecutor
+    from typing import TypeAlias
+
+
+#: What a process must know: rules of other packages, options, whether it notes what it depends
+#: on, and what files the user named.
+Known: TypeAlias = "tuple[Mapping[str, str], Options, bool, tuple[str, ...]]"
+#: The results of some robots, and what they depend on if that is noted.
+Batch: TypeAlias = "tuple[list[list[Checked]], FileLog | None]"
+#: Robots that go to a process at a time.
+MAX_BATCH = 16
+
+
+def in_processes(jobs: list[Job], known: Known, count: int) -> Iterator[list[Checked]]:
+    """The results of some jobs in their order, by several processes.
+
+    A process that dies takes the others of its pool with it. What they had not done is checked
+    again one by one, which shows the robot that it dies of.
+    """
+    from collections import deque
+    from concurrent.futures.process import BrokenProcessPool
+
+    size = max(1, min(MAX_BATCH, len(jobs) // (8 * count)))
+    batches = deque(jobs[start : start + size] for start in range(0, len(jobs), size))
+    waiting: deque[tuple[list[Job], Future[Batch]]] = deque()
+    with _pool(count, known) as pool:
+        try:
+            while batches or waiting:
+                while batches and len(waiting) < 4 * count:  # results must not pile up
+                    waiting.append((batches[0], pool.submit(_check_batch, batches[0])))
+                    batches.popleft()
+                done = waiting[0][1].result()
+                waiting.popleft()
+                yield from _noted(done)
+        except BrokenProcessPool:
+            _wait_for_ctrl_c()
+    if waiting:
+        yield from _one_by_one([job for batch, _ in waiting for job in batch], known)
+    if batches:
+        yield from in_processes([job for batch in batches for job in batch], known, count)
+
+
+def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
+    """The results of some jobs, each of which may kill its process."""
+    from concurrent.futures.process import BrokenProcessPool
+
+    done = 0
+    while done < len(jobs):
+        with _pool(1, known) as pool:
+            try:
+                for job in jobs[done:]:
+                    yield from _noted(pool.submit(_check_batch, [job]).result())
+                    done += 1
+            except BrokenProcessPool:
+                _wait_for_ctrl_c()
+                died = RuntimeError("the process of its check died")
+                yield [(jobs[done], failed(jobs[done], died))]
+                done += 1
+
+
+def _wait_for_ctrl_c() -> None:
+    """The processes may have heard it first; then it is raised here."""
+    import time
+
+    time.sleep(1)
+
+
+def _pool(count: int, known: Known) -> ProcessPoolExecutor:
+    from concurrent.futures import ProcessPoolExecutor
+
+    return ProcessPoolExecutor(count, initializer=_begin, initargs=known)
+
+
+#: Of a process of a pool: the options, and what it has found of packages and directories.
+_own: tuple[Options, Resolver]
+
+
+def _begin(
+    external: Mapping[str, str], options: Options, is_noting: bool, admitted: tuple[str, ...]
+) -> None:
+    """A process begins, which knows no rules of other packages and has noted nothing."""
+    import signal
+
+    # Ctrl-C reaches every process of the terminal; only the first one has something to say.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    rule_index.register(external)
+    disk.log_to(FileLog() if is_noting else None)
+    global _own  # noqa: PLW0603 - a process has one
+    _own = (options, Resolver(options.packages, texts=options.texts))
+    expansion_limits.allow(options.config.limits)
+    for path in admitted:
+        _own[1].admit(path, trust=options.trust)
+
+
+def _check_batch(jobs: list[Job]) -> Batch:
+    options, resolver = _own
+    checked = [check_one_of_many(job, options, resolver) for job in jobs]
+    log = disk.log()
+    if log is not None:
+        note_sources()
+        disk.log_to(FileLog())
+    return checked, log
+
+
+def _noted(batch: Batch) -> list[list[Checked]]:
+    """The results of a batch; what they depend on is noted in this process, too."""
+    checked, log = batch
+    own = disk.log()
+    if own is not None and log is not None:
+        own.add(log)
+    return checked

@@ -1,0 +1,192 @@
+"""A robot that another machine and another program can load: one URDF with all of its files."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from urdfkit import __version__
+from urdfkit.core import disk
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Subject
+from urdfkit.output.bundle.consumers import Consumer
+from urdfkit.output.bundle.meshes import BundledFile, MeshNames, bundled
+from urdfkit.output.bundle.package import package_files
+from urdfkit.output.bundle.robot import (
+    Renamed,
+    mesh_references,
+    references,
+    rewritten,
+    texture_references,
+)
+from urdfkit.robot.model import Placed
+
+#: The file that says what is in a bundle; a directory with it is one.
+MANIFEST = "bundle.json"
+VERSION = 1
+#: Files that an error names.
+_NAMED = 5
+
+
+class Content(Record):
+    """A file that a bundle holds.
+
+    Attributes:
+        path: in the bundle, with ``/``.
+        size: in bytes.
+        sha256: of its bytes.
+        source: the file that it comes from, below the workspace; empty for one that is new.
+        change: how it differs from that; empty for a copy.
+    """
+
+    path: str
+    size: int
+    sha256: str
+    source: str
+    change: str
+
+
+class Bundle:
+    """A robot and all files that it needs, for one program.
+
+    Args:
+        robot: as it was read.
+        consumer: the program.
+
+    Attributes:
+        name: of the robot, with nothing that a file or package name cannot hold.
+        urdf: path of the robot in the bundle.
+        contents: what it holds; complete when all `files` were taken.
+        renamed: the references that it changes; known then, too.
+        outside: paths of elements and values that still lead elsewhere; known then, too.
+
+    Raises:
+        UrdfkitError: the robot names files that are not there.
+    """
+
+    def __init__(self, robot: Subject, consumer: Consumer) -> None:
+        self._robot = robot
+        self._consumer = consumer
+        self._paths = _found(robot)
+        self.name = re.sub(r"[^a-z0-9_]+", "_", robot.model.name.lower()).strip("_") or "robot"
+        self.urdf = f"{'urdf/' if consumer.is_package else ''}{self.name}.urdf"
+        self.contents: list[Content] = []
+        self.renamed: tuple[Renamed, ...] = ()
+        self.outside: tuple[tuple[str, str], ...] = ()
+
+    def files(self) -> Iterator[BundledFile]:
+        """The files, each read or converted when it is asked for; the manifest is the last.
+
+        Raises:
+            UrdfkitError: one is broken, or cannot be written in a format that is read.
+        """
+        for file in self._files():
+            digest = hashlib.sha256(file.data).hexdigest()
+            source = self._shown(file.source)
+            self.contents.append(Content(file.path, len(file.data), digest, source, file.change))
+            yield file
+        text = json.dumps(self._manifest(), indent=1, ensure_ascii=False) + "\n"
+        yield BundledFile(MANIFEST, text.encode(), "")
+
+    def _files(self) -> Iterator[BundledFile]:
+        names: dict[str, str] = {}  # in the bundle, by path
+        stems, model, files = MeshNames(), self._robot.model, self._robot.files
+        visuals = {
+            self._paths[id(body.shape.filename)]
+            for link in model.links
+            for body in link.visuals
+            if body.shape and body.shape.filename
+        }
+        for reference in mesh_references(model):
+            path = self._paths[id(reference)]
+            if path in names:
+                continue
+            found, stem = files.facts(path), stems.free(path)
+            made = bundled(path, found, self._consumer, stem, is_visual=path in visuals)
+            for number, file in enumerate(made):
+                if not number:
+                    names[path] = file.path
+                yield file
+        for reference in texture_references(model):
+            path = self._paths[id(reference)]
+            if path not in names:
+                suffix = os.path.splitext(path)[1]
+                names[path] = f"textures/{stems.free(path)}{suffix}"
+                yield BundledFile(names[path], disk.read(path), path)
+        prefix = f"package://{self.name}/" if self._consumer.is_package else ""
+
+        def new_name(reference: Placed[str]) -> str:
+            return prefix + names[self._paths[id(reference)]]
+
+        written = rewritten(self._robot, new_name, for_mujoco=self._consumer.name == "mujoco")
+        self.renamed, self.outside = written.renamed, written.outside
+        yield BundledFile(self.urdf, written.text, self._robot.source.path)
+        if self._consumer.is_package:
+            directories = {path.partition("/")[0] for path in (*names.values(), self.urdf)}
+            yield from package_files(self.name, self._robot, sorted(directories))
+
+    def _manifest(self) -> dict[str, Any]:
+        return {
+            "version": VERSION,
+            "urdfkit": __version__,
+            "robot": self._robot.model.name,
+            "urdf": self.urdf,
+            "source": self._shown(self._robot.source.path),
+            "arguments": dict(self._robot.arguments),
+            "for": self._consumer.name,
+            "files": [one._asdict() for one in self.contents],
+            "references": [
+                {
+                    "element": one.element,
+                    "file": self._shown(one.span.source.path),
+                    "line": one.span.line,
+                    "old": one.old,
+                    "new": one.new,
+                }
+                for one in self.renamed
+            ],
+            "outside": [{"element": path, "value": value} for path, value in self.outside],
+        }
+
+    def _shown(self, path: str) -> str:
+        """A path without what is above the workspace or package that the file lies in."""
+        if not path:
+            return ""
+        path = os.path.abspath(path)
+        packages = self._robot.resolver.packages
+        package = packages.enclosing(path)
+        if package:
+            name, directory = package
+            return f"{name}/{os.path.relpath(path, directory)}".replace(os.sep, "/")
+        near = packages.workspace(self._robot.source.path)
+        relative = os.path.relpath(path, near).replace(os.sep, "/")
+        return os.path.basename(path) if relative.startswith("../") else relative
+
+
+def _found(robot: Subject) -> dict[int, str]:
+    """The files that a robot names, by the ``id`` of the reference: its text may mean two files.
+
+    Raises:
+        UrdfkitError: some are not there.
+    """
+    paths: dict[int, str] = {}
+    missing = []
+    for reference in references(robot.model):
+        path = robot.files.find(reference)
+        if path is None:
+            missing.append(f"{reference.span}: {reference.value}")
+        else:
+            paths[id(reference)] = path
+    if not missing:
+        return paths
+    named = "; ".join(missing[:_NAMED])
+    more = f" and {len(missing) - _NAMED} more" if len(missing) > _NAMED else ""
+    raise UrdfkitError(
+        f"the robot names files that are not there: {named}{more}; "
+        f"see 'urdfkit check {robot.source.path}'"
+    )

@@ -1,0 +1,47 @@
+"""The programs that a bundle can be made for, and what each of them reads."""
+
+from __future__ import annotations
+
+from urdfkit.core.record import Record
+from urdfkit.mesh.io.facts import ASCII_STL, BINARY_STL, COLLADA, GLB, GLTF, OBJ, PLY
+
+
+class Consumer(Record):
+    """A program that reads a robot from a directory.
+
+    Attributes:
+        name: as ``--for`` takes it.
+        what: in words.
+        reads: the mesh formats that it has a decoder for.
+        visual: the suffix of a visual mesh of another format; collision meshes become STL.
+        is_package: it finds meshes by ``package://``, and not by paths relative to the robot.
+        target: its name among the targets of a check; empty where it is none.
+    """
+
+    name: str
+    what: str
+    reads: tuple[str, ...]
+    visual: str
+    is_package: bool = False
+    target: str = ""
+
+
+_ALL = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)
+
+#: Sources: MuJoCo, https://mujoco.readthedocs.io/en/stable/XMLreference.html#asset-mesh (no decoder
+#: for COLLADA and ASCII STL); PyBullet, examples/Importers/ImportURDFDemo/BulletUrdfImporter.cpp;
+#: web: urdf-loader's defaultMeshLoader knows STL and COLLADA; RViz and Gazebo read by assimp;
+#: Isaac, https://docs.isaacsim.omniverse.nvidia.com/latest/importer_exporter/ext_isaacsim_asset_importer_urdf.html
+CONSUMERS = {
+    one.name: one
+    for one in (
+        Consumer("any", "any program that finds files relative to the robot", _ALL, ".obj"),
+        Consumer("mujoco", "MuJoCo", (BINARY_STL, OBJ), ".obj", target="mujoco"),
+        Consumer("pybullet", "PyBullet", (BINARY_STL, ASCII_STL, COLLADA, OBJ), ".obj"),
+        Consumer("web", "urdf-loader for three.js", (BINARY_STL, ASCII_STL, COLLADA), ".dae"),
+        Consumer("ros", "a ROS 2 package", (*_ALL[:4], GLB, GLTF), ".dae", is_package=True),
+        Consumer(
+            "isaac", "Isaac Sim and Isaac Lab", (BINARY_STL, COLLADA, OBJ), ".obj", target="isaac"
+        ),
+    )
+}

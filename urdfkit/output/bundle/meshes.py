@@ -1,0 +1,136 @@
+"""The mesh files of a bundle: copied, or written in a format that the consumer reads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from itertools import chain, count
+from typing import TYPE_CHECKING
+
+from urdfkit.core import disk
+from urdfkit.core.record import Record
+from urdfkit.errors import MissingLibrary, UrdfkitError
+from urdfkit.mesh.io import facts
+from urdfkit.mesh.io.facts import MeshFacts, has_other_unit
+from urdfkit.output.bundle.consumers import Consumer
+from urdfkit.workspace.package_directories import is_within
+
+if TYPE_CHECKING:
+    from urdfkit.mesh.geometry import Mesh
+
+#: Formats that name no other files.
+_SINGLE = (facts.BINARY_STL, facts.ASCII_STL, facts.PLY, facts.GLB)
+
+
+class BundledFile(Record):
+    """A file of a bundle.
+
+    Attributes:
+        path: in the bundle, with ``/``.
+        data: its content.
+        source: path of the file that it comes from; empty for one that the bundle adds.
+        change: how it differs from that; empty for a copy.
+    """
+
+    path: str
+    data: bytes
+    source: str
+    change: str = ""
+
+
+class MeshNames:
+    """Names of mesh files that differ in more than case and suffix.
+
+    MuJoCo and Gazebo know a mesh by its name without directory and suffix.
+    """
+
+    def __init__(self) -> None:
+        self._taken: set[str] = set()
+
+    def free(self, path: str) -> str:
+        """A stem for a mesh file: its own, else with its directory, else with a number."""
+        stem = os.path.splitext(os.path.basename(path))[0]
+        directory = os.path.basename(os.path.dirname(path))
+        wanted = chain((stem, f"{directory}_{stem}"), (f"{stem}_{n}" for n in count(2)))
+        free = next(name for name in wanted if name.casefold() not in self._taken)
+        self._taken.add(free.casefold())
+        return free
+
+
+def bundled(
+    path: str, found: MeshFacts, consumer: Consumer, stem: str, *, is_visual: bool
+) -> Iterator[BundledFile]:
+    """The files that stand for a mesh file in a bundle, the mesh first.
+
+    Args:
+        path: of the mesh file.
+        found: what its bytes say.
+        consumer: that must be able to read it.
+        stem: for its name.
+        is_visual: a visual uses it, whose materials are kept where the format has them.
+
+    Raises:
+        UrdfkitError: it is broken, or cannot be written in another format.
+    """
+    suffix = os.path.splitext(path)[1].lower()
+    is_readable = found.format in consumer.reads and found.format in facts.BY_SUFFIX.get(suffix, ())
+    if found.defect:
+        raise UrdfkitError(f"{path}: {found.defect.reason}")
+    if is_readable and found.format in _SINGLE:
+        yield BundledFile(f"meshes/{stem}{suffix}", disk.read(path), path)
+        return
+    mesh = _loaded(path)
+    if is_readable and all(_lies_below(path, other) for other in mesh.files):
+        yield from _with_its_files(path, mesh, stem)
+        return
+    if is_readable:
+        suffix = ".glb" if found.format == facts.GLTF else suffix
+        change = "files that it names from elsewhere are written beside it"
+    else:
+        suffix = consumer.visual if is_visual else ".stl"
+        change = f"{found.format} written as {suffix[1:].upper()}"
+    yield from _written(path, found, mesh, f"{stem}{suffix}", change)
+
+
+def _loaded(path: str) -> Mesh:
+    try:
+        from urdfkit.mesh.io.load import load
+    except ImportError as error:
+        raise MissingLibrary(
+            f"{path}: to read it needs {error.name}: pip install 'urdfkit[meshes]'"
+        ) from error
+    return load(path)
+
+
+def _lies_below(path: str, other: str) -> bool:
+    directory = os.path.dirname(os.path.abspath(path))
+    return is_within(os.path.abspath(other), directory)
+
+
+def _with_its_files(path: str, mesh: Mesh, stem: str) -> Iterator[BundledFile]:
+    """A mesh file and those that it names, at the same paths from one another."""
+    start, name = os.path.split(os.path.abspath(path))
+    there = [other for other in mesh.files if disk.is_file(other)]
+    home = f"meshes/{stem}" if there else "meshes"
+    own = name if there else stem + os.path.splitext(name)[1]
+    yield BundledFile(f"{home}/{own}", disk.read(path), path)
+    for other in there:
+        relative = os.path.relpath(other, start).replace(os.sep, "/")
+        yield BundledFile(f"{home}/{relative}", disk.read(other), other)
+
+
+def _written(
+    path: str, found: MeshFacts, mesh: Mesh, name: str, change: str
+) -> Iterator[BundledFile]:
+    from urdfkit.mesh.writers import encode, losses
+
+    changes = [change]
+    if has_other_unit(found):
+        changes.append(f"in metres, by its unit of {found.unit:g} m")
+    lost = [*losses(mesh, name), *mesh.losses]
+    if lost:
+        changes.append(f"not kept: {', '.join(lost)}")
+    files = encode(mesh, name)
+    home = f"meshes/{os.path.splitext(name)[0]}" if len(files) > 1 else "meshes"
+    for one, data in files.items():
+        yield BundledFile(f"{home}/{one}", data, path, "; ".join(changes) if one == name else "")

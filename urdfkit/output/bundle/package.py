@@ -1,0 +1,54 @@
+"""What makes a bundle a ROS 2 package: package.xml and CMakeLists.txt."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from urdfkit.lint.context import Subject
+from urdfkit.output.bundle.meshes import BundledFile
+from urdfkit.workspace.manifest import manifest_of
+
+#: Kept of the package that the robot comes from, where it has one.
+_KEPT = rb"<(version|maintainer|license)\b[^>]*>[^<]*</\1>"
+_DEFAULT = {
+    "version": "<version>0.0.0</version>",
+    "maintainer": '<maintainer email="todo@example.com">todo</maintainer>',
+    "license": "<license>TODO</license>",
+}
+
+
+def package_files(name: str, robot: Subject, directories: Iterable[str]) -> Iterator[BundledFile]:
+    """The build files of a package.
+
+    Args:
+        name: of the package.
+        robot: whose package's version, maintainers and licences are kept.
+        directories: to install.
+    """
+    manifest = manifest_of(robot.resolver, robot.source.path)
+    kept: dict[str, list[str]] = {}
+    for match in re.finditer(_KEPT, manifest.data if manifest else b""):
+        kept.setdefault(match[1].decode(), []).append(match[0].decode("utf-8", "replace"))
+    lines = [line for tag, default in _DEFAULT.items() for line in kept.get(tag, [default])]
+    version, *others = lines
+    body = "\n  ".join(
+        (
+            f"<name>{name}</name>",
+            version,
+            f"<description>The robot {name} with its meshes</description>",
+            *others,
+            "<buildtool_depend>ament_cmake</buildtool_depend>",
+            "<export><build_type>ament_cmake</build_type></export>",
+        )
+    )
+    text = f'<?xml version="1.0"?>\n<package format="3">\n  {body}\n</package>\n'
+    yield BundledFile("package.xml", text.encode(), "")
+    build = (
+        "cmake_minimum_required(VERSION 3.8)",
+        f"project({name})",
+        "find_package(ament_cmake REQUIRED)",
+        f"install(DIRECTORY {' '.join(directories)} DESTINATION share/${{PROJECT_NAME}})",
+        "ament_package()",
+    )
+    yield BundledFile("CMakeLists.txt", "\n".join((*build, "")).encode(), "")

@@ -1,0 +1,127 @@
+"""The URDF of a bundle: the expanded robot with the names of the bundle's files in it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from xml.sax.saxutils import quoteattr
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Subject
+from urdfkit.robot.model import Placed, RobotModel
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.document import Element
+from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.editing.edits import (
+    insert_first,
+    rewrite,
+)
+from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import read_xml
+
+_DECLARATION = rb"^\s*<\?xml[^>]*\?>\s*"
+#: A value that leads to a file of this machine or of a package.
+_OUTSIDE = re.compile(r"(?:package|model|file)://|/[^\s/]+/\S*\.\w+$")
+
+
+class Renamed(Record):
+    """A reference to a file, and what the bundle writes instead.
+
+    Attributes:
+        element: its path in the expanded robot, such as ``link/arm/visual/geometry/mesh``.
+        span: where it was written.
+        old: as it was.
+        new: in the bundle.
+    """
+
+    element: str
+    span: Span
+    old: str
+    new: str
+
+
+class BundledRobot(Record):
+    """The robot of a bundle.
+
+    Attributes:
+        text: of the URDF.
+        renamed: the references that it changes.
+        outside: values that still lead elsewhere, such as parameters of plugins, each with the
+            path of its element.
+    """
+
+    text: bytes
+    renamed: tuple[Renamed, ...]
+    outside: tuple[tuple[str, str], ...]
+
+
+def mesh_references(model: RobotModel) -> list[Placed[str]]:
+    """The names of mesh files in a model, in the order of its links."""
+    return [shape.filename for shape in model.shapes if shape.filename]
+
+
+def texture_references(model: RobotModel) -> list[Placed[str]]:
+    """The names of textures in a model, those of its named materials first."""
+    bodies = (body for link in model.links for body in link.visuals)
+    materials = (*model.materials, *(body.material for body in bodies))
+    return [one.texture for one in materials if one and one.texture]
+
+
+def references(model: RobotModel) -> list[Placed[str]]:
+    """The names of all files that a model cannot be loaded without."""
+    return [*mesh_references(model), *texture_references(model)]
+
+
+def rewritten(
+    robot: Subject, new_name: Callable[[Placed[str]], str], *, for_mujoco: bool
+) -> BundledRobot:
+    """The expanded robot with other names of files.
+
+    Args:
+        robot: as it was read.
+        new_name: of a file, for a reference of the robot.
+        for_mujoco: tell MuJoCo to keep the directories of mesh files, which it drops otherwise.
+
+    Raises:
+        UrdfkitError: the expanded text cannot be edited.
+    """
+    text = re.sub(_DECLARATION, b"", robot.text)
+    source = Source("robot.urdf", b'<?xml version="1.0" encoding="utf-8"?>\n' + text)
+    document, _ = read_xml(source)
+    if document is None:
+        raise UrdfkitError(f"{robot.source.path}: the expanded robot is no XML")
+    model = RobotModel(document)
+    edits: list[Edit] = []
+    renamed = []
+    for old, written in zip(references(robot.model), references(model), strict=True):
+        new = new_name(old)
+        edits += rewrite(written.at, new) or ()
+        renamed.append(Renamed(old.at.path, old.span, old.value, new))
+    if for_mujoco:
+        edits += _compiler(model.root)
+    return BundledRobot(apply_edits(source.data, edits), tuple(renamed), tuple(_outside(model)))
+
+
+def _compiler(root: Element) -> tuple[Edit, ...]:
+    """MuJoCo's ``<compiler>`` with ``strippath="false"`` and no ``meshdir``."""
+    mujoco = root.child("mujoco")
+    compiler = mujoco.child("compiler") if mujoco else None
+    if mujoco is None:
+        return insert_first(root, ['<mujoco><compiler strippath="false"/></mujoco>'])
+    if compiler is None:
+        return insert_first(mujoco, ['<compiler strippath="false"/>'])
+    kept = {name: one.value for name, one in compiler.attributes.items() if name != "meshdir"}
+    kept["strippath"] = "false"
+    values = "".join(f" {name}={quoteattr(value)}" for name, value in kept.items())
+    return (Edit(compiler.tag_at.whole_span, f"<compiler{values}/>"),)
+
+
+def _outside(model: RobotModel) -> Iterator[tuple[str, str]]:
+    """The values beside the references that lead to a file elsewhere."""
+    known = {id(placed.at) for placed in references(model)}
+    for element in model.root.walk():
+        values = [one.value for one in element.attributes.values() if id(one) not in known]
+        for value in (*values, element.text.strip()):
+            if _OUTSIDE.match(value):
+                yield element.path, value

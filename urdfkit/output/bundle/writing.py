@@ -1,0 +1,159 @@
+"""A bundle on disk: a directory or a zip, whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import zipfile
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from tempfile import mkdtemp
+
+from urdfkit.core import atomic
+from urdfkit.core.record import Record
+from urdfkit.errors import UnwritableFile
+from urdfkit.lint.context import Subject
+from urdfkit.lint.engine import check
+from urdfkit.lint.loading import read
+from urdfkit.output.bundle import MANIFEST, Bundle
+from urdfkit.output.bundle.consumers import CONSUMERS
+from urdfkit.output.bundle.meshes import BundledFile
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Span
+
+#: The date of every file in a zip, so that equal bundles have equal bytes.
+_DATE = (1980, 1, 1, 0, 0, 0)
+
+
+class Rejection(Record):
+    """Why a program will not load a bundle.
+
+    Attributes:
+        code: of the rule that explains it.
+        message: what is wrong.
+        span: where it was written, before it was expanded; else in the URDF of the bundle.
+    """
+
+    code: str
+    message: str
+    span: Span
+
+
+def bundle(
+    robot: Subject | str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    *,
+    consumer: str = "any",
+    force: bool = False,
+) -> tuple[Bundle, tuple[Rejection, ...]]:
+    """Write a robot with all files that it needs, for another machine or program.
+
+    Args:
+        robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
+        out: a directory, or a file that ends in ``.zip``; whole or not at all.
+        consumer: a name of `CONSUMERS`; meshes that this program cannot read are converted.
+        force: replace what is there, if it is a zip or a bundle.
+
+    Returns:
+        What was written, and why the program will reject it all the same.
+
+    Raises:
+        UrdfkitError: a file is missing, broken, or cannot be written.
+    """
+    subject = robot if isinstance(robot, Subject) else read(robot)
+    made = Bundle(subject, CONSUMERS[consumer])
+    with _staged(made.files(), os.path.abspath(out), force=force) as directory:
+        rejected = tuple(_rejections(made, directory, subject, CONSUMERS[consumer].target))
+    return made, rejected
+
+
+def _rejections(made: Bundle, directory: str, subject: Subject, target: str) -> Iterator[Rejection]:
+    if not target:
+        return
+    places = {element.path: element.span for element in subject.document.root.walk()}
+    report = check(os.path.join(directory, made.urdf), targets=[target])
+    for one in report.diagnostics:
+        if one.severity is Severity.ERROR:
+            span = places.get(one.element.partition("@")[0], one.span)
+            yield Rejection(one.code, one.message, span)
+
+
+@contextmanager
+def _staged(files: Iterable[BundledFile], out: str, *, force: bool) -> Iterator[str]:
+    """A new directory with the files of a bundle, which becomes ``out`` at the end.
+
+    Nothing is left of it after an error.
+
+    Args:
+        files: of the bundle.
+        out: a directory, or a file that ends in ``.zip``.
+        force: replace what is there, if it is a zip or a bundle.
+
+    Raises:
+        UnwritableFile: something is there, or cannot be written.
+    """
+    _require_free(out, force=force)
+    home, name = os.path.split(out)
+    atomic.make_directory(home)
+    with _as_unwritable(out):
+        temporary = mkdtemp(prefix=f".{name}.", dir=home)
+    try:
+        made = os.path.join(temporary, "bundle")
+        with _as_unwritable(out):
+            _write(files, made)
+        yield made
+        with _as_unwritable(out):
+            if _is_zip(out):
+                made = _zipped(made, os.path.join(temporary, "bundle.zip"))
+            elif os.path.isdir(out):
+                os.replace(out, os.path.join(temporary, "old"))
+            os.replace(made, out)
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)
+
+
+@contextmanager
+def _as_unwritable(out: str) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise UnwritableFile(f"{out}: cannot be written: {error.strerror or error}") from error
+
+
+def _is_zip(out: str) -> bool:
+    return out.lower().endswith(".zip")
+
+
+def _require_free(out: str, *, force: bool) -> None:
+    if not os.path.lexists(out) or (os.path.isdir(out) and not os.listdir(out)):
+        return
+    is_bundle = os.path.isfile(os.path.join(out, MANIFEST)) and not os.path.islink(out)
+    if os.path.isdir(out) and (_is_zip(out) or not is_bundle):
+        raise UnwritableFile(f"{out}: is a directory that is no bundle; pass another one")
+    if not os.path.isdir(out) and not _is_zip(out):
+        raise UnwritableFile(f"{out}: is a file; pass a directory, or a name that ends in .zip")
+    if not force:
+        raise UnwritableFile(f"{out}: exists; --force replaces it")
+
+
+def _write(files: Iterable[BundledFile], directory: str) -> None:
+    for file in files:
+        path = os.path.join(directory, *file.path.split("/"))
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "xb") as target:
+            target.write(file.data)
+
+
+def _zipped(directory: str, path: str) -> str:
+    """A directory as a zip, whose bytes depend on its files alone."""
+    with zipfile.ZipFile(path, "x", zipfile.ZIP_DEFLATED) as archive:
+        for at, _, names in sorted(os.walk(directory)):
+            for name in sorted(names):
+                file = os.path.join(at, name)
+                entry = zipfile.ZipInfo(
+                    os.path.relpath(file, directory).replace(os.sep, "/"), _DATE
+                )
+                entry.external_attr = 0o644 << 16
+                with open(file, "rb") as source, archive.open(entry, "w") as target:
+                    shutil.copyfileobj(source, target)
+    return path

@@ -1,0 +1,60 @@
+"""Which bodies may overlap, by the spheres and boxes around them. Lengths in m."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from math import dist, hypot
+
+from urdfkit.core.spatial import Transform, minus
+from urdfkit.physics.collision.bodies import CollisionBody
+from urdfkit.physics.collision.closed_forms import box_distance
+
+
+def relative(
+    first: CollisionBody, second: CollisionBody, frames: Mapping[str, Transform]
+) -> Transform:
+    """The frame of one body in that of another, given the frames of their links."""
+    placed = frames[first.link] @ first.origin
+    return placed.inverse @ frames[second.link] @ second.origin
+
+
+def lower_bound(first: CollisionBody, second: CollisionBody, at: Transform) -> float:
+    """The signed distance of the boxes around two bodies, which that of the bodies is not below.
+
+    Args:
+        first: a body.
+        second: another one.
+        at: the frame of the second in that of the first.
+    """
+    between = Transform(at.rotation, minus(at.apply(second.center), first.center))
+    return box_distance(first.half, second.half, between)
+
+
+def nearby(
+    bodies: Iterable[CollisionBody], frames: Mapping[str, Transform]
+) -> Iterator[tuple[CollisionBody, CollisionBody]]:
+    """The bodies of different links whose bounding spheres overlap.
+
+    Only those are compared that overlap along the axis on which the spheres are spread most.
+    """
+    spheres = [
+        ((frames[body.link] @ body.origin).apply(body.center), hypot(*body.half), body)
+        for body in bodies
+    ]
+    spread = (
+        [
+            max(center[axis] for center, _, _ in spheres)
+            - min(center[axis] for center, _, _ in spheres)
+            for axis in range(3)
+        ]
+        if spheres
+        else [0.0]
+    )
+    axis = spread.index(max(spread))
+    spheres.sort(key=lambda sphere: sphere[0][axis] - sphere[1])
+    for number, (center, radius, body) in enumerate(spheres):
+        for other_center, other_radius, other in spheres[number + 1 :]:
+            if other_center[axis] - other_radius > center[axis] + radius:
+                break
+            if body.link != other.link and dist(center, other_center) < radius + other_radius:
+                yield body, other

@@ -1,0 +1,35 @@
+"""Numbers in the text of an attribute, as the readers of URDF take them."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from urdfkit.core.spatial import Vector
+
+
+def number(text: str | None) -> float | None:
+    """A finite number as URDF's readers take it, or None."""
+    if text is None or "_" in text:  # Python alone reads 1_000
+        return None
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if isfinite(value) else None
+
+
+def numbers(text: str | None) -> tuple[float, ...] | None:
+    """Finite numbers with white space between them, or None."""
+    if text is None or "_" in text:  # Python alone reads 1_000
+        return None
+    try:
+        values = tuple(map(float, text.split()))
+    except ValueError:
+        return None
+    return values if all(map(isfinite, values)) else None
+
+
+def vector(text: str | None) -> Vector | None:
+    """Three finite numbers, or None."""
+    values = numbers(text)
+    return (values[0], values[1], values[2]) if values and len(values) == 3 else None

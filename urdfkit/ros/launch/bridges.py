@@ -1,0 +1,112 @@
+"""What ros_gz_bridge passes between Gazebo and ROS: words of its command line, or a YAML file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import StartedProgram, Word
+from urdfkit.text.located_yaml import Value, load
+from urdfkit.text.source import Span
+from urdfkit.workspace.resolve import Resolver
+
+#: The keys of an entry of the file.
+KEYS = (
+    "topic_name", "ros_topic_name", "gz_topic_name", "ros_type_name", "gz_type_name", "direction",
+    "publisher_queue", "subscriber_queue", "lazy", "publish_optical_frame", "qos_profile",
+    "service_name", "gz_req_type_name", "gz_rep_type_name",
+)  # fmt: skip
+FROM_GAZEBO, TO_GAZEBO, BOTH = "GZ_TO_ROS", "ROS_TO_GZ", "BIDIRECTIONAL"
+DIRECTIONS = (FROM_GAZEBO, TO_GAZEBO, BOTH)
+
+_SIGNS = {"[": FROM_GAZEBO, "]": TO_GAZEBO, "@": BOTH}
+
+
+class BridgedTopic(Record):
+    """A topic that the bridge is to pass on.
+
+    Attributes:
+        span: where it is written: a word, or an entry's type or topic.
+        topic: its name in Gazebo.
+        ros_type, gz_type: of its messages, such as ``sensor_msgs/msg/Imu`` and ``gz.msgs.IMU``;
+            empty where none is written.
+        direction: one of `DIRECTIONS` where it is right.
+        unknown: keys of the entry that the bridge does not read, each with its place.
+    """
+
+    span: Span
+    topic: str
+    ros_type: str
+    gz_type: str
+    direction: str
+    unknown: tuple[tuple[str, Span], ...] = ()
+
+
+def gazebo_messages(ros_type: str) -> tuple[str, ...] | None:
+    """The messages of Gazebo that a message of ROS stands for; None for one that is not known."""
+    package, _, name = ros_type.partition("/msg/")
+    pairs = (pair.split() for pair in data("bridge")["messages"].get(package, "").split(", "))
+    return tuple(pair[1] for pair in pairs if pair and pair[0] == name) or None
+
+
+def all_messages() -> tuple[str, ...]:
+    """The messages of Gazebo that are known to be passed on."""
+    packages = data("bridge")["messages"].values()
+    return tuple({pair.split()[1]: None for pairs in packages for pair in pairs.split(", ")})
+
+
+def bridged_topics(started: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
+    """What a program passes on; nothing if it is no bridge of ros_gz."""
+    if started.executable not in ("parameter_bridge", "bridge_node"):
+        return
+    if started.package not in ("ros_gz_bridge", "ros_ign_bridge"):
+        return
+    path = (started.parameters or {}).get("config_file")
+    for word in started.words:
+        if word.text and word.text.startswith("config_file:="):
+            path = word.text.partition(":=")[2]
+        elif found := _of_word(word):
+            yield found
+    if path:
+        yield from _in_file(path, resolver)
+
+
+def _of_word(word: Word) -> BridgedTopic | None:
+    """What a word of the command line says; None for a service, and where it is not known."""
+    text = word.text
+    if text is None or "@" not in text or "/srv/" in text:
+        return None
+    topic, _, types = text.partition("@")
+    sign = next((one for one in "][@" if one in types), "")
+    ros_type, _, rest = types.partition(sign) if sign else (types, "", "")
+    gz_type, _, other = rest.partition("@")
+    return BridgedTopic(word.span, other or topic, ros_type, gz_type, _SIGNS.get(sign, ""))
+
+
+def _in_file(path: str, resolver: Resolver) -> Iterator[BridgedTopic]:
+    try:
+        entries = load(resolver.read(path))
+    except UnreadableFile:
+        return
+    for entry in entries if isinstance(entries, list) else ():
+        if not isinstance(entry, dict):
+            continue
+        values = {str(key): one for key, one in entry.items() if isinstance(one, Value)}
+        given = {key: one.text for key, one in values.items()}
+        if not values or "service_name" in given:
+            continue
+        topic = next((given[key] for key in ("gz_topic_name", "topic_name") if key in given), "")
+        unknown = tuple((key, one.span) for key, one in values.items() if key not in KEYS)
+        at = next(
+            values[key] for key in ("ros_type_name", "gz_type_name", *values) if key in values
+        )
+        yield BridgedTopic(
+            at.span,
+            topic or given.get("ros_topic_name", ""),
+            given.get("ros_type_name", ""),
+            given.get("gz_type_name", ""),
+            given.get("direction", BOTH),
+            unknown,
+        )

@@ -1,0 +1,75 @@
+"""Directories as packages: which package a directory is, and whether it is a repository."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from functools import lru_cache
+
+from urdfkit.core import disk
+from urdfkit.text.comments import without_comments
+from urdfkit.workspace.directories import Directories
+from urdfkit.workspace.file_head import read_head
+
+_NOT_SOURCES = frozenset("build devel install log node_modules __pycache__ site-packages".split())
+
+
+class PackageDirectories:
+    """The names of packages by directory; everything is read once.
+
+    Attributes:
+        listings: what is in directories.
+    """
+
+    def __init__(self, listings: Directories) -> None:
+        self.listings = listings
+        self._names: dict[str, str | None] = {}
+
+    def name_of(self, directory: str) -> str | None:
+        """The name of the package whose directory this is; None if it is no package's."""
+        if directory not in self._names:
+            self._names[directory] = _package_name(directory)
+        return self._names[directory]
+
+    def is_repository(self, directory: str) -> bool:
+        """True of the top of a repository, unless it is a submodule of another one."""
+        mark = os.path.join(directory, ".git")
+        # Not by its listing: those of the directories above change all the time.
+        return disk.has_name(mark) and b"/modules/" not in read_head(mark, 4096)
+
+    def names_in(self, directory: str) -> Mapping[str, bool]:
+        """Names in a directory, True for directories; empty if it cannot be read."""
+        return self.listings.entries(directory) or {}
+
+
+def is_searched(name: str) -> bool:
+    """False of hidden directories, and of those that a build makes."""
+    return name[0] != "." and name not in _NOT_SOURCES
+
+
+def is_within(path: str, directory: str) -> bool:
+    return os.path.join(path, "").startswith(os.path.join(directory, ""))
+
+
+def _package_name(directory: str) -> str | None:
+    data = read_marker(directory, "package.xml")
+    if data:
+        name = data.partition(b"<name>")[2].partition(b"</name>")[0].strip()
+        is_one = b"<" not in name and len(name.split()) == 1
+        return name.decode("utf-8", "replace") if is_one else None
+    # rosbuild: the name is that of the directory.
+    if b"<package" in read_marker(directory, "manifest.xml"):
+        return os.path.basename(directory)
+    return None
+
+
+def read_marker(directory: str, name: str) -> bytes:
+    """A package.xml or manifest.xml without its comments; empty if there is none."""
+    return without_comments(read_head(os.path.join(directory, name), 65_536))
+
+
+@lru_cache(maxsize=1024)
+def upwards(directory: str) -> tuple[str, ...]:
+    """A directory and those above it, the innermost first."""
+    above = os.path.dirname(directory)
+    return (directory,) if above == directory else (directory, *upwards(above))
