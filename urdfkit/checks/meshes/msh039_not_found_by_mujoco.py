@@ -69,7 +69,7 @@ def check(subject: Subject) -> Findings:
 def _is_lost(subject: Subject, mesh: MeshReference) -> bool:
     """True for a mesh that MuJoCo alone does not find, as far as may be looked."""
     located = mesh.located
-    if located.path is None and (located.package is None or located.folder is not None):
+    if located.path is None and (located.package is None or located.directory is not None):
         return False  # MSH001
     path = os.path.join(*subject.mujoco.mesh_path(mesh.at.value, subject.source.path))
     return subject.resolver.admits(path) and not disk.is_file(path)
