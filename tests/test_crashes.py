@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from collections.abc import Iterator
 from functools import cached_property
 from importlib import import_module
@@ -14,6 +15,7 @@ from typing import Any
 import pytest
 
 from tests.conftest import MODELS
+from tests.damage import damaged
 from tests.xacros import xacro
 from urdfkit import Source, check
 from urdfkit.cli import main
@@ -22,6 +24,7 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.description_file import DescriptionFile
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
+from urdfkit.lint.rules import Rule
 from urdfkit.output import formats
 from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 from urdfkit.robot.inertials.masses import Masses
@@ -190,38 +193,57 @@ def test_a_launch_file_that_fails_costs_no_robot(robots: list[Path], monkeypatch
 
 # --- what a model may lack
 
-_TAG = re.compile(r"<([\w:]+)((?:\s+[\w:]+\s*=\s*\"[^\"]*\")*)\s*/?>")
-_ATTRIBUTE = re.compile(r"\s+([\w:]+)\s*=\s*\"[^\"]*\"")
+GOOD = sorted((MODELS / "good").rglob("*.urdf*"))
 
 
-def lacking(text: str) -> Iterator[str]:
-    """A text without one attribute, with an empty or a nonsensical one, or without an element."""
-    for tag in _TAG.finditer(text):
-        if tag[0].endswith("/>"):
-            yield text[: tag.start()] + text[tag.end() :]
-        for found in _ATTRIBUTE.finditer(tag[2]):
-            start, end = tag.start(2) + found.start(), tag.start(2) + found.end()
-            for value in ("", f' {found[1]}=""', f' {found[1]}="x"'):
-                yield text[:start] + value + text[end:]
+def examples(rule: Rule) -> Iterator[tuple[str, str, str]]:
+    """Damaged examples of a rule: the robot, and the name and text of a damaged file next to it."""
+    for which in ("BAD", "GOOD"):
+        robot = rule.example(which) or ""
+        for text in damaged(rule_examples.whole_robot(robot)):
+            yield text, "", ""
+        files: dict[str, bytes] = getattr(sys.modules[rule.module], "FILES", {})
+        for name, data in files.items():
+            if name.endswith((".xml", ".srdf", ".yaml", ".launch", ".urdf", ".xacro")):
+                for text in damaged(data.decode("utf-8", "surrogateescape")):
+                    yield robot, name, text
 
 
-@pytest.mark.parametrize("path", sorted((MODELS / "good").rglob("*.urdf*")), ids=lambda p: p.name)
-def test_no_rule_fails_on_a_robot_that_lacks_something(path: Path) -> None:
-    texts = list(lacking(path.read_text()))
-    for text in Random(1).sample(texts, min(len(texts), 40)):
+def crashed(rule: Rule, robot: str, name: str, text: str) -> object:
+    """The rules, of all there are, that fail on a damaged example."""
+    with rule_examples.laid_out(rule, robot) as source:
+        if name:
+            folder = source.path.removesuffix(getattr(sys.modules[rule.module], "NAME", ""))
+            folder = folder.removesuffix("example.urdf")
+            data = text.encode("utf-8", "surrogateescape")
+            Path(folder, name).write_bytes(data)
+        subject = rule_examples.subject_of(rule, source)
+        return runner.run_rules(subject, rule_index.codes()).crashed
+
+
+def sample(items: Iterator[Any], count: int, seed: str) -> list[Any]:
+    found = list(items)
+    return Random(seed).sample(found, min(len(found), count))
+
+
+@pytest.mark.parametrize("path", GOOD, ids=lambda p: p.name)
+def test_no_rule_fails_on_a_robot_with_a_defect(path: Path, pytestconfig: pytest.Config) -> None:
+    count = 1000 if pytestconfig.getoption("thorough") else 40
+    for text in sample(damaged(path.read_text()), count, path.name):
         assert check(Source(str(path), text.encode())).crashed == (), text
 
 
 @pytest.mark.parametrize("family", sorted(rule_index.FAMILIES))
-def test_no_rule_fails_on_an_example_that_lacks_something(family: str) -> None:
-    random = Random(family)
-    codes = [code for code in rule_index.codes() if code.startswith(family)]
-    for rule in map(rule_index.get, codes):
-        texts = list(lacking(rule.example("BAD") or ""))
-        for text in random.sample(texts, min(len(texts), 2)):
-            with rule_examples.laid_out(rule, text) as source:
-                verdict = runner.run_rules(rule_examples.subject_of(rule, source), codes)
-            assert verdict.crashed == (), text
+def test_no_rule_fails_on_an_example_with_a_defect(
+    family: str, pytestconfig: pytest.Config
+) -> None:
+    """Of every rule, its own examples and the files next to them; every rule must bear them."""
+    count = 20 if pytestconfig.getoption("thorough") else 2
+    for code in rule_index.codes():
+        if code.startswith(family):
+            rule = rule_index.get(code)
+            for example in sample(examples(rule), count, code):
+                assert crashed(rule, *example) == (), example
 
 
 @pytest.mark.parametrize("lost", ["ixx", "iyy", "izz", "ixy"])

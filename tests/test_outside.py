@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -296,3 +298,23 @@ def test_a_variable_that_is_not_listed_is_not_read(
     monkeypatch.setenv(name, SECRET)
     write(workspace, {"r.urdf.xacro": f'{HEAD}<link name="$(env {name})"/></robot>'})
     assert SECRET not in reported(workspace)
+
+
+@pytest.mark.skipif(shutil.which("git") is None, reason="git is not installed")
+@pytest.mark.parametrize("words", [["check", "r.urdf"], ["diff", "HEAD:r.urdf", "r.urdf"]])
+def test_the_configuration_of_a_repository_names_no_program_to_run(
+    workspace: Path, words: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write(workspace, {"r.urdf": f'{HEAD}<link name="a"/></robot>', ".gitignore": "*.txt\n"})
+    monkeypatch.chdir(workspace)
+    for line in ("init -q", "add .", "-c user.name=a -c user.email=a@b commit -qm a"):
+        subprocess.run(["git", *line.split()], check=True)
+    program = workspace / ".git" / "run"
+    program.write_text(f"#!/bin/sh\ntouch {workspace}/ran\n")
+    program.chmod(0o755)
+    subprocess.run(["git", "config", "core.fsmonitor", str(program)], check=True)
+    subprocess.run(["git", "status"], check=True, capture_output=True)
+    assert (workspace / "ran").exists(), "git itself does run it"
+    (workspace / "ran").unlink()
+    assert main(words) in (0, 1)
+    assert not (workspace / "ran").exists()

@@ -99,7 +99,7 @@ COMMANDS = {
         "mesh info {}",
         "mesh convert {} made.obj",
         "mesh repair {} -o made.stl",
-        "mesh simplify {} -o made.stl",
+        "mesh simplify {} --triangles 9 -o made.stl",
         "mesh hull {} -o made.stl",
         "mesh decompose {} -o made.stl",
     ],

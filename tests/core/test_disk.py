@@ -73,6 +73,71 @@ def test_nothing_is_read_past_the_gate() -> None:
     assert [call for path in modules for call in _calls(path)] == []
 
 
+#: Modules that read a file by the gate, and who has seen that it may be read: a module that is new
+#: here reads what a model names only after ``Resolver`` or ``referenced_files`` has admitted it.
+ADMITTED = "Resolver.locate"
+IN_PACKAGE = "found by its name in a package or workspace"
+NAMED = "named by the user"
+READERS = {
+    "checks/package/build_files.py": IN_PACKAGE,
+    "checks/package/pkg005_invalid_package.py": IN_PACKAGE,
+    "cli/collisions/__init__.py": NAMED,
+    "cli/expand.py": NAMED,
+    "cli/init.py": NAMED,
+    "core/atomic.py": "what is about to be replaced",
+    "lint/baseline.py": NAMED,
+    "lint/config_reader.py": "named by the user, or the nearest above a file",
+    "lint/discovery.py": IN_PACKAGE,
+    "lint/formatting.py": "Ownership",
+    "mesh/io/load.py": ADMITTED,
+    "mesh/io/referenced_files.py": "itself",
+    "mesh/io/sniff.py": ADMITTED,
+    "mesh/measure_cache.py": ADMITTED,
+    "mesh/writers/textures.py": "referenced_files",
+    "output/bundle/__init__.py": ADMITTED,
+    "output/bundle/meshes.py": ADMITTED,
+    "output/comparison/states.py": NAMED,
+    "output/comparison/surfaces.py": ADMITTED,
+    "output/report/gltf.py": ADMITTED,
+    "physics/poses.py": NAMED,
+    "render/textures.py": ADMITTED,
+    "robot/assets/mesh_files.py": ADMITTED,
+    "ros/gazebo/paths.py": IN_PACKAGE,
+    "ros/moveit/srdf_variant.py": IN_PACKAGE,
+    "scan/models.py": NAMED,
+    "testing/__init__.py": NAMED,
+    "text/editing/rewriting.py": "a source that was read before",
+    "text/source.py": "who calls Source.read",
+    "workspace/config_file.py": "the nearest above a file",
+    "workspace/file_head.py": "who calls read_head",
+    "workspace/gitignore.py": IN_PACKAGE,
+    "workspace/ignore_files.py": "git's own configuration",
+    "workspace/includes.py": IN_PACKAGE,
+    "workspace/install_rules.py": IN_PACKAGE,
+    "workspace/installs.py": IN_PACKAGE,
+    "workspace/manifest.py": IN_PACKAGE,
+    "workspace/package_directories.py": IN_PACKAGE,
+    "workspace/resolve.py": "itself",
+    "workspace/siblings.py": IN_PACKAGE,
+    "xacro/file_reader.py": "Resolver.allows",
+}
+
+
+def _readers() -> set[str]:
+    """Modules that read files by the gate."""
+    found = set()
+    for path in sorted(PACKAGE.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text())):
+            called = ast.unparse(node.func) if isinstance(node, ast.Call) else ""
+            if called in ("disk.read", "read_head", "Source.read"):
+                found.add(path.relative_to(PACKAGE).as_posix())
+    return found
+
+
+def test_a_new_reader_says_who_has_admitted_its_files() -> None:
+    assert _readers() == set(READERS)
+
+
 @pytest.fixture
 def log() -> Iterator[FileLog]:
     log = FileLog()

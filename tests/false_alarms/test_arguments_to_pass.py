@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.launched import reported
+from tests.launched import MANIFEST, launch, reported
 from tests.workspaces import add_file
 from urdfkit import check
 
@@ -40,3 +40,33 @@ def test_a_parameter_that_the_launch_file_passes(tmp_path: Path, value: str, cou
     add_file(tmp_path / "r.urdf.xacro", robot.encode())
     report = check(tmp_path / "r.urdf.xacro", select=["GAZ017"], targets=["gz-harmonic"])
     assert len(report.diagnostics) == count
+
+
+EARLY = XACRO.format('<xacro:arg name="model" default="r"/>' + BASE)
+
+
+@pytest.mark.parametrize(("passed", "count"), [("model", 0), ("other", 1)])
+def test_an_argument_above_its_default_that_launch_files_pass(
+    tmp_path: Path, passed: str, count: int
+) -> None:
+    """Universal Robots' `ur_gz.urdf.xacro`: `name:=ur`; RB1's `prefix`, for any of its robots."""
+    text = DESCRIPTION.format(passed)
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    add_file(tmp_path / "r.xacro", EARLY.encode())
+    add_file(tmp_path / "launch" / "a.launch", launch(text).encode())
+    for given in (tmp_path, tmp_path / "r.xacro"):
+        assert len(check(given, select=["XAC020"]).diagnostics) == count
+
+
+DUAL = XACRO.replace("$(arg model)", "r").format(
+    '<xacro:arg name="sim" default=""/>' + BASE + '<xacro:if value="$(arg sim)"/>'
+)
+
+
+@pytest.mark.parametrize(("argument", "codes"), [("sim", []), ("slim", ["XAC001"])])
+def test_defaults_that_do_not_suffice(tmp_path: Path, argument: str, codes: list[str]) -> None:
+    """Kinova's `kortex_dual_robots.xacro`: empty defaults, and a launch file that gives all."""
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    add_file(tmp_path / "r.xacro", DUAL.encode())
+    add_file(tmp_path / "launch" / "a.launch", launch(DESCRIPTION.format(argument)).encode())
+    assert [one.code for one in check(tmp_path, select=["XAC001"]).diagnostics] == codes

@@ -24,6 +24,7 @@ JOINT = (
         '<link name="a"/><deformable name="d"><inertial><mass value="1"/></inertial></deformable>',
         '<link name="a"/><mujoco><compiler fusestatic="false"/></mujoco>',
         '<link name="a"/><klampt package_root="../.."/>',
+        JOINT.format("", '<child link="b"/><position_based_velocity_limits velocity_offset="1"/>'),
         '<link name="a"/><frame name="f" link="a" xyz="0 0 0" rpy="0 0 0"/>',
         '<link name="a"/><webots><device reference="camera"/></webots>',
         '<link name="a"/><drake:collision_filter_group name="g"/>',
@@ -36,6 +37,21 @@ def test_what_a_known_program_reads_is_no_unknown_element(robot: str) -> None:
     assert [
         found for code in ("URD001", "URD002", "URD004") for found in reported(code, robot)
     ] == []
+
+
+@pytest.mark.parametrize(
+    ("shape", "severity"),
+    [
+        ('<plane normal="0 0 1"/>', Severity.INFO),
+        ('<cdf filename="a.cdf"/>', Severity.INFO),
+        ("<grid/>", Severity.ERROR),
+    ],
+)
+def test_a_shape_that_bullet_reads_is_no_error(shape: str, severity: Severity) -> None:
+    """Bullet's `plane_implicit.urdf`."""
+    robot = f'<link name="a"><collision><geometry>{shape}</geometry></collision></link>'
+    (found,) = reported("URD004", robot)
+    assert found.severity is severity
 
 
 def test_the_same_words_elsewhere_are_unknown() -> None:

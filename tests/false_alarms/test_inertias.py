@@ -6,6 +6,7 @@ import pytest
 
 from tests.massive import BALL, inertial, joint, link, part, shape
 from tests.reported import messages, reported
+from urdfkit.text.diagnostic import Severity
 
 #: A rod of 1 kg, 0.6 x 0.1 x 0.1 m, turned by 30 degrees about z.
 ROD = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy="0 0 0.5235987755982988")
@@ -66,3 +67,28 @@ def test_a_centre_of_mass_beside_a_shape_that_marks_a_place() -> None:
         robot = link("base", BALL_SHAPE, inertial(1, TENSOR)) + joint("base", "arm", "revolute")
         arm = link("arm", box, inertial(0.3, moments, xyz=f"{distance} 0 0"))
         assert len(messages("INE011", robot + arm)) == count
+
+
+@pytest.mark.parametrize(("moment", "severity"), [(0.0, Severity.ERROR), (3e-16, Severity.WARNING)])
+def test_a_tensor_of_a_body_of_a_micrometre(moment: float, severity: Severity) -> None:
+    """UUV simulator's thrusters: 1 g within 1 µm, on purpose, which Gazebo simulates."""
+    tensor = (moment, 0, 0, moment, 0, moment)
+    thruster = link("base") + part("thruster", 0.001, tensor, BALL)
+    thruster += joint("base", "thruster", "revolute")
+    (found,) = reported("INE005", thruster)
+    assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("mass", "size", "severity"),
+    [
+        (12, "1 0.9 1", Severity.INFO),  # Igus: a coarse collision shape
+        (5, "1 0.9 1", Severity.WARNING),
+        (5, "1 1.1 1", Severity.INFO),  # the walls that a drone flies around
+    ],
+)
+def test_densities_near_the_bound_and_of_scenery(
+    mass: float, size: str, severity: Severity
+) -> None:
+    (found,) = reported("INE010", part("wall", mass, (1, 0, 0, 1, 0, 1), f'<box size="{size}"/>'))
+    assert found.severity is severity

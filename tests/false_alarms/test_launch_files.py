@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import reported
+from tests.launched import launch, reported
+from tests.workspaces import add_file, add_package
 
 
 @pytest.mark.parametrize("mark", ["", ".git/HEAD"])
@@ -68,3 +69,37 @@ def test_arguments_that_make_an_expression(tmp_path: Path) -> None:
         '<rosparam file="$(arg dollar)$(arg path)/config/control.yaml"/>'
     )
     assert reported(tmp_path / "arm", "LAU003", "a.launch", text) == []
+
+
+@pytest.mark.parametrize(("package", "count"), [("arm", 0), ("other", 1)])
+def test_arguments_from_a_launch_file_of_another_package(
+    tmp_path: Path, package: str, count: int
+) -> None:
+    """Franka: `move_group.launch.py` gets all its arguments from a file of `franka_bringup`."""
+    (tmp_path / ".git").mkdir()
+    include = f'<include file="$(find {package})/launch/group.launch"/>'
+    bringup = add_package(tmp_path / "bringup", "bringup")
+    add_file(bringup / "launch" / "all.launch", launch(include).encode())
+    text = '<node pkg="p" type="t" name="n" if="$(arg fake)"/>'
+    assert len(reported(tmp_path / "arm", "LAU006", "group.launch", text)) == count
+
+
+def test_the_cause_that_is_named_is_not_a_missing_package(tmp_path: Path) -> None:
+    """ZED's examples: a package that the machine lacks, and a parameter that the macro lacks."""
+    find = '<xacro:include filename="$(find lost)/a.xacro"/>'
+    robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{find}{{}}</robot>'
+    text = '<param name="robot_description" command="xacro $(dirname)/../r.xacro"/>'
+    files = {"r.xacro": robot.format('<xacro:property name="range" value="1"/>')}
+    assert reported(tmp_path / "arm", "LAU004", "a.launch", text, files) == []
+    files = {"r.xacro": robot.format('<link name="${1 +}"/>')}
+    (found,) = reported(tmp_path / "arm", "LAU004", "a.launch", text, files)
+    assert "'lost'" not in found.message
+    assert found.message.endswith(", and 1 more")
+
+
+@pytest.mark.parametrize(("inner", "count"), [("arm", 0), ("other", 1)])
+def test_a_superbuild_around_the_package(tmp_path: Path, inner: str, count: int) -> None:
+    """Husarion: `project(SUPERBUILD NONE)`, and the package in the other branch."""
+    text = f"if(X)\n  project(SUPERBUILD NONE)\nelse()\n  project({inner})\nendif()\n"
+    found = reported(tmp_path / "arm", "PKG005", "a.launch", "", {"CMakeLists.txt": text})
+    assert len(found) == count

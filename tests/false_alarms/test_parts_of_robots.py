@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.workspaces import add_file
+from urdfkit import check
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
 
@@ -68,3 +69,13 @@ def test_a_file_that_the_build_makes_is_not_missing(tmp_path: Path) -> None:
     (tmp_path / "plugins.xacro.in").unlink()
     (found,) = engine.check(tmp_path / "robot.xacro").diagnostics
     assert (found.code, found.severity) == ("XAC001", Severity.ERROR)
+
+
+def test_an_srdf_of_macros_only_is_none(tmp_path: Path) -> None:
+    """Franka's hand: macros for the SRDF files of arms, next to the hand's xacro."""
+    robot = add_file(tmp_path / "hand.urdf", b'<robot name="hand"><link name="hand"/></robot>')
+    head = b'<robot xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    macro = head + b'<xacro:macro name="hand_srdf"><group name="g"/></xacro:macro>%s</robot>'
+    for call, count in ((b"", 0), (b"<xacro:hand_srdf/>", 1)):
+        add_file(tmp_path / "hand.srdf.xacro", macro % call)
+        assert bool(check(robot, select=["SRD017"]).diagnostics) == bool(count)

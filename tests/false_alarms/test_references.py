@@ -5,6 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.reported import messages
+from urdfkit import check
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 LINKS = '<link name="base_link"/><link name="arm_link"/>'
 ARM = '<joint name="a" type="fixed"><parent link="base_link"/><child link="arm_link"/></joint>'
@@ -27,3 +30,22 @@ def test_the_link_that_is_suggested_is_free(joint: str, hint: str) -> None:
     (message,) = messages("REF001", f'{LINKS}<joint name="b" type="fixed">{joint}</joint>')
     is_free = "base_lnk" not in joint
     assert message.endswith("did you mean 'arm_link'?") is is_free
+
+
+FRAGMENT = (
+    '<robot name="laser" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="laser"/>{}'
+    '<joint name="l" type="fixed"><parent link="mast"/><child link="laser"/></joint></robot>'
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "more", "severity"),
+    [
+        ("laser.xacro", "", Severity.WARNING),
+        ("laser.urdf", "", Severity.ERROR),
+        ("laser.xacro", '<link name="base"/>', Severity.ERROR),
+    ],
+)
+def test_a_part_with_a_name_for_robots_elsewhere(name: str, more: str, severity: Severity) -> None:
+    report = check(Source(name, FRAGMENT.format(more).encode()), select=["REF001"])
+    assert [found.severity for found in report.diagnostics] == [severity]

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from tests.controls import GZ, ROBOT, control, driven
+from tests import driving
+from tests.controls import GZ, MOCK, ROBOT, control, driven
+from tests.gazebos import WHEELS
 from tests.reported import reported
+from tests.workspaces import add_file, add_package
 from urdfkit.text.diagnostic import Severity
 
 SENSOR = '<sensor name="finger"><state_interface name="Present Pressure 1"/></sensor>'
@@ -32,3 +37,42 @@ def test_modules_of_the_ethercat_driver(tag: str, count: int) -> None:
     module = f'<{tag} name="drive"><plugin>ethercat_generic_plugins/EcCiA402Drive</plugin></{tag}>'
     robot = ROBOT + control(driven("swing", more=module))
     assert len(reported("RCT017", robot)) == count
+
+
+POSITION = """\
+controller_manager:
+  ros__parameters:
+    move:
+      type: forward_command_controller/ForwardCommandController
+move:
+  ros__parameters:
+    joints: [left_joint]
+    interface_name: position
+"""
+
+
+@pytest.mark.parametrize(
+    ("joint", "hardware", "count"),
+    [
+        ('<joint name="left_joint"/>', "canopen_ros2_control/Cia402System", 0),
+        ('<joint name="left_joint"/>', MOCK, 1),
+        (driven("left_joint", command="velocity"), "canopen_ros2_control/Cia402System", 1),
+    ],
+)
+def test_a_hardware_that_exports_interfaces_by_itself(
+    tmp_path: Path, joint: str, hardware: str, count: int
+) -> None:
+    """ROS 2 CANopen: the joint of a drive has an ID and no interface."""
+    robot = WHEELS + control(joint, plugin=hardware)
+    assert len(driving.reported(tmp_path, "RCT021", POSITION, robot)) == count
+
+
+@pytest.mark.parametrize(("file", "count"), [("CMakeLists.txt", 0), ("cmake/driveConfig.cmake", 1)])
+def test_a_controller_of_the_workspace(tmp_path: Path, file: str, count: int) -> None:
+    """Yahboom's rosmaster: a mecanum_drive_controller of its own, with other parameters."""
+    add_package(tmp_path / "controller", "diff_drive_controller")
+    add_file(tmp_path / "controller" / file)
+    add_package(tmp_path, "robot")
+    text = driving.DRIVE.replace("wheel_radius", "wheels_radius").replace("0.3", "3")
+    found = driving.reported(tmp_path, "RCT034", text)
+    assert bool(found) == bool(count)

@@ -41,7 +41,7 @@ class Runner:
         self.temporary = temporary
         self.output = temporary / "output"
         self.summary = temporary / "summary"
-        self.values: dict[str, str] = {}
+        self.values = {"github.event.pull_request.head.repo.fork": ""}
 
     def run(self, name: str, **inputs: str) -> subprocess.CompletedProcess[str]:
         """Run a step.
@@ -272,6 +272,15 @@ def test_a_robot_of_a_stranger_gives_the_runner_no_commands(runner: Runner) -> N
     refused = runner.run("Check", files="evil/x.urdf")
     assert refused.stdout == ""
     assert runner.values["steps.check.outputs.exit-code"] == "2"
+
+
+@needs_bash
+@pytest.mark.parametrize(("fork", "count"), [("true", 1), ("false", 0), ("", 0)])
+def test_a_fork_that_may_run_code_is_a_warning(runner: Runner, fork: str, count: int) -> None:
+    runner.values["github.event.pull_request.head.repo.fork"] = fork
+    (runner.workspace / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    done = runner.run("Check", files="r.urdf", options="--trust")
+    assert done.stdout.count("--trust lets a pull request from a fork run code") == count
 
 
 # --- what the files promise

@@ -116,6 +116,15 @@ def test_the_configuration_counts_and_its_slips_are_told(tmp_path: Path) -> None
     assert codes(checked, tmp_path / "r.urdf") == ["TRE001"]
 
 
+def test_a_configuration_from_anywhere_runs_no_code(tmp_path: Path) -> None:
+    (tmp_path / "urdfkit.toml").write_text("rule-packages = ['evil_rules']\n")
+    (tmp_path / "evil_rules.py").write_text(f"open({str(tmp_path / 'ran')!r}, 'w')\n")
+    (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    checked = Workspace().check(str(tmp_path / "r.urdf"))
+    assert "evil_rules" in checked.failure
+    assert not (tmp_path / "ran").exists()
+
+
 def test_a_configuration_from_anywhere_gets_no_trust(tmp_path: Path) -> None:
     (tmp_path / "urdfkit.toml").write_text("trust = true\n")
     text = XACRO.format("<link name=\"${__import__('os').system('touch hit')}\"/>")

@@ -38,7 +38,7 @@ from urdfkit.text.source import shown
 )
 @click.option("--force", is_flag=True, help="Replace OUT if it is a bundle.")
 def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
-    """Write a robot with all of its files, for another machine or program.
+    """Write a robot with all of its files, for use elsewhere.
 
     OUT has the expanded URDF, the meshes with their materials and textures, and bundle.json, which
     says where each file comes from and what was changed. References are relative to the URDF; for

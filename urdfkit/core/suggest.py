@@ -12,6 +12,9 @@ from urdfkit.core import disk
 #: file, and of a word that is taken for the same, misspelt.
 SIMILAR, SIMILAR_FILE, TYPO = 0.6, 0.7, 0.8
 
+#: Candidates, of which the first is taken that is like a word without a common end, too.
+_COMPARED = 3
+
 #: Longer words are no typos of a name, and comparing them takes time.
 _LONGEST = 200
 
@@ -32,8 +35,20 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
         return None
     from difflib import get_close_matches  # 1 ms, and needed for unknown words only
 
-    found = get_close_matches(word[:_LONGEST].casefold(), spellings, 1, cutoff)
-    return spellings[found[0]] if found else None
+    text = word[:_LONGEST].casefold()
+    for found in get_close_matches(text, spellings, _COMPARED, cutoff):
+        one, other = _without_common_end(text, found)
+        if one == text or get_close_matches(one, [other], 1, min(cutoff, SIMILAR)):
+            return spellings[found]
+    return None
+
+
+def _without_common_end(word: str, other: str) -> tuple[str, str]:
+    """Two names without the kind of thing that both end in: ``_link`` makes no names alike."""
+    one, _, end = word.rpartition("_")
+    if one and end in _KINDS and other.endswith("_" + end):
+        return one, other[: -len(end) - 1]
+    return word, other
 
 
 def is_typo(word: str, other: str) -> bool:

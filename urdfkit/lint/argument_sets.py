@@ -22,17 +22,18 @@ MAX_GIVEN = 16
 def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
     """A job with its description.
 
-    A robot that cannot be expanded for want of arguments comes with those that launch files give
-    it: once for each set of them. Where none gives them all, it comes with the values that are
-    found otherwise and with which it expands.
+    A robot that cannot be expanded for want of arguments, or that uses them above their default,
+    comes with those that launch files give it: once for each set of them. Where none gives them
+    all, one that cannot be expanded comes with the values that are found otherwise and with which
+    it expands. One that its defaults do not suffice for comes as launch files start it.
 
     Args:
         job: one description.
         read: makes the description of a job.
     """
     subject = read(job)
-    if not (names := subject.reading.missing_arguments):
-        return [(job, subject)]
+    if not (names := subject.reading.arguments_to_pass):
+        return _as_started(job, read, subject) or [(job, subject)]
     from urdfkit.ros.launch.robot_arguments import given
 
     found, failed = [], {}
@@ -50,7 +51,30 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
         offered = [{name: one.arguments[name] for name in names} for one in sets]
         _note_unchecked(found, offered, failed)
         return found
+    if not subject.reading.missing_arguments:
+        return [(job, subject)]
     return _as_found(job, read, subject, names) or [(job, subject)]
+
+
+def _as_started(
+    job: Job, read: Callable[[Job], Subject], subject: Subject
+) -> list[tuple[Job, Subject]]:
+    """A job whose defaults do not expand, with what launch files start it with; else nothing."""
+    if all(one.code != "XAC001" for one in subject.reading.problems):
+        return []
+    if subject.reading.document is not None or subject.reading.is_fragment:
+        return []
+    from urdfkit.ros.launch.robot_arguments import given
+
+    found = []
+    for one in given(job.path, (), subject.resolver)[:MAX_GIVEN]:
+        if one.frame is not None and one.arguments:
+            values = {name: (value, one.launch) for name, value in one.arguments.items()}
+            arguments = {**one.arguments, **job.arguments}
+            launched = _launched(job, values)
+            now = job._replace(frame=one.frame, launched=launched, arguments=arguments)
+            found.append((now, read(now)))
+    return [pair for pair in found if pair[1].reading.document is not None]
 
 
 def _as_found(

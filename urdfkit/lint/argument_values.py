@@ -68,7 +68,8 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
 def reported(found: ArgumentValues) -> str:
     """ArgumentValues of an argument, and where they are from."""
     verb = "has" if disk.is_directory(found.origin) else "gives"
-    return f"{shown(found.origin)} {verb} {few(found.values, _FEW)}"
+    values = [value or "''" for value in found.values]
+    return f"{shown(found.origin)} {verb} {few(values, _FEW)}"
 
 
 def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:

@@ -8,19 +8,16 @@ from __future__ import annotations
 
 import os
 import sys
-from math import inf
-from typing import Any, TypeVar
+from typing import Any
 
 from urdfkit.core import disk
 from urdfkit.core.expansion_limits import Limits
-from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config, ConfigError, FileIgnore, RobotEntry
+from urdfkit.lint.settings_table import SettingsTable
 from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.source import why_unreadable
-
-C = TypeVar("C", Confidence, Severity)
 
 
 def load(path: str, *, trusted: bool = True) -> Config:
@@ -126,51 +123,14 @@ def _robots(reader: _SettingsReader, directory: str) -> list[RobotEntry]:
     return robots
 
 
-#: What TOML calls the values that settings have.
-_KINDS = {
-    bool: "true or false",
-    dict: "a table",
-    int: "a whole number",
-    list: "a list",
-    str: "text",
-}
-
-
-class _SettingsReader:
-    """Takes settings out of a table one by one; what is left at the end does not exist."""
-
-    def __init__(self, path: str, table: dict[str, Any], where: str, *, trusted: bool) -> None:
-        self.path = path
-        self._trusted = trusted
-        self.directory = os.path.dirname(os.path.abspath(path))
-        self.where = where
-        self.warnings: list[str] = []
-        self._left = dict(table)
-        self._known: list[str] = []
-
-    def error(self, message: str) -> ConfigError:
-        where = f"{self.where}: " if self.where else ""
-        return ConfigError(f"{self.path}: {where}{message}")
-
-    def take(self, key: str, kind: type, default: Any) -> Any:
-        self._known.append(key)
-        value = self._left.pop(key, default)
-        if not isinstance(value, kind):
-            raise self.error(f"'{key}' must be {_KINDS[kind]}, not {value!r}")
-        return value
+class _SettingsReader(SettingsTable):
+    """Takes urdfkit's settings out of a table."""
 
     def width(self) -> int:
         value = self.take("width", int, 0)
         if value and not 40 <= value <= 400:
             raise self.error(f"'width' must be from 40 to 400, not {value}")
         return int(value)
-
-    def texts(self, key: str) -> tuple[str, ...]:
-        values = self.take(key, list, [])
-        for value in values:
-            if not isinstance(value, str):
-                raise self.error(f"'{key}' must hold strings, not {value!r}")
-        return tuple(values)
 
     def rule_packages(self, *, trusted: bool) -> tuple[str, ...]:
         """The codes of the rules of other packages."""
@@ -252,17 +212,6 @@ class _SettingsReader:
             )
         return table
 
-    def number(self, key: str, default: float) -> float:
-        """A number that is not below 0; a whole one where the default is."""
-        self._known.append(key)
-        value = self._left.pop(key, default)
-        is_whole = isinstance(default, int)
-        is_number = isinstance(value, int if is_whole else (int, float))
-        if not is_number or isinstance(value, bool) or not 0 <= value < inf:
-            kind = "a whole number" if is_whole else "a number"
-            raise self.error(f"'{key}' must be {kind} from 0, not {value!r}")
-        return float(value) if not is_whole else int(value)
-
     def ignored(self, key: str) -> rule_index.Ignored:
         """The rules that are left out; a word that means none leaves out nothing."""
         words = self.texts(key)
@@ -271,20 +220,11 @@ class _SettingsReader:
         self.warnings += (str(self.error(f"'{key}': {note}")) for note in notes)
         return found
 
-    def choice(self, key: str, default: C) -> C:
-        return self._as(type(default), key, self.take(key, str, default.value))
-
-    def _as(self, kind: type[C], key: str, value: Any) -> C:
-        known = [one.value for one in kind]
-        if value not in known:
-            raise self.error(f"'{key}' must be one of {', '.join(known)}, not {value!r}")
-        return kind(value)
-
     def severities(self) -> dict[str, Severity]:
         table = self.take("severity", dict, {})
         found: dict[str, Severity] = {}
         for word, value in table.items():
-            severity = self._as(Severity, f"severity.{word}", value)
+            severity = self.as_choice(Severity, f"severity.{word}", value)
             codes = self.matching("severity", word)
             if rule_index.redirect(word) and severity is not Severity.ERROR:
                 # It was merged with others, whose errors nobody wanted to lower.
@@ -314,7 +254,7 @@ class _SettingsReader:
 
     def require_inside(self, key: str, path: str) -> None:
         """See that the configuration names a path of its own workspace, or is trusted."""
-        if self._trusted:
+        if self.trusted:
             return
         from urdfkit.workspace.package_directories import is_within
         from urdfkit.workspace.resolve import Resolver
@@ -338,16 +278,3 @@ class _SettingsReader:
             name: str(value).lower() if isinstance(value, bool) else str(value)
             for name, value in table.items()
         }
-
-    def tables(self, key: str) -> list[_SettingsReader]:
-        values = self.take(key, object, [])
-        if not (isinstance(values, list) and all(isinstance(value, dict) for value in values)):
-            raise self.error(f"'{key}' must be tables, written [[{key}]]")
-        return [
-            _SettingsReader(self.path, value, f"{key}[{i}]", trusted=self._trusted)
-            for i, value in enumerate(values, 1)
-        ]
-
-    def finish(self, what: str = "setting") -> None:
-        for key in self._left:
-            raise self.error(f"unknown {what} '{key}'{did_you_mean(key, self._known)}")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from importlib import import_module
 from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
+from urdfkit.lint.requirements import WITHOUT_PINOCCHIO, need_coal
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source
 
@@ -46,37 +46,11 @@ __all__ = [
     "RunState",
     "Subject",
     "Unavailable",
-    "need_coal",
-    "need_pinocchio",
 ]
 
-_WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
-_WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
 
 #: More collision bodies are not compared; a humanoid whose meshes are decomposed has half as many.
 MAX_BODIES = 2000
-
-
-def need_coal() -> None:
-    """Import coal.
-
-    Raises:
-        Unavailable: it is not installed.
-    """
-    try:
-        import_module("coal")
-    except ImportError as error:
-        raise Unavailable(_WITHOUT_COAL) from error
-
-
-def need_pinocchio() -> None:
-    """Find Pinocchio.
-
-    Raises:
-        Unavailable: it is not installed.
-    """
-    if libraries.find("pinocchio") is None:
-        raise Unavailable(_WITHOUT_PINOCCHIO.format("no module 'pinocchio'"))
 
 
 class RunState(Record):
@@ -168,11 +142,15 @@ class Subject(DescriptionFile):
             return True
         if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
-        children = {joint.child.value for joint in self.model.joints if joint.child}
-        has_base = any(root.name not in children for root in self.tree.roots)
-        if self.document.root.get("name") is not None and has_base:
+        if self.document.root.get("name") is not None and self.has_base:
             return False
         return is_included(self.source.path, self.resolver.packages)
+
+    @property
+    def has_base(self) -> bool:
+        """False if all links are below a joint whose parent is missing, as in a part of a robot."""
+        children = {joint.child.value for joint in self.model.joints if joint.child}
+        return any(root.name not in children for root in self.tree.roots)
 
     @cached_property
     def model(self) -> RobotModel:
@@ -316,7 +294,7 @@ class Subject(DescriptionFile):
         try:
             from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
         except ImportError as error:
-            raise Unavailable(_WITHOUT_PINOCCHIO.format(error)) from error
+            raise Unavailable(WITHOUT_PINOCCHIO.format(error)) from error
         try:
             return Dynamics(self.tree)
         except Unsuitable as reason:

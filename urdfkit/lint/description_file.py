@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from urdfkit.xacro import Xacro
 
 
+#: An argument is used above its default, which is a value all the same.
+_TOO_EARLY = "XAC020"
+
+
 class Unavailable(Exception):
     """A part that a rule needs is not to be had for this description; the text says why."""
 
@@ -45,12 +49,23 @@ class Reading(Record):
     @property
     def missing_arguments(self) -> tuple[str, ...]:
         """The arguments without which a xacro cannot be expanded."""
-        return tuple(dict.fromkeys(one.argument for one in self.problems if one.argument))
+        return tuple(dict.fromkeys(one.argument for one in self.lacking))
+
+    @property
+    def arguments_to_pass(self) -> tuple[str, ...]:
+        """The missing arguments, else those that xacro misses because their default comes later."""
+        early = (one.argument for one in self.problems if one.code == _TOO_EARLY)
+        return self.missing_arguments or tuple(dict.fromkeys(early))
+
+    @property
+    def lacking(self) -> list[Problem]:
+        """The problems that are nothing but arguments without a value."""
+        return [one for one in self.problems if one.argument and one.code != _TOO_EARLY]
 
     @property
     def missing_argument_codes(self) -> frozenset[str]:
         """The codes of the problems that are nothing but arguments without a value."""
-        return frozenset(one.code for one in self.problems if one.argument)
+        return frozenset(one.code for one in self.lacking)
 
     @property
     def is_fragment(self) -> bool:

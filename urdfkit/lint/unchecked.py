@@ -24,7 +24,7 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
         source: its file.
         resolver: finds packages, and reads files.
     """
-    names = tuple(dict.fromkeys(one.argument for one in reading.problems if one.argument))
+    names = tuple(dict.fromkeys(one.argument for one in reading.lacking))
     if not names or reading.xacro is None:
         errors = (p for p in reading.problems if get(p.code).severity is Severity.ERROR)
         first = next(errors, None)

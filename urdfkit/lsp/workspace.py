@@ -137,7 +137,7 @@ class Workspace:
             subject = Subject(resolver.given(robot.file), resolver, config.arguments)
         except UrdfkitError:
             return robot
-        if names := subject.reading.missing_arguments:
+        if names := subject.reading.arguments_to_pass:
             for one in given(robot.file, names, resolver)[:1]:
                 self._launched[robot.file] = one.arguments
                 return robot._replace(arguments=one.arguments)

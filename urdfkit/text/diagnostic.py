@@ -84,7 +84,7 @@ class Problem(Record):
         related: other places that explain it.
         fix: as text edits.
         severity: if it is not that of the rule.
-        argument: the xacro argument that lacks a value, if that is the problem.
+        argument: the xacro argument that has no value there, if that is the problem.
     """
 
     code: str

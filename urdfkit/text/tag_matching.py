@@ -9,6 +9,8 @@ from urdfkit.core.record import Record
 MAX_ERRORS = 100
 #: Tags that are compared to distinguish a missing end tag from one too many.
 LOOK_AHEAD = 10_000
+#: Tags before an end tag in which its start tag is looked for: the body of a macro is long.
+LOOK_BACK = 2000
 
 
 class SyntaxMistake(Record):
@@ -153,7 +155,7 @@ class TagMatching:
         if not self._open and self._root is not None and self._late:
             return
         notes = []
-        for earlier in reversed(self._tags[max(0, number - 100) : number]):
+        for earlier in reversed(self._tags[max(0, number - LOOK_BACK) : number]):
             if earlier.kind == "empty" and earlier.name == tag.name:
                 notes.append(
                     earlier.note(f"<{tag.name} .../> closes itself: its '/' is one too many")

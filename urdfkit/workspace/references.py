@@ -5,13 +5,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-
-if TYPE_CHECKING:
-    pass
-
 
 DRIVE = r"/?[A-Za-z]:/"
 

@@ -11,7 +11,6 @@ import re
 from collections.abc import Mapping
 from itertools import product
 from stat import S_ISDIR, S_ISREG
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound, UnreadableFile
@@ -20,9 +19,6 @@ from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.package_files import PackageFiles, join
 from urdfkit.workspace.packages import Packages, path_list
 from urdfkit.workspace.references import DRIVE, ResolvedReference, spellings, split_scheme
-
-if TYPE_CHECKING:
-    pass
 
 #: Why a file is not read, behind its path.
 OUTSIDE = "is outside the workspace and the packages of this model"

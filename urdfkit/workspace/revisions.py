@@ -116,7 +116,8 @@ def _git(directory: str, *words: str, index: str = "", given: bytes = b"") -> by
     environment = {name: value for name, value in os.environ.items() if name not in _OF_A_HOOK}
     if index:
         environment |= {"GIT_INDEX_FILE": index, "GIT_LFS_SKIP_SMUDGE": "1"}
-    command = ["git", "-C", directory, *words]
+    # A repository that was unpacked may have a .git/config of its author, which names a program.
+    command = ["git", "-c", "core.fsmonitor=false", "-C", directory, *words]
     try:
         done = subprocess.run(
             command, check=True, capture_output=True, env=environment, input=given

@@ -204,6 +204,7 @@ def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
         f"move the <xacro:arg> above the first use, or pass {name}:=VALUE",
         node.frame if node is not None else None,
         related(declaration.tag_at.span, "declared here"),
+        argument=name,
     )
 
 

@@ -90,3 +90,20 @@ def test_a_name_that_is_no_class(name: str, file: str, known: str) -> None:
 )
 def test_no_finding(file: str, name: str) -> None:
     assert reported("GAZ011", BASE + plugin(file, name=name)) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "system"),
+    [
+        ("libgz_diff_drive.so", "gz-sim-diff-drive-system"),
+        ("libignition-gazebo-imu.so", "gz-sim-imu-system"),
+        ("libgz_ray_sensor.so", None),
+        ("libdiff_drive_system.so", None),
+    ],
+)
+def test_a_library_that_is_called_like_a_system(file: str, system: str | None) -> None:
+    """Names that Gazebo never had; the class is another one, too."""
+    (found,) = reported("GAZ011", BASE + plugin(file))
+    assert found.severity is (Severity.WARNING if system else Severity.INFO)
+    assert found.fix is None
+    assert system is None or found.help == f"did you mean '{system}'?"

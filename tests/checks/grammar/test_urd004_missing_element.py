@@ -49,7 +49,7 @@ VISUAL = '<link name="a"><visual>\n<geometry>{}</geometry></visual></link>'
         ("<!-- box -->", "link 'a': <geometry> has no shape", "<geometry>"),
         (
             '<plane normal="0 0 1"/>',
-            "link 'a': <geometry> begins with <plane>, which is not a shape",
+            "link 'a': <geometry> begins with <plane>, which only Bullet reads",
             '<plane normal="0 0 1"/>',
         ),
         (

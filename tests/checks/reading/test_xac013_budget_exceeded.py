@@ -15,7 +15,7 @@ COUNT = '<xacro:macro name="m" params="n"><xacro:if value="${n}"><xacro:m n="${n
             '<xacro:macro name="m" params="n"><xacro:m n="${n+1}"/></xacro:macro><xacro:m n="0"/>',
             "rejected: macros call each other more than 150 levels deep",
         ),
-        ('<link name="${2**10**9}"/>', "rejected: an integer of 2e+09 bits in ${2**10**9}"),
+        ('<link name="${2**10**9}"/>', "rejected: an integer of 1e+09 bits in ${2**10**9}"),
         (
             "<link name=\"${'a'*10**9}\"/>",
             "rejected: a value of 1e+09 characters or items in ${'a'*10**9}",

@@ -44,12 +44,13 @@ def check(subject: Subject) -> Findings:
     from urdfkit.lint.unchecked import why_unchecked
 
     why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
-    wanting = [one for one in subject.reading.problems if one.argument]
     yield Finding(
         Location(_top(subject)),
         f"robot not checked: {why}",
         help,
-        related=tuple(Related(one.span, f"argument '{one.argument}'") for one in wanting),
+        related=tuple(
+            Related(one.span, f"argument '{one.argument}'") for one in subject.reading.lacking
+        ),
     )
 
 

@@ -3,7 +3,8 @@
 - Where all joints are at zero, a warning: the links are neither adjacent nor rigidly connected, and
   other poses separate them, but MoveIt rejects a plan that starts there, and a simulator with
   self-collision pushes the parts apart in its first step. Links below a joint that cannot be at
-  zero are not reported, nor an overlap below 1 mm, such as of a closed gripper.
+  zero are not reported, nor an overlap below 1 mm, such as of a closed gripper. The depth is said
+  of primitives and convex meshes; of other meshes coal has none that could be relied on.
 - In every pose, an info: at zero, at all limits and in some dozens of poses between. MoveIt can
   plan only when the pair is disabled in the SRDF (`urdfkit collisions --srdf`).
 - Adjacent links, an info: most of the smaller body is inside the other one, such as a wheel deep in
@@ -109,18 +110,23 @@ def _apart(pair: LinkPair, beginning: str) -> tuple[Contact, str, str, Severity]
             return None  # COL004
         return (
             contact,
-            f"{links} in every pose, by {_depth(contact)} {beginning}",
+            f"{links} in every pose" + (f",{by} {beginning}" if (by := _by(contact)) else ""),
             "make the collision geometry smaller, or disable the pair in the SRDF",
             Severity.INFO,
         )
-    if contact.depth > _DEEP and pair.is_at_zero:
+    if contact.depth > _DEEP and pair.is_at_zero and pair.is_deeper(_DEEP):
         return (
             contact,
-            f"{links} by {_depth(contact)} where all joints are at zero",
+            f"{links}{_by(contact)} where all joints are at zero",
             "correct an origin or the collision geometry, or begin in another pose",
             Severity.WARNING,
         )
     return None
+
+
+def _by(contact: Contact) -> str:
+    """How deep two links overlap, if that can be said: not of triangles."""
+    return f" by {_depth(contact)}" if contact.is_solid else ""
 
 
 def _depth(contact: Contact) -> str:

@@ -12,7 +12,8 @@ The controller manager does not load the controller, or the controller runs with
   type". Only what all versions of a class since Humble agree on is reported.
 - A value that must be positive is not.
 
-Only classes of the packages that urdfkit knows are checked.
+Only classes of the packages that urdfkit knows are checked, and not those of a package of the
+workspace, which may have parameters of its own.
 
 Sources:
     rclcpp, parameter types: https://docs.ros.org/en/rolling/Concepts/Basic/About-Parameters.html
@@ -84,6 +85,8 @@ def check(subject: Subject) -> Findings:
         names = {one.name for one in found}
         others = {n: section for n, section in everywhere.items() if n not in names}
         for one in found:
+            if _is_of_workspace(subject, one):
+                continue
             known = parameters_of(one.type, one.ros)
             own = everywhere.get(one.name, one.section)
             problems = [*_unknown_class(one), *_missing(one, own, others)]
@@ -99,6 +102,15 @@ def check(subject: Subject) -> Findings:
                         related=(file.note,),
                         severity=severity,
                     )
+
+
+def _is_of_workspace(subject: Subject, controller: Controller) -> bool:
+    """True if the sources of its class are in the workspace: the package of the same name."""
+    directory = subject.resolver.packages.known(subject.source.path).get(
+        controller.type.partition("/")[0]
+    )
+    found = subject.resolver.directories.find(directory, "CMakeLists.txt") if directory else None
+    return found is not None
 
 
 def _unknown_class(controller: Controller) -> Iterator[_Problem]:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.context import need_pinocchio
+from urdfkit.lint.requirements import need_pinocchio
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import arm_xml

@@ -80,11 +80,14 @@ def _unknown(subject: Subject) -> Findings:
 
 def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
     """Each frame that is named: by whom, where, its name."""
+    spaced = {link.rpartition("/")[2] for link in subject.model.links_by_name if "/" in link}
     for use in subject.plugins:
         for item in use.items:
             parameter = use.plugin.parameters.get(item.path) if use.plugin else None
             if parameter is None or parameter.type != "frame" or item.text in parameter.words:
                 continue
+            if item.text in spaced and _is_of_ros1(use):
+                continue  # the plugin puts the namespace, perhaps the model's name, in front of it
             is_far = _is_of_the_world(item.path) or _is_of_the_world(item.text)
             if not is_far or (item.text.startswith("/") and not _is_of_ros1(use)):
                 yield use.title, item.at, item.text

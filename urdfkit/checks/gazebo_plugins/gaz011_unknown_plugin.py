@@ -2,8 +2,9 @@
 
 Gazebo looks for a library of exactly the name in `filename`, finds none, reports it among other
 messages of its start, and continues without the plugin: the robot does not drive, the sensor does
-not publish. A name close to that of a known library is a warning, with a fix. Any other name is
-taken for a vendor's library, of which nothing more is known: an info.
+not publish. A name close to that of a known library is a warning, with a fix; so is one of the same
+words as a system of gz-sim, such as `libgz_diff_drive.so` for `gz-sim-diff-drive-system`, without a
+fix. Any other name is taken for a vendor's library, of which nothing more is known: an info.
 
 In gz-sim the `name` of a plugin is not a free label, as it is in Gazebo Classic, but the class in
 the library. With another one Gazebo writes "library does not contain requested plugin" and
@@ -22,7 +23,7 @@ import re
 
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.plugins import Plugin, misspelt
+from urdfkit.ros.catalog.plugins import Plugin, misspelt, of_same_words
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.editing.edits import fix_value
@@ -47,6 +48,9 @@ def check(subject: Subject) -> Findings:
             continue  # GAZ010
         elif suggested := misspelt(use.filename):
             yield _misspelt(use, suggested)
+        elif system := of_same_words(use.filename):
+            # Its class has another name as well, so that there is no fix.
+            yield _misspelt(use, system)._replace(fix=None)
         elif use.filename not in reported:
             reported.add(use.filename)  # one robot may use a library a hundred times
             yield Finding(

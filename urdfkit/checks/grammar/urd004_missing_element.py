@@ -4,12 +4,13 @@ urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects a robot with a joint without `
 `<child>`. Of an `<inertial>` without `<mass>` or `<inertia>` it drops the inertia; of a visual or
 collision without `<geometry>`, or whose `<geometry>` does not begin with a shape, it drops all
 visuals and collisions of the link, with one line in the log. The shapes are box, cylinder, sphere,
-mesh and, from version 1.1, capsule. A plane is a thin box; a `<material>` belongs after the
-`<geometry>`.
+mesh and, from version 1.1, capsule. A plane is a thin box; that Bullet reads `<plane>`, and no
+other program, is an info. A `<material>` belongs after the `<geometry>`.
 
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
+    Bullet, UrdfParser.cpp: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/UrdfParser.cpp
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from urdfkit.robot.samples import inertial_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
 from urdfkit.text.schema import SHAPES
+from urdfkit.text.urdf_extensions import has_element
 
 BAD = link_xml("base", '<inertial><mass value="2"/></inertial>')
 GOOD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
@@ -37,7 +39,11 @@ def check(subject: Subject) -> Findings:
 
 def _without_shape(element: Element, who: str) -> Finding:
     """A geometry without a shape, or what comes first in it."""
-    message = f"{who}: <geometry> has no shape"
-    if element.tag != "geometry":
+    message, severity = f"{who}: <geometry> has no shape", Severity.ERROR
+    if has_element("geometry", element.tag):
+        message = f"{who}: <geometry> begins with <{element.tag}>, which only Bullet reads"
+        severity = Severity.INFO
+    elif element.tag != "geometry":
         message = f"{who}: <geometry> begins with <{element.tag}>, which is not a shape"
-    return Finding(element, message, f"let its first element be one of {', '.join(SHAPES)}")
+    help = f"let its first element be one of {', '.join(SHAPES)}"
+    return Finding(element, message, help, severity=severity)

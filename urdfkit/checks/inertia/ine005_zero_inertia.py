@@ -4,7 +4,8 @@ It can be rotated about that axis without effort: the equations of motion have n
 engines divide by zero, and the link spins or vanishes. MuJoCo rejects the robot. A tensor of zeros
 comes from a failed export, or from too few decimal places; compute it from mass and size. A single
 zero moment was rounded away, or a CAD program exported a wire or a surface: give the part its
-thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning.
+thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning,
+and so is a tensor that is not zero, but less than 1e-15 kg·m².
 
 Where MuJoCo is a target, it is an error for every link with a moment below 1e-14 kg·m², also for
 one that is fixed to a heavier one: MuJoCo reads each tensor before it merges links. A tensor of
@@ -70,7 +71,10 @@ def _zero(masses: Masses) -> Iterator[tuple[LinkInertia, Finding]]:
         assert body.joint is not None
         for link, _ in body.links:
             if one := masses.by_name.get(link.name):
-                yield one, _finding(one, body.joint)
+                found = _finding(one, body.joint)
+                # Not zero: a stand-in of a micrometre, which engines integrate all the same.
+                is_written = masses.moments_of(body)[2] > 0
+                yield one, found._replace(severity=Severity.WARNING) if is_written else found
 
 
 def _finding(one: LinkInertia, joint: Joint) -> Finding:

@@ -3,8 +3,9 @@
 Hollow plastic has some 50 kg/m³, wood 600, aluminium 2700, steel 7800, lead 11300. A mass in
 grams, a size in millimetres or a missing zero puts a link far outside: forces and torques in the
 simulation are wrong. Correct the mass or the size. If most links of a robot are wrong, they are one
-finding: the unit was mistaken for all of them. Suppress this where a collision shape is
-intentionally much smaller or larger than the part.
+finding: the unit was mistaken for all of them. It is an info up to twice outside of what robot
+parts have, and for a light body of more than 1 m³, such as a wall of a scene. Suppress this where a
+collision shape is intentionally much smaller or larger than the part.
 
 Sources:
     measured: mass over volume of 2 042 public links: median 1 180, from 238 to 6 975 for 90 %
@@ -35,6 +36,11 @@ BAD = link_xml(
 FIXED = GOOD = (
     BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375", "0.0004375")
 )
+
+#: A density that is so many times too high or too low may be that of a coarse shape.
+_NEAR = 2.0
+#: In m³: larger than the parts of robots.
+_ROOM = 1.0
 
 
 @rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)
@@ -79,7 +85,14 @@ def _finding(one: LinkInertia) -> Finding:
         confidence=Confidence.INFERRED,
         weight=max(density / HEAVIEST, LIGHTEST / density),
         group_key="density",
+        severity=Severity.INFO if _is_harmless(one, density) else None,
     )
+
+
+def _is_harmless(one: LinkInertia, density: float) -> bool:
+    """True near a bound, and for the walls of a scene."""
+    is_near = LIGHTEST / _NEAR <= density <= HEAVIEST * _NEAR
+    return is_near or (density < LIGHTEST and one.solid is not None and one.solid.volume > _ROOM)
 
 
 def _in_kilograms(one: LinkInertia) -> Fix | None:

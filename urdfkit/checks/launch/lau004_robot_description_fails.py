@@ -18,8 +18,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from urdfkit.lint.rule_index import get
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
 from urdfkit.ros.launch.contents import LaunchedDescription
+from urdfkit.text.diagnostic import Problem
 
 NAME = "robot.launch"
 _ROBOT = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="%s"/></robot>'
@@ -37,10 +39,10 @@ def check(subject: Subject) -> Findings:
     for description in subject.launch.descriptions:
         robot = subject.other_robot(description.path, description.arguments)
         if robot.reading.document is None and not _may_expand(description, robot):
-            first, *others = (problem.message for problem in robot.reading.problems)
+            first, *others = _errors(robot) or robot.reading.problems
             more = f", and {len(others)} more" if others else ""
             place = Location(description.frame.call.span, description.frame.outer)
-            yield Finding(place, f"'{description.path}' does not expand: {first}{more}")
+            yield Finding(place, f"'{description.path}' does not expand: {first.message}{more}")
         elif description.is_yaml and (reason := _why_no_text(robot)):
             place = Location(description.frame.call.span, description.frame.outer)
             message = f"launch reads the robot description as YAML, {reason}"
@@ -52,8 +54,14 @@ def _may_expand(description: LaunchedDescription, robot: Subject) -> bool:
 
     Or packages only, that this machine lacks: that is reported where they are needed.
     """
-    codes = {problem.code for problem in robot.reading.problems}
+    codes = {problem.code for problem in (_errors(robot) or robot.reading.problems)}
     return codes == {"XAC011"} or (not description.is_whole and codes == {"XAC010"})
+
+
+def _errors(robot: Subject) -> list[Problem]:
+    """The errors of an expansion, a package that is not on this machine last."""
+    found = [one for one in robot.reading.problems if get(one.code).severity is Severity.ERROR]
+    return sorted(found, key=lambda problem: problem.code == "XAC011")
 
 
 def _why_no_text(robot: Subject) -> str:

@@ -3,7 +3,8 @@
 - White space: Gazebo's topics, command lines and parameter names break at it, and a name that ends
   in a space is never found again.
 - `::` separates scopes in SDF, and Gazebo rejects it in a name.
-- `/` in the name of a joint that moves: ROS 1 parameters and MoveIt read it as a path.
+- `/` in the name of a joint that moves: ROS 1 parameters and MoveIt read it as a path. An info if
+  the link has the same namespace.
 - `/` at the beginning of the name of a link: links become frames of TF, and tf2 rejects such
   frames; `/base_link` and `base_link` are two frames. ROS 1's first TF allowed it.
 - `world` and names in double underscores are reserved in SDF. Gazebo never creates a link `world`:
@@ -28,7 +29,7 @@ from __future__ import annotations
 from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.model import Link
 from urdfkit.ros.targets import GAZEBO
-from urdfkit.text.document import Attribute
+from urdfkit.text.document import Attribute, Element
 from urdfkit.text.grammar import is_expression
 
 BAD = '<link name="base link"/>'
@@ -60,9 +61,17 @@ def _characters(name: Attribute) -> Findings:
         reason = "'/' in the name of a joint, which ROS parameters read as a path"
     else:
         return
-    # Nothing refers to a fixed joint by its name.
-    severity = Severity.INFO if is_fixed_joint else None
+    # Nothing refers to a fixed joint by its name; a namespace for the link as well is on purpose.
+    is_harmless = is_fixed_joint or ("/" in text and _has_namespace(name.element, text))
+    severity = Severity.INFO if is_harmless else None
     yield Finding(name, f"{tag} '{text}': {reason}", group_key=reason, severity=severity)
+
+
+def _has_namespace(joint: Element, text: str) -> bool:
+    """True if the link that a joint moves has the same words up to a slash in front of its name."""
+    child = joint.child("child")
+    space = text.rpartition("/")[0] + "/"
+    return child is not None and (child.get("link") or "").startswith(space)
 
 
 def _first_character(subject: Subject, name: Attribute) -> Findings:

@@ -3,7 +3,8 @@
 Without the link there is no tree: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and
 PyBullet reject the robot. The name is misspelt, a prefix is missing, or the macro that makes the
 link was not called. `world` is no exception: it needs a `<link name="world"/>` like every other
-link, except for Drake, which has that link itself.
+link, except for Drake, which has that link itself. In a xacro that has no base of its own, such as
+a sensor for some robot, a missing parent is a warning.
 
 urdfdom does not check the joint of a `<mimic>`: Drake rejects the robot, MoveIt drops the coupling,
 joint_state_publisher stops with an exception.
@@ -32,6 +33,8 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("base_lnk", "base_link")
 
+_INCLUDE = "add the link, or include the file in the robot that has it"
+
 
 @rule(Severity.ERROR, reports_missing=True)
 def check(subject: Subject) -> Findings:
@@ -42,6 +45,7 @@ def check(subject: Subject) -> Findings:
 def _links(subject: Subject) -> Findings:
     known = subject.model.links_by_name
     children = {joint.child.value for joint in subject.model.joints if joint.child}
+    is_fragment = subject.source.path.endswith(".xacro") and not subject.has_base
     # A second parent would be another error.
     suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
     for joint in subject.model.joints:
@@ -54,6 +58,7 @@ def _links(subject: Subject) -> Findings:
                 continue
             if subject.is_part:  # the file that includes it has the link
                 return
+            is_awaited = role == "parent" and is_fragment
             suggested = suggesters[role].suggested(link.value)
             if suggested in _ends(joint):
                 suggested = ""
@@ -61,8 +66,9 @@ def _links(subject: Subject) -> Findings:
             yield Finding(
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
-                "correct the name, or add the link",
+                _INCLUDE if is_awaited else "correct the name, or add the link",
                 fix_value(link, suggested) or _added_world(joint, link),
+                severity=Severity.WARNING if is_awaited else None,
             )
 
 

@@ -25,6 +25,8 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("gray", "grey")
 
+#: In lower case: names that say that there is no material.
+_NONE = ("", "none")
 #: Visuals with the same material that are shown.
 SHOWN = 8
 
@@ -81,7 +83,9 @@ def _uses_without_colour(
     bare: dict[str, list[Attribute]] = {}
     for material in used:
         name = material.attributes.get("name")
-        if name is None or not name.value or name.value in defined or is_expression(name.value):
+        if name is None or name.value.lower() in _NONE or is_expression(name.value):
+            continue
+        if name.value in defined:
             continue
         if _is_filled(material):
             defined.add(name.value)

@@ -26,8 +26,10 @@ def other_name(name: str, directory: str) -> Findings:
         source = _read(directory, file)
         if source is None:
             continue
-        found = re.search(pattern, source.data)
-        if found and found.group(1).decode() != name:
+        # With several projects, such as a superbuild around it, one of them is the package.
+        every = list(re.finditer(pattern, source.data))
+        if every and name not in [one.group(1).decode() for one in every]:
+            found = every[0]
             yield Finding(
                 Location(Span(source, *found.span(1))),
                 f"project name '{found.group(1).decode()}' in {file} differs from the package name "

@@ -1,8 +1,9 @@
 """A ROS package that a robot or a launch file needs is not found.
 
 Without it a xacro cannot be expanded, and no program here can load its meshes: an error, one for
-all meshes of a package. It is a warning if `package.xml` declares the package or ROS has it, since
-only this machine then lacks it. `roslaunch` stops with "ResourceNotFound", `ros2 launch` with
+all meshes of a package. If `package.xml` declares the package or ROS has it, only this machine
+lacks it: a warning where the robot cannot be checked, an info where only its meshes are not.
+`roslaunch` stops with "ResourceNotFound", `ros2 launch` with
 "package not found": an info where `package.xml` does not declare the package, and a warning where
 its name is a typo. Name the directory of the package, put it into the workspace, or source the ROS
 installation that has it.
@@ -74,7 +75,7 @@ def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
         group_key=f"meshes of {name}",
-        severity=_severity(subject, name, first.at.span),
+        severity=_severity(subject, name, first.at.span) and Severity.INFO,
     )
 
 

@@ -6,6 +6,7 @@
 - A controller in a parameter file: it finds no interface of that name and cannot be activated ("not
   in the list of available interfaces"). A controller none of whose joints is in the robot is taken
   for one of another variant, if other controllers fit, or if the names differ in a prefix only.
+  Hardware of ROS 1 has names of its own: a warning, unless a plugin of Gazebo is the hardware.
 
 Correct the name.
 
@@ -27,7 +28,13 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
-from urdfkit.ros.ros_control import called, components, driven_joints, reads_transmissions
+from urdfkit.ros.ros_control import (
+    called,
+    components,
+    control_plugins,
+    driven_joints,
+    reads_transmissions,
+)
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
@@ -97,6 +104,7 @@ def _of_controllers(subject: Subject) -> Findings:
     for component in components(subject.model):  # a controller may command a GPIO, too
         known.update(part.name for part in component.parts)
     suggester = Suggester(known)
+    own = None if control_plugins(subject.model) else Severity.WARNING
     for file, found in subject.controllers:
         named = [(controller, _joints(controller)) for controller in found]
         any_known = any(value.text in known for _, values in named for value in values)
@@ -113,6 +121,7 @@ def _of_controllers(subject: Subject) -> Findings:
                         "fix the name in the parameter file",
                         related=(file.note,),
                         group_key="" if hint else file.path,
+                        severity=own if controller.ros == 1 else None,
                     )
 
 

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.catalog.ros_control import hardware
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
@@ -48,6 +49,9 @@ _INTERFACES = {
 }
 _GRIPPER = "GripperActionController"
 _DRIVE = "diff_drive_controller/DiffDriveController"
+
+#: It has no interface but those that are written.
+_MOCK = "mock_components/GenericSystem"
 
 #: The interfaces of joints, by the names of the joints.
 _Offered = dict[str, set[str]]
@@ -118,12 +122,16 @@ def _without_state(subject: Subject) -> Findings:
 
 
 def _offered(subject: Subject, direction: str) -> _Offered:
-    """The interfaces of one direction of the joints in ``<ros2_control>``."""
+    """The interfaces of one direction of the joints in ``<ros2_control>``.
+
+    A hardware component may export others than these by itself. One that has none here does.
+    """
     return {
         # gazebo_ros2_control offers position_pid as position, with a PID of its own behind it.
         part.name: {interface.name.removesuffix("_pid") for interface in part.of(direction)}
         for component in components(subject.model)
         for part in component.joints
+        if part.interfaces or component.hardware in (*hardware(), _MOCK)
     }
 
 

@@ -23,6 +23,9 @@ _FLAT = 1e-6
 #: A mesh is its own hull if their volumes differ by no more than this, relatively.
 _CONVEX = 1e-6
 
+#: Faces at a vertex count as parallel below this ratio of the spread of their normals.
+_PARALLEL = 0.01
+
 #: Of a cube, with a triangle, as coal makes hulls of surfaces only.
 _CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
 _BOX = np.array([[0, 1, 2]])
@@ -110,6 +113,34 @@ def _is_flat(vertices: Floats) -> bool:
     return len(vertices) < 4 or bool(spread[2] <= _FLAT * spread[0])
 
 
+def _drawn_in(vertices: Floats, faces: Integers, depth: float) -> tuple[Floats, Integers]:
+    """A closed surface whose faces are moved inwards.
+
+    A vertex goes where all its faces want it, by least squares: where faces meet that are almost
+    parallel, nothing but their common direction counts.
+
+    Args:
+        vertices: (n, 3).
+        faces: (m, 3).
+        depth: in the unit of the vertices.
+
+    Returns:
+        Vertices, each once, and faces.
+    """
+    points, number = np.unique(np.round(vertices, 7), axis=0, return_inverse=True)
+    corners = number.reshape(-1)[faces]
+    a, b, c = (points[corners[:, corner]] for corner in range(3))
+    normals = np.cross(b - a, c - a)
+    size = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals /= np.where(size > 0, size, 1) * (1 if volume(points, corners) > 0 else -1)
+    products, sums = np.zeros((len(points), 3, 3)), np.zeros((len(points), 3))
+    for corner in range(3):
+        np.add.at(products, corners[:, corner], normals[:, :, None] * normals[:, None, :])
+        np.add.at(sums, corners[:, corner], normals)
+    inverse = np.linalg.pinv(products, rcond=_PARALLEL, hermitian=True)
+    return points - depth * (inverse @ sums[:, :, None])[:, :, 0], corners
+
+
 def volume(vertices: Floats, faces: Integers) -> float:
     """Of a closed surface, in m^3; negative if it is inside out (divergence theorem)."""
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
@@ -163,6 +194,29 @@ class DistanceQuery:
                 return -depth
             limit = max(limit, 0.0) + self._reach  # the hulls give no bound here
         return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
+
+    def is_deeper(self, rotation: Floats, translation: Floats, depth: float) -> bool:
+        """True if the two overlap by more than a depth.
+
+        coal's depth of triangles is no measure: where two meshes only touch, an edge in the plane
+        of another triangle is as "deep" as it is far from that triangle's border. So the faces of
+        one mesh are drawn in, and what only touched no longer does.
+
+        Args:
+            rotation: (3, 3), of the second in the frame of the first.
+            translation: (3,), in the same frame.
+            depth: in m.
+        """
+        if self.distance(rotation, translation, 0.0) >= -TOUCH:
+            return False
+        if self.is_exact:
+            return self.hulls(rotation, translation) < -depth
+        bodies = [self.first.exact, self.second.exact]
+        moved = 0 if self.first.solid.kind == "mesh" else 1
+        mesh = (self.first, self.second)[moved].solid
+        bodies[moved] = _surface(*_drawn_in(mesh.vertices, mesh.faces, depth))
+        self._hits.clear()
+        return bool(coal.collide(bodies[0], _STILL, bodies[1], self._place, self._one, self._hits))
 
     def hulls(self, rotation: Floats, translation: Floats) -> float:
         """The signed distance of the hulls of the two, in m; a lower bound of theirs."""

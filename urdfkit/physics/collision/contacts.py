@@ -102,6 +102,12 @@ class LinkPair:
             return None
         return Contact(*_by_size(*nearest), -best, all(map(robot.is_convex, nearest)))
 
+    def is_deeper(self, depth: float) -> bool:
+        """True if the two bodies of the contact overlap by more than a depth, in m."""
+        if self.contact is None or self.contact.is_solid:
+            return self.contact is not None and self.contact.depth > depth
+        return self._robot.is_deeper(self.contact.small, self.contact.large, depth)
+
     @cached_property
     def is_contained(self) -> bool:
         """True if all bodies of the smaller one's link are in the inside of the large one."""
@@ -227,6 +233,10 @@ class Contacts:
         """
         found = signed_distance(first.kind, first.size, second.kind, second.size, at)
         return self._exact.distance(first, second, at) if found is None else found
+
+    def is_deeper(self, first: CollisionBody, second: CollisionBody, depth: float) -> bool:
+        """True if two bodies, of which one is not convex, overlap by more than a depth, in m."""
+        return self._exact.is_deeper(first, second, relative(first, second, self.frames), depth)
 
     def is_convex(self, body: CollisionBody) -> bool:
         """True for primitives, and meshes that fill their hull."""

@@ -48,6 +48,23 @@ class ExactDistances:
         query = DistanceQuery(one, other)
         return query.distance(np.array(at.rotation), np.array(at.position), 0.0)
 
+    def is_deeper(
+        self, first: CollisionBody, second: CollisionBody, at: Transform, depth: float
+    ) -> bool:
+        """True if two bodies overlap by more than a depth.
+
+        Args:
+            first: a body.
+            second: another one.
+            at: the frame of the second in that of the first.
+            depth: in m.
+        """
+        one, other = self._geometry(first), self._geometry(second)
+        if one is None or other is None:
+            return False
+        query = DistanceQuery(one, other)
+        return query.is_deeper(np.array(at.rotation), np.array(at.position), depth)
+
     def is_convex(self, body: CollisionBody) -> bool:
         """True for a body that fills its hull."""
         found = self._geometry(body)

@@ -155,6 +155,10 @@ def files() -> tuple[str, ...]:
     return tuple(_numbers())
 
 
+#: Words in the names of Gazebo's libraries that do not say what they do.
+_FRAME = frozenset("gz ign ignition gazebo sim system plugin".split())
+
+
 @cache
 def misspelt(filename: str) -> str:
     """The file name suggested for an unknown one; empty if it may be a vendor's own.
@@ -163,6 +167,19 @@ def misspelt(filename: str) -> str:
     """
     stem = _stem(filename)
     return next((file for file in files() if is_typo(stem, _stem(file))), "")
+
+
+def of_same_words(filename: str) -> str:
+    """The system of gz-sim that is called like an unknown library: libgz_diff_drive.so; or empty.
+
+    Only names that begin like those of Gazebo's own libraries are looked at.
+    """
+    words = re.findall(r"[a-z0-9]+", _stem(filename).casefold())
+    if words[:1] not in (["gz"], ["ign"], ["ignition"]):
+        return ""
+    kind = set(words) - _FRAME
+    alike = (name for name in files() if name.startswith("gz-sim-"))
+    return next((name for name in alike if kind and set(name.split("-")) - _FRAME == kind), "")
 
 
 def _stem(filename: str) -> str:

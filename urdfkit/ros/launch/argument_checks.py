@@ -142,19 +142,34 @@ def declares_others(path: str) -> bool:
 
 
 def is_included(path: str, resolver: Resolver) -> bool:
-    """True if another launch file of the package names this one: arguments may come from there."""
+    """True if another launch file names this one: arguments may come from there.
+
+    One of another package of the workspace must name the package, too.
+    """
     home = resolver.packages.enclosing(path)
-    directory = home[1] if home else os.path.dirname(os.path.abspath(path))
+    if home is None:
+        return _is_named(path, os.path.dirname(os.path.abspath(path)), "", resolver)
+    package, directory = home
+    return _is_named(path, directory, "", resolver) or _is_named(
+        path, resolver.packages.workspace(path), package, resolver
+    )
+
+
+def _is_named(path: str, directory: str, package: str, resolver: Resolver) -> bool:
+    """True if a launch file of a directory names another one, and a package."""
     name = os.path.basename(path)
-    siblings = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
-    others = [file for file in siblings if os.path.basename(file) != name]
-    return len(others) > MAX_FILES or any(_names(name.encode(), one, resolver) for one in others)
+    found = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
+    others = [file for file in found if os.path.basename(file) != name]
+    return len(others) > MAX_FILES or any(
+        _names(name.encode(), package.encode(), one, resolver) for one in others
+    )
 
 
-def _names(name: bytes, other: str, resolver: Resolver) -> bool:
+def _names(name: bytes, package: bytes, other: str, resolver: Resolver) -> bool:
     """True if a launch file names another one, or the end of what it puts together is its name."""
     try:
         text = resolver.read(other).data
     except UnreadableFile:
         return False
-    return name in text or any(map(name.endswith, _COMPUTED.findall(text)))
+    is_named = name in text or any(map(name.endswith, _COMPUTED.findall(text)))
+    return is_named and package in text

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 from collections.abc import Iterator
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
+from urdfkit.ros.launch.contents import Word
 from urdfkit.ros.launch.evaluation import evaluate
+from urdfkit.text.document import Attribute
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -17,6 +20,8 @@ _IN_FILES = {
     1: r"\$\((arg|find|env|optenv|eval) [^)\n]*\)",
     2: r"\$\((var|find-pkg-share|find-pkg-prefix|env) [^)\n]*\)",
 }
+#: In a word, for a part that is known at run time only.
+_UNKNOWN_WORD = "\0"
 #: Substitutions inside one another that are followed.
 MAX_LEVELS = 50
 
@@ -67,6 +72,24 @@ class Substitutions:
             default = rest.split(None, 1)
             return default[1].strip("'\"") if len(default) > 1 else None
         return None  # anon, exec-in-pkg, command
+
+    def words(self, attribute: Attribute | None) -> tuple[Word, ...]:
+        """The words of a command line; the places of plain ones."""
+        if attribute is None:
+            return ()
+        written: list[str] = []
+        for is_command, part in pieces(attribute.value):
+            value = self.command(part, attribute.span) if is_command else part
+            # An argument that is empty unless it is given is a word, too.
+            written.append(value or _UNKNOWN_WORD)
+        text = "".join(written)
+        try:
+            words = shlex.split(text)
+        except ValueError:  # an unfinished quote
+            words = text.split()
+        return tuple(
+            Word(None if _UNKNOWN_WORD in word else word, attribute.span) for word in words
+        )
 
     def _found(self, package: str, span: Span) -> str:
         """The directory of a package.

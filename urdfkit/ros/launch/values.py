@@ -116,6 +116,8 @@ class Values:
             package = call.func.value  # FindPackageShare(...).find(...)
             is_one = isinstance(package, ast.Call) and called(package) in _PACKAGE_DIRECTORY
             return self.text(package, depth + 1) if is_one else None
+        if name == "perform" and isinstance(call.func, ast.Attribute):
+            return self.text(call.func.value, depth + 1)  # in an OpaqueFunction
         if name in _PASSED_ON and call.args:
             return self.text(call.args[0], depth + 1)
         return None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import shlex
 from collections.abc import Iterable, Mapping
 
 from urdfkit.errors import UnreadableFile
@@ -16,10 +15,10 @@ from urdfkit.ros.launch.argument_checks import (
     unknown_to_included,
 )
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
-from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, StartedProgram, Word
+from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, StartedProgram
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
-from urdfkit.ros.launch.substitutions import Substitutions, pieces, unresolved
+from urdfkit.ros.launch.substitutions import Substitutions, unresolved
 from urdfkit.ros.launch.tags import dialect, mistakes
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Element
@@ -33,8 +32,6 @@ MAX_LEVELS = 50
 MAX_PROBLEMS = 1000
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
-#: In a word, for a part that is known at run time only.
-_UNKNOWN_WORD = "\0"
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
@@ -282,7 +279,7 @@ class _File:
         started = StartedProgram(
             name or "",
             (self.text(executable) if executable else None) or "",
-            self._words(arguments),
+            self.substitutions.words(arguments),
             self._parameters(element),
             element.span,
             self.frame,
@@ -293,28 +290,10 @@ class _File:
         self._children(element)
 
     def _executable(self, element: Element) -> None:
-        words = self._words(element.attributes.get("cmd"))
+        words = self.substitutions.words(element.attributes.get("cmd"))
         is_sure = not self._unknown_conditions
         started = StartedProgram("", "", words, {}, element.span, self.frame, is_sure)
         self.collector.started.append(started)
-
-    def _words(self, attribute: Attribute | None) -> tuple[Word, ...]:
-        """The words of a command line; the places of plain ones."""
-        if attribute is None:
-            return ()
-        written: list[str] = []
-        for is_command, part in pieces(attribute.value):
-            value = self.substitutions.command(part, attribute.span) if is_command else part
-            # An argument that is empty unless it is given is a word, too.
-            written.append(value or _UNKNOWN_WORD)
-        text = "".join(written)
-        try:
-            words = shlex.split(text)
-        except ValueError:  # an unfinished quote
-            words = text.split()
-        return tuple(
-            Word(None if _UNKNOWN_WORD in word else word, attribute.span) for word in words
-        )
 
     def _parameters(self, element: Element) -> dict[str, str | None] | None:
         """The parameters that a node is given in ROS 2, if no files give some.

@@ -204,6 +204,8 @@ def read(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> 
     document, _ = _parsed(path, resolver, trust=trust)
     if document is None or document.root.tag != "robot":
         return None
+    if path.endswith(".xacro") and not document.root.children:
+        return None  # macros, for other files
     return Srdf(path, document.root, tree)
 
 

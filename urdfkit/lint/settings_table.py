@@ -1,0 +1,111 @@
+"""Typed access to a table of settings in TOML, with errors that name the file and the setting."""
+
+from __future__ import annotations
+
+import os
+from math import inf
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.config import ConfigError
+from urdfkit.text.diagnostic import Confidence, Severity
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+C = TypeVar("C", Confidence, Severity)
+
+#: What TOML calls the values that settings have.
+_KINDS = {
+    bool: "true or false",
+    dict: "a table",
+    int: "a whole number",
+    list: "a list",
+    str: "text",
+}
+
+
+class SettingsTable:
+    """Takes settings out of a table one by one; what is left at the end does not exist.
+
+    Args:
+        path: of the file.
+        table: the settings.
+        where: the name of the table; empty for the outermost.
+        trusted: False if it comes with a robot from anywhere.
+    """
+
+    def __init__(self, path: str, table: dict[str, Any], where: str, *, trusted: bool) -> None:
+        self.path = path
+        self.trusted = trusted
+        self.directory = os.path.dirname(os.path.abspath(path))
+        self.where = where
+        self.warnings: list[str] = []
+        self._left = dict(table)
+        self._known: list[str] = []
+
+    def error(self, message: str) -> ConfigError:
+        """An error that names the file and the table."""
+        where = f"{self.where}: " if self.where else ""
+        return ConfigError(f"{self.path}: {where}{message}")
+
+    def take(self, key: str, kind: type, default: Any) -> Any:
+        """A setting of a type.
+
+        Raises:
+            ConfigError: it has another one.
+        """
+        self._known.append(key)
+        value = self._left.pop(key, default)
+        if not isinstance(value, kind):
+            raise self.error(f"'{key}' must be {_KINDS[kind]}, not {value!r}")
+        return value
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """A list of strings."""
+        values = self.take(key, list, [])
+        for value in values:
+            if not isinstance(value, str):
+                raise self.error(f"'{key}' must hold strings, not {value!r}")
+        return tuple(values)
+
+    def number(self, key: str, default: float) -> float:
+        """A number that is not below 0; a whole one where the default is."""
+        self._known.append(key)
+        value = self._left.pop(key, default)
+        is_whole = isinstance(default, int)
+        is_number = isinstance(value, int if is_whole else (int, float))
+        if not is_number or isinstance(value, bool) or not 0 <= value < inf:
+            kind = "a whole number" if is_whole else "a number"
+            raise self.error(f"'{key}' must be {kind} from 0, not {value!r}")
+        return float(value) if not is_whole else int(value)
+
+    def choice(self, key: str, default: C) -> C:
+        """A setting that is one of the words of an enumeration."""
+        return self.as_choice(type(default), key, self.take(key, str, default.value))
+
+    def as_choice(self, kind: type[C], key: str, value: Any) -> C:
+        """The member of an enumeration that a word names."""
+        known = [one.value for one in kind]
+        if value not in known:
+            raise self.error(f"'{key}' must be one of {', '.join(known)}, not {value!r}")
+        return kind(value)
+
+    def tables(self, key: str) -> list[Self]:
+        """An array of tables, ``[[key]]``."""
+        values = self.take(key, object, [])
+        if not (isinstance(values, list) and all(isinstance(value, dict) for value in values)):
+            raise self.error(f"'{key}' must be tables, written [[{key}]]")
+        return [
+            type(self)(self.path, value, f"{key}[{i}]", trusted=self.trusted)
+            for i, value in enumerate(values, 1)
+        ]
+
+    def finish(self, what: str = "setting") -> None:
+        """See that nothing is left.
+
+        Raises:
+            ConfigError: there is a setting that does not exist; with the nearest name.
+        """
+        for key in self._left:
+            raise self.error(f"unknown {what} '{key}'{did_you_mean(key, self._known)}")
