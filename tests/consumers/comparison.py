@@ -116,7 +116,7 @@ def verdict(name: str, path: Path, arguments: dict[str, str]) -> Verdict | None:
         text = with_absolute_paths(subject)
     except (Unavailable, ElementTree.ParseError):
         return None
-    if subject.is_part or subject.missing_arguments:
+    if subject.is_part or subject.reading.missing_arguments:
         return None
     refusal = refusal_of(name, text, path.parent)
     result = run_rules(subject, rule_index.codes(), options)
