@@ -103,7 +103,7 @@ class _Climb:
         self._names = dict.fromkeys(
             model.bodies[number].law.leader
             for target in self._targets
-            for number in (*self._paths[target], *model.below[target])
+            for number in (*self._paths[target], *model.below(target))
         )
         self._names.pop("", None)
         self.steps = 0
@@ -162,7 +162,7 @@ class _Climb:
         """Choose the position of each joint that moves alone, below and above; the torque then."""
         (target,) = self._targets
         way, body = self._paths[target], self._bodies[target]
-        self.steps += len(way) + len(self._model.below[target])
+        self.steps += len(way) + len(self._model.below(target))
         befores, up = self._ups(way)
         moment = body.moment
         if body.turns:
@@ -178,7 +178,7 @@ class _Climb:
 
     def _moment(self, target: int, wanted: Vector | None = None) -> Vector:
         """Of all that a body carries; the positions are chosen for its part along a vector."""
-        below = self._model.below[target]
+        below = self._model.below(target)
         moments = {number: self._bodies[number].moment for number in below}
         befores: dict[int, Vector] = {}
         along = {target: wanted or ORIGIN}

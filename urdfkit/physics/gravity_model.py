@@ -61,8 +61,7 @@ class GravityModel:
 
     Attributes:
         bodies: each after that which carries it.
-        below: the numbers of the bodies that each carries, itself first, parents before children.
-        carried: the mass of these.
+        carried: the mass of each body and of all that it carries.
         moved: the bodies that move with each joint that is set by one number, by its name.
         spans: from where to where that joint moves.
 
@@ -80,15 +79,25 @@ class GravityModel:
     ) -> None:
         joints = tree.model.joints_by_name
         self.bodies = _bodies(tree, payload or {}, weightless)
-        self.below: list[list[int]] = [[number] for number in range(len(self.bodies))]
+        self.carried = [body.mass for body in self.bodies]
+        self._children: list[list[int]] = [[] for _ in self.bodies]
         for number in range(len(self.bodies) - 1, 0, -1):
-            self.below[self.bodies[number].parent].extend(self.below[number])
-        self.carried = [sum(self.bodies[n].mass for n in below) for below in self.below]
+            parent = self.bodies[number].parent
+            self.carried[parent] += self.carried[number]
+            self._children[parent].append(number)
         self.moved: dict[str, list[int]] = {}
         for number, body in enumerate(self.bodies):
             if body.law.leader:
                 self.moved.setdefault(body.law.leader, []).append(number)
         self.spans = {name: span(joints[name]) for name in self.moved}
+
+    def below(self, number: int) -> list[int]:
+        """A body and those that it carries, parents before children."""
+        found, left = [], [number]
+        while left:
+            found.append(left.pop())
+            left += reversed(self._children[found[-1]])
+        return found
 
     def torques(self, pose: Mapping[str, float]) -> dict[str, float]:
         """What each joint holds that is set by one number, in N·m or N, with the sign of its axis.

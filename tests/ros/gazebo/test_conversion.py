@@ -11,6 +11,7 @@ from typing import NamedTuple
 import pytest
 
 from tests.conftest import MODELS, manifest
+from tests.growth import executed_lines
 from urdfkit.lint.context import Subject
 from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, Converter
 from urdfkit.text.source import Source
@@ -286,3 +287,23 @@ def test_fixed_joints_in_a_circle_come_to_an_end(converter: Converter) -> None:
 </robot>"""
     subject = Subject(Source("rosie.urdf", text), Resolver())
     assert set(Conversion(subject.tree, converter).dropped) == {"wheel"}
+
+
+def test_its_work_grows_with_the_robot() -> None:
+    def lines(links: int) -> int:
+        inertia = '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+        made = [
+            f'<link name="l{n}"><inertial><mass value="1"/>{inertia}</inertial></link>'
+            for n in range(links)
+        ]
+        made += [
+            f'<joint name="j{n}" type="continuous"><parent link="l{n - 1}"/><child link="l{n}"/>'
+            "</joint>"
+            for n in range(1, links)
+        ]
+        text = f'<robot name="r">{"".join(made)}</robot>'
+        subject = Subject(Source("r.urdf", text.encode()), Resolver({}, environment={}))
+        tree = subject.tree
+        return executed_lines(lambda: Conversion(tree))
+
+    assert lines(400) < 5 * lines(100)

@@ -131,6 +131,7 @@ class Conversion:
         self.preserved = frozenset(_preserved(model))
         self.kept = self.preserved | {joint.name for joint in tree.children.get(WORLD, ())}
         self._bodies = rigid_bodies(tree, self.kept)
+        self._body_of = {link.name: body for body in self._bodies for link, _ in body.links}
         self.dropped: dict[str, str] = {}
         self.massless: list[RigidBody] = []
         self.stranded: list[RigidBody] = []
@@ -213,7 +214,7 @@ class Conversion:
 
     def _merged_above(self, name: str) -> Iterator[Link]:
         """The link and those between it and the one that it is merged into."""
-        body = next(b for b in self._bodies if any(link.name == name for link, _ in b.links))
+        body = self._body_of[name]
         seen: set[str] = set()  # links may stand in a circle: TRE003
         while name != body.top.name and name not in seen:
             seen.add(name)
@@ -225,13 +226,14 @@ class Conversion:
     def _mass_below(self, link: Link) -> float:
         """The mass of a link and of all that is merged into it."""
         total = 0.0
-        queue = [link.name]
+        queue, seen = [link.name], {link.name}
         for name in queue:  # grows while it is walked
             total += self.model.links_by_name[name].mass
             for joint in self.tree.children[name]:
                 if joint.kind == "fixed" and joint.name not in self.preserved:
                     assert joint.child is not None
-                    if joint.child.value not in queue:  # links may stand in a circle: TRE003
+                    if joint.child.value not in seen:  # links may stand in a circle: TRE003
+                        seen.add(joint.child.value)
                         queue.append(joint.child.value)
         return total
 
