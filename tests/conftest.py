@@ -78,6 +78,7 @@ SLOW = (
     "tests/cli/test_special_files.py",
     "tests/cli/test_report.py",
     "tests/cli/test_result_cache.py",
+    "tests/consumers/test_corpus.py",
     "tests/core/test_disk.py::test_nothing_is_read_past",
     "tests/false_alarms/",
     "tests/integration/",
@@ -128,6 +129,7 @@ SLOW = (
 
 #: Tests of which one of so many is run unless ``--thorough``; none if 0.
 SAMPLED = {
+    "tests/consumers/test_corpus.py": 12,
     "tests/integration/test_action.py::test_each_variant": 0,
     "tests/integration/test_action.py::test_it_installs": 0,
     "tests/integration/test_action.py::test_the_script_of_gitlab": 0,

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.ros.launch.contents import FileUse
     from urdfkit.ros.moveit.srdf import Srdf
+    from urdfkit.ros.mujoco import Compiler
     from urdfkit.ros.targets import Targets
     from urdfkit.text.diagnostic import Diagnostic
     from urdfkit.text.grammar import Deviation
@@ -184,6 +185,20 @@ class Subject(DescriptionFile):
         from urdfkit.workspace.manifest import manifest_of
 
         return infer(self.model, manifest_of(self.resolver, self.source.path))
+
+    @cached_property
+    def mujoco(self) -> Compiler:
+        """The settings of MuJoCo's compiler in the model."""
+        from urdfkit.ros.mujoco import compiler_of
+
+        return compiler_of(self.model)
+
+    @property
+    def loads_visuals(self) -> bool:
+        """False if the given targets load no visuals, and the model does not ask them to."""
+        if not self.given_targets or not all(one.drops_visuals for one in self.targets.facts):
+            return True
+        return self.reading.document is None or not self.mujoco.drops_visuals
 
     @cached_property
     def symmetric_joints(self) -> list[tuple[Joint, Joint]]:

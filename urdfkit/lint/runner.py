@@ -13,7 +13,7 @@ from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, Superseded, crash
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
-from urdfkit.text.document import Step
+from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span, shown_text
 
@@ -149,6 +149,7 @@ class _RuleRun:
             findings = self._with_consistent_fixes(findings)
             # Detected only where severities depend on them.
             targets = self.subject.targets.names if findings and rule.by_target else ()
+            findings = [self._of_what_is_loaded(rule, finding, targets) for finding in findings]
             self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
         except Exception as error:
             self.ran.discard(rule.code)
@@ -158,6 +159,8 @@ class _RuleRun:
         """Those rules of a family that may have something to report."""
         path = self.subject.source.path
         if is_launch(path) and family not in LAUNCH_FAMILIES:
+            return []
+        if self.subject.given_targets and self.subject.targets.passes_over(family):
             return []
         try:
             return rule_index.applicable(family, codes, self.subject)
@@ -203,6 +206,15 @@ class _RuleRun:
         from urdfkit.lint.fix_consistency import without_inconsistent_fixes
 
         return without_inconsistent_fixes(findings, self.subject.uses)
+
+    def _of_what_is_loaded(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:
+        """A finding, which is no error in a visual that no target loads."""
+        severity = finding.severity or rule.severity_for(targets)[0]
+        if severity is not Severity.ERROR or self.subject.loads_visuals:
+            return finding
+        if not _is_of_visual(finding.node):
+            return finding
+        return finding._replace(severity=Severity.WARNING, targets=())
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
         severity = self.config.severities.get(diagnostic.code)
@@ -253,6 +265,14 @@ class _RuleRun:
         is_unsure = diagnostic.confidence.rank > config.min_confidence.rank
         path = diagnostic.span.source.path
         return is_unsure or config.ignores(diagnostic.code, path, diagnostic.severity)
+
+
+def _is_of_visual(node: Element | Attribute | None) -> bool:
+    """True for what is in a visual; its material is read even where visuals are not loaded."""
+    element = node.element if isinstance(node, Attribute) else node
+    while element is not None and element.tag not in ("visual", "material"):
+        element = element.parent
+    return element is not None and element.tag == "visual"
 
 
 def _without_consequences(

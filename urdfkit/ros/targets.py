@@ -8,32 +8,21 @@ the build system of its package.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import cache
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
+from urdfkit.ros.catalog import data, names, record
 
 if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
     from urdfkit.text.document import Element
     from urdfkit.workspace.manifest import Manifest
 
-TARGETS = {
-    "ros1": "ROS 1: urdfdom, robot_state_publisher, RViz",
-    "ros2": "ROS 2: urdfdom, robot_state_publisher, RViz, ros2_control",
-    "classic-ros1": "Gazebo Classic with the plugins of ROS 1",
-    "classic-ros2": "Gazebo Classic 11 with the plugins of ROS 2",
-    "gz-fortress": "Gazebo Fortress (Ignition)",
-    "gz-harmonic": "Gazebo Harmonic",
-    "gz-jetty": "Gazebo Jetty",
-    "kdl": "KDL and what builds on kdl_parser",
-    "moveit": "MoveIt 1 and 2",
-    "mujoco": "MuJoCo",
-    "drake": "Drake",
-    "pinocchio": "Pinocchio",
-    "isaac": "Isaac Sim and Isaac Lab",
-}
+#: Their names; each has a file of facts. ROS comes first, whose parsers most others build on.
+TARGETS = tuple(sorted(names("targets"), key=lambda name: (not name.startswith("ros"), name)))
 
 CLASSIC = ("classic-ros1", "classic-ros2")
 GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
@@ -77,6 +66,41 @@ class Targets(Record):
     def applies_units(self) -> bool:
         """True unless all are known and take the numbers of COLLADA files as metres."""
         return not self.names or any(name not in ("moveit", "pinocchio") for name in self.names)
+
+    @property
+    def facts(self) -> tuple[TargetFacts, ...]:
+        """What is known of each of them."""
+        return tuple(map(facts_of, self.names))
+
+    def passes_over(self, family: str) -> bool:
+        """True if none of some targets reads what a family of rules is about."""
+        return bool(self.names) and all(family in one.unread for one in self.facts)
+
+
+class TargetFacts(Record):
+    """What one program makes of a robot, where it is not what urdfdom and RViz make of it.
+
+    Attributes:
+        name: of the target.
+        title: what it stands for.
+        unread: families of rules about what the program does not read.
+        meshes: the formats that it loads; empty if that is not known, or depends on the machine.
+        drops_visuals: True if it loads no visuals unless it is told to.
+        collides_hulls: True if the convex hulls of meshes collide, not their triangles.
+    """
+
+    name: str
+    title: str
+    unread: tuple[str, ...] = ()
+    meshes: tuple[str, ...] = ()
+    drops_visuals: bool = False
+    collides_hulls: bool = False
+
+
+@cache
+def facts_of(name: str) -> TargetFacts:
+    """The facts of a target."""
+    return record(TargetFacts, data(f"targets/{name}"), name=name)
 
 
 def parse(names: Iterable[str]) -> Targets:

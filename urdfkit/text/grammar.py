@@ -15,7 +15,7 @@ from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.text import schema
 from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.schema import AttributeRule, Grammar
-from urdfkit.text.urdf_extensions import has_attribute, has_element
+from urdfkit.text.urdf_extensions import grammar_of, has_attribute, has_element
 
 #: Unknown names of one document that are compared with known ones.
 MAX_UNKNOWN = 1000
@@ -232,9 +232,12 @@ class _Walk:
             tag = child.tag
             known = grammar.children.get(tag)
             if known is None:
-                if ":" not in tag and not has_element(element.tag, tag):
+                if ":" in tag:
+                    continue
+                if not has_element(element.tag, tag):
                     unknown.append(child)
-                continue
+                    continue
+                known = grammar_of(element.tag, tag) or schema.ANYTHING
             if not known.open:
                 inner.append((child, known))
                 if tag in seen and tag not in grammar.many:

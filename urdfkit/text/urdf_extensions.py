@@ -4,18 +4,26 @@ from __future__ import annotations
 
 import os
 from functools import cache
+from typing import Any
+
+from urdfkit.text.schema import TEXT, AttributeRule, Grammar
+
+
+@cache
+def _extensions() -> list[dict[str, Any]]:
+    from json import load  # most models need no facts
+
+    path = os.path.join(os.path.dirname(__file__), "urdf_extensions.json")
+    with open(path, encoding="utf-8") as file:
+        extensions: list[dict[str, Any]] = load(file)["extensions"]
+    return extensions
 
 
 @cache
 def _read(kind: str) -> frozenset[tuple[str, str]]:
     """Pairs of a tag and an element or attribute that a program reads in it."""
-    from json import load  # most models need no facts
-
-    path = os.path.join(os.path.dirname(__file__), "urdf_extensions.json")
-    with open(path, encoding="utf-8") as file:
-        extensions = load(file)["extensions"]
     return frozenset(
-        (extension["in"], name) for extension in extensions for name in extension.get(kind, ())
+        (extension["in"], name) for extension in _extensions() for name in extension.get(kind, ())
     )
 
 
@@ -27,3 +35,17 @@ def has_element(parent: str, tag: str) -> bool:
 def has_attribute(tag: str, name: str) -> bool:
     """True if a known program reads an attribute, such as ``concave`` of a collision."""
     return (tag, name) in _read("attributes")
+
+
+@cache
+def grammar_of(parent: str, tag: str) -> Grammar | None:
+    """What a program reads in an element of its own; None if that is not known."""
+    for extension in _extensions():
+        if extension["in"] == parent and tag in extension.get("grammar", ()):
+            return _grammar(extension["grammar"][tag])
+    return None
+
+
+def _grammar(entry: dict[str, Any]) -> Grammar:
+    attributes = dict.fromkeys(entry[""].split(), AttributeRule(TEXT))
+    return Grammar(attributes, {tag: _grammar(child) for tag, child in entry.items() if tag})

@@ -25,7 +25,6 @@ def reported(text: str, *targets: str) -> list[Diagnostic]:
         (("ros2", "moveit"), Severity.INFO),
         (("classic-ros1",), Severity.ERROR),
         (("ros2", "gz-harmonic"), Severity.ERROR),
-        (("mujoco",), Severity.ERROR),
     ],
 )
 def test_the_severity(targets: tuple[str, ...], severity: Severity) -> None:
@@ -36,6 +35,15 @@ def test_the_severity(targets: tuple[str, ...], severity: Severity) -> None:
         "link 'arm' is moved by the continuous joint 'arm_joint' and has no mass: Gazebo drops it"
     )
     assert (found.span.line, found.span.text) == (4, '<link name="arm">')
+
+
+def test_mujoco_takes_the_mass_from_collisions() -> None:
+    robot = BASE + link("arm", VISUAL) + joint("base", "arm", "continuous")
+    (found,) = reported(robot, "mujoco")
+    assert found.message.endswith("and has no mass: MuJoCo rejects the robot")
+    (found,) = reported(robot.replace("visual", "collision"), "mujoco")
+    assert found.severity is Severity.WARNING
+    assert found.message.endswith("MuJoCo computes its mass from its collisions, at 1000 kg/m³")
 
 
 def test_what_goes_with_it_is_named() -> None:
@@ -175,7 +183,7 @@ def test_what_older_gazebo_keeps(robot: str) -> None:
     ("robot", "target", "severity"),
     [
         (ARM, "moveit", Severity.INFO),
-        (ARM, "mujoco", Severity.INFO),
+        (ARM, "mujoco", Severity.ERROR),
         (ARM, "gz-jetty", Severity.ERROR),
         (tip(1e-10), "ros2", Severity.INFO),
         (tip(1e-10), "gz-harmonic", Severity.INFO),

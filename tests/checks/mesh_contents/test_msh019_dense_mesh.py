@@ -8,6 +8,7 @@ pytest.importorskip("manifold3d")
 
 from tests.meshed import link, mesh, messages, reported
 from urdfkit.mesh.samples import box, stl
+from urdfkit.text.diagnostic import Severity
 
 CUBE = box((0, 0, 0), (1, 1, 1))
 MANY = stl(1667 * CUBE)
@@ -23,8 +24,11 @@ def test_20_004_triangles(tmp_path: Path) -> None:
 
 
 def test_mujoco_rejects_it(tmp_path: Path) -> None:
-    (found,) = messages(tmp_path, "MSH019", link(mesh("a.stl")), {"a.stl": stl(16_667 * CUBE)})
-    assert found.endswith("slow, and MuJoCo rejects more than 200,000")
+    files = {"a.stl": stl(16_667 * CUBE)}
+    for targets, severity in (((), Severity.WARNING), (("mujoco",), Severity.ERROR)):
+        (found,) = reported(tmp_path, "MSH019", link(mesh("a.stl")), files, targets)
+        assert found.message.endswith("slow, and MuJoCo rejects more than 200,000")
+        assert found.severity is severity
 
 
 def test_fewer_or_a_visual(tmp_path: Path) -> None:

@@ -165,7 +165,7 @@ def test_complete_transmissions_and_those_of_the_pr2() -> None:
 
 @pytest.mark.parametrize(
     ("targets", "severity"),
-    [((), Severity.WARNING), (("ros1",), Severity.ERROR), (("mujoco",), Severity.WARNING)],
+    [((), Severity.WARNING), (("ros1",), Severity.ERROR), (("drake",), Severity.WARNING)],
 )
 def test_severity_by_target(targets: tuple[str, ...], severity: Severity) -> None:
     (finding, *_) = reported("RCT024", SOUND.replace(TYPE, ""), targets=targets)

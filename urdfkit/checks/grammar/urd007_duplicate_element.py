@@ -1,13 +1,15 @@
 """An element is given twice where parsers read one.
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio), Drake and PyBullet read the first and ignore the
-second without a message; MuJoCo rejects the file. A `<geometry>` holds one shape, an
-`<inertial>` one mass. Remove one of them, or put a second shape into a visual or collision of its
-own.
+second without a message. MuJoCo rejects the robot, an error where it is a target, unless it does
+not read the element: a `<texture>`, a `<safety_controller>`, a `<calibration>`, the `<limit>` of a
+fixed joint. A `<geometry>` holds one shape, an `<inertial>` one mass. Remove one of them, or put a
+second shape into a visual or collision of its own.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
+    MuJoCo, FindSubElem in xml_util.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_util.cc
 """
 
 from __future__ import annotations
@@ -21,19 +23,25 @@ from urdfkit.text.editing.edits import remove_element
 from urdfkit.text.grammar import owner
 from urdfkit.text.schema import SHAPES
 
+#: Elements that MuJoCo does not read: everywhere, and in a fixed joint.
+_UNREAD = ("texture", "safety_controller", "calibration")
+_UNREAD_IF_FIXED = ("dynamics", "limit", "mimic")
+
 _ORIGIN = '<origin xyz="0 0 0.05"/>'
 BAD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIGIN, _ORIGIN))
 FIXED = GOOD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIGIN))
 
 
-@rule(Severity.WARNING, help="remove one of them")
+@rule(Severity.WARNING, help="remove one of them", by_target={"mujoco": Severity.ERROR})
 def check(subject: Subject) -> Findings:
     for element, *_ in subject.deviations.get("URD007", ()):
         assert element.parent is not None
         first = _first(element, element.parent)
+        is_rejected = "mujoco" in subject.given_targets and _is_read_by_mujoco(element, first)
         who, place = owner(element.parent), element.parent.tag
         if first.tag == element.tag:
             message = f"{who}: a second <{element.tag}> in <{place}>; parsers read the first"
+            message += ", MuJoCo rejects it" if is_rejected else ""
         else:
             message = f"{who}: <{element.tag}> after <{first.tag}> in one <{place}>; parsers read "
             message += "the first shape"
@@ -44,7 +52,18 @@ def check(subject: Subject) -> Findings:
             fix=_fix(element, first),
             related=related,
             group_key=f"{element.tag} in {place}",
+            severity=None if is_rejected else Severity.WARNING,
         )
+
+
+def _is_read_by_mujoco(element: Element, first: Element) -> bool:
+    """True if MuJoCo looks for one element of this tag there, and rejects a second one."""
+    if element.tag != first.tag or element.tag in _UNREAD:
+        return False
+    joint = element.parent
+    assert joint is not None
+    is_fixed = joint.tag == "joint" and joint.get("type") == "fixed"
+    return not (is_fixed and element.tag in _UNREAD_IF_FIXED)
 
 
 def _fix(element: Element, first: Element) -> Fix | None:

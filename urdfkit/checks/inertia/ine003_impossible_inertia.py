@@ -5,6 +5,10 @@ exceed the sum of the other two (the triangle inequality). The diagonal alone do
 large products of inertia make an eigenvalue negative. Gazebo and MuJoCo reject such a body; engines
 that accept it gain energy from nothing or diverge, and controllers that compute with it are wrong.
 
+MuJoCo allows for no rounding: where it is a target, a tensor that violates the inequality in its
+last digits is an error as well. With `<mujoco><compiler balanceinertia="true"/>` it makes the
+moments equal instead, a warning where it is the only target.
+
 Most often a digit is wrong, the numbers are in the wrong order (URDF has ixx ixy ixz iyy iyz izz,
 SDF and many programs ixx iyy izz first), the products have the opposite sign, or the tensor is
 about another frame. Take it from the CAD program, or compute it from the shape.
@@ -27,6 +31,9 @@ from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.samples import inertial_xml, link_xml
 
+#: By which a moment exceeds the sum of the others, so that no other order of adding changes that.
+_LEAST_EXCESS = 1e-9
+
 BAD = link_xml("arm", inertial_xml("2", "0.01 0.01 0.15"))
 FIXED = GOOD = BAD.replace('"0.15"', '"0.015"')
 
@@ -40,7 +47,19 @@ def check(subject: Subject) -> Findings:
     masses = subject.masses
     for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
         links = masses.defects.get(defect, ())
-        yield from together((one, _finding(one, masses)) for one in links)
+        for finding in together((one, _finding(one, masses)) for one in links):
+            is_balanced = defect is InertiaDefect.TRIANGLE_INEQUALITY and _is_balanced(subject)
+            yield finding._replace(severity=Severity.WARNING) if is_balanced else finding
+    if "mujoco" in subject.given_targets and not subject.mujoco.balances_inertia:
+        for one in masses.inertias:
+            low, middle, high = one.moments
+            if not one.breaks_triangle and high > (low + middle) * (1 + _LEAST_EXCESS):
+                yield _finding(one, masses)._replace(targets=("mujoco",))
+
+
+def _is_balanced(subject: Subject) -> bool:
+    """True if nothing but MuJoCo reads the tensors, and it corrects them."""
+    return subject.given_targets == ("mujoco",) and subject.mujoco.balances_inertia
 
 
 def _finding(one: LinkInertia, masses: Masses) -> Finding:

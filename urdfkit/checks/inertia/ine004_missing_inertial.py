@@ -1,6 +1,7 @@
 """A link that a joint moves has no mass.
 
-RViz and MoveIt do not need one; MuJoCo rejects such a robot, and Gazebo drops links:
+RViz and MoveIt do not need one. MuJoCo takes the mass from the collisions of a link without
+`<inertial>`, at 1000 kg/m³, and rejects the robot if there are none. Gazebo drops links:
 
 - A moving link without mass, of its own or of what is fixed to it, is dropped with all its
   children, without an error in older versions; controllers then do not find their joints. Add an
@@ -12,10 +13,12 @@ RViz and MoveIt do not need one; MuJoCo rejects such a robot, and Gazebo drops l
   child of the parent, with both origins added up, or give the link a mass of a gram.
 - If no link has a mass, Gazebo rejects the robot. For RViz and MoveIt, many arms are published so.
 
-An error for Gazebo and MuJoCo, a warning where only older Gazebo drops links, else an info.
+An error for Gazebo and MuJoCo, a warning where MuJoCo computes a mass or where only older Gazebo
+drops links, else an info.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    MuJoCo, inertiafromgeom: https://mujoco.readthedocs.io/en/stable/XMLreference.html#compiler-inertiafromgeom
     gazebosim/sdformat#199: https://github.com/gazebosim/sdformat/issues/199
     gazebosim/gz-sim#2815: https://github.com/gazebosim/gz-sim/issues/2815
 """
@@ -47,16 +50,50 @@ _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
     help="give it an <inertial>, or a fixed joint if it is only a frame",
-    by_target={"mujoco": Severity.ERROR, **dict.fromkeys(GAZEBO, Severity.ERROR)},
+    by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
     reports_missing=True,
 )
 def check(subject: Subject) -> Findings:
+    is_for_mujoco = "mujoco" in subject.given_targets
+    if is_for_mujoco and not subject.is_part and not subject.mujoco.least_mass:
+        yield from _in_mujoco(subject)
+    if subject.given_targets != ("mujoco",):
+        yield from _in_gazebo(subject)
+
+
+def _in_gazebo(subject: Subject) -> Findings:
     if subject.masses.total == 0:
         yield from _without_any_mass(subject)
     elif not subject.is_part:  # what a part lacks, the whole may have
         yield from _without_mass(subject)
     yield from _of_tiny_mass(subject)
     yield from _on_massless_frames(subject)
+
+
+def _in_mujoco(subject: Subject) -> Findings:
+    """What joints move without a mass, and what they move with one that nobody wrote."""
+    for body in subject.masses.bodies:
+        if body.joint is None:
+            continue
+        moved = f"moved by the {body.joint.kind} joint '{body.joint.name}'"
+        computed = [link for link, _ in body.links if link.inertial is None and link.collisions]
+        inertial = body.top.inertial
+        if computed:
+            yield Finding(
+                computed[0].at,
+                f"link '{computed[0].name}' is {moved} and has no <inertial>: MuJoCo computes its "
+                "mass from its collisions, at 1000 kg/m³",
+                severity=Severity.WARNING,
+                group_key="computed",
+            )
+        elif body.mass <= 0 and not (inertial and inertial.mass and subject.masses.total > 0):
+            yield Finding(
+                body.top.at,
+                f"link '{body.top.name}' is {moved} and has no mass: MuJoCo rejects the robot",
+                severity=Severity.ERROR,
+                targets=("mujoco",),
+                group_key="rejected",
+            )
 
 
 def _without_any_mass(subject: Subject) -> Findings:

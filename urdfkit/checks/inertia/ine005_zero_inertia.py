@@ -4,8 +4,12 @@ It can be rotated about that axis without effort: the equations of motion have n
 engines divide by zero, and the link spins or vanishes. MuJoCo rejects the robot. A tensor of zeros
 comes from a failed export, or from too few decimal places; compute it from mass and size. A single
 zero moment was rounded away, or a CAD program exported a wire or a surface: give the part its
-thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning unless
-MuJoCo is a target. So is a tensor that is not zero, but less than 1e-15 kg·m².
+thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning,
+and so is a tensor that is not zero, but less than 1e-15 kg·m².
+
+Where MuJoCo is a target, it is an error for every link with a moment below 1e-14 kg·m², also for
+one that is fixed to a heavier one: MuJoCo reads each tensor before it merges links. A tensor of
+zeros is that of a link without inertia, and may be fixed to another one.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -19,6 +23,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
@@ -36,6 +41,9 @@ FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
     '"0" iyz="0" izz="0"', '"0.00197917" iyz="0" izz="0.000625"'
 )
 
+#: In kg·m²: MuJoCo's mjEPS.
+_LEAST_OF_MUJOCO = 1e-14
+
 #: In kg/m³: air has 1.2.
 MIN_DENSITY = 1.0
 
@@ -47,16 +55,14 @@ MIN_DENSITY = 1.0
 )
 def check(subject: Subject) -> Findings:
     yield from together(_zero(subject.masses))
-    thin = sorted(_thin(subject.masses), key=lambda finding: -finding.weight)
+    thin = sorted(_thin(subject), key=lambda finding: -finding.weight)
     if thin:
         worst, *others = thin
-        fatal = subject.targets.among(("mujoco",))
         more = f" (and {len(others)} more like this)" if others else ""
         yield worst._replace(
             message=worst.message + more,
             related=tuple(Related(one.at.span, one.message) for one in others[:MAX_RELATED]),
-            severity=Severity.ERROR if fatal else Severity.WARNING,
-            targets=fatal,
+            severity=worst.severity or Severity.WARNING,
         )
 
 
@@ -90,7 +96,12 @@ def _finding(one: LinkInertia, joint: Joint) -> Finding:
     )
 
 
-def _thin(masses: Masses) -> Findings:
+def _thin(subject: Subject) -> Findings:
+    masses = subject.masses
+    rejected = list(_rejected(subject))
+    yield from rejected
+    if rejected:
+        return
     for body in masses.singular:
         assert body.joint is not None
         one = masses.by_name.get(body.top.name)
@@ -103,4 +114,26 @@ def _thin(masses: Masses) -> Findings:
                 f"{middle:.3g} and {high:.3g} kg·m²: almost 0 about one axis",
                 "write the moment about the thin axis as well: mass / 2 * radius^2 for a rod",
                 weight=body.mass,
+            )
+
+
+def _rejected(subject: Subject) -> Findings:
+    """The tensors that MuJoCo rejects, of links that joints move or not."""
+    if "mujoco" not in subject.given_targets or subject.mujoco.least_moment:
+        return
+    for link in subject.model.links:
+        tensor = link.inertial.tensor if link.inertial else None
+        if tensor is None or not any(tensor.value):
+            continue
+        low, middle, high = principal_moments(tensor.value)
+        one = subject.masses.by_name.get(link.name)
+        if low < _LEAST_OF_MUJOCO and not (one and one.is_indefinite):
+            yield Finding(
+                tensor,
+                f"link '{link.name}' has principal moments of inertia of {low:.1g}, {middle:.3g} "
+                f"and {high:.3g} kg·m²: MuJoCo rejects less than {_LEAST_OF_MUJOCO:g}",
+                "write all three moments, or zeros for a frame that a fixed joint holds",
+                weight=link.mass,
+                severity=Severity.ERROR,
+                targets=("mujoco",),
             )

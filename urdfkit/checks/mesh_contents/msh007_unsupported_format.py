@@ -6,6 +6,9 @@ programs choose their loader by the suffix and then fail or load nothing. Export
 or OBJ. PLY, glTF and FBX are not reported: RViz, MoveIt and Pinocchio load them through assimp, new
 Gazebo loads glTF and FBX, Gazebo Classic loads none of the three.
 
+MuJoCo loads binary STL and OBJ only: where it is a target, a collision in COLLADA or ASCII STL is
+an error. It leaves out visuals, unless the robot has `<mujoco><compiler discardvisual="false"/>`.
+
 A binary STL that begins with `solid` is an info: ASCII files begin so, and the header of a binary
 one is free. RViz, Gazebo, MuJoCo and Python libraries load it, RViz with a warning; simple parsers
 take it for a broken ASCII file. `urdfkit mesh convert` writes it without the word.
@@ -15,7 +18,7 @@ Sources:
     Gazebo Classic, MeshManager.cc: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/MeshManager.cc
     assimp, STLLoader.cpp: https://github.com/assimp/assimp/blob/master/code/AssetLib/STL/STLLoader.cpp
     ros2/rviz#888: https://github.com/ros2/rviz/issues/888
-    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    MuJoCo, its decoders of meshes: https://github.com/google-deepmind/mujoco/tree/main/plugin
     Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
 """
 
@@ -26,7 +29,9 @@ import os
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.io.facts import BY_SUFFIX
 from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
+from urdfkit.ros.targets import facts_of
 
 BAD = mesh_xml("visual", "forearm.stl")
 GOOD = BAD.replace("forearm.stl", "hand.stl")
@@ -54,11 +59,27 @@ def check(subject: Subject) -> Findings:
         elif _is_mesh(facts.format) and facts.format not in BY_SUFFIX.get(suffix.lower(), ()):
             message = f"{mesh.who} is {facts.format} by content, and its name ends in '{suffix}'"
             yield Finding(mesh.at, message, "give the file the suffix of its format")
+        else:
+            yield from _not_for_target(subject, mesh, facts.format)
     for mesh in subject.files.each_file:
         if mesh.facts and mesh.facts.starts_with_solid:
             message = f"{mesh.who} is a binary STL and begins with 'solid'"
             help = "urdfkit mesh convert FILE NEW.stl"
             yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
+
+
+def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Findings:
+    """A format that a target does not load, of a mesh that it wants."""
+    for target in map(facts_of, subject.given_targets):
+        is_wanted = mesh.role == "collision" or subject.loads_visuals
+        if target.meshes and form not in target.meshes and is_wanted:
+            yield Finding(
+                mesh.at,
+                f"{mesh.who} is {form}; {target.title} loads {' and '.join(target.meshes)} only",
+                "urdfkit mesh convert FILE NEW.stl",
+                group_key=f"{form} for {target.name}",
+                targets=(target.name,),
+            )
 
 
 def _is_mesh(form: str) -> bool:

@@ -6,9 +6,9 @@
   meshes of real robots are like that, and simulators that only test triangles live with it.
   `urdfkit mesh repair` closes small holes; `urdfkit mesh hull` makes a closed convex shape. An
   info.
-- It is flat: all of it lies in one plane. Simulators that take the convex hull reject it (MuJoCo:
-  "volume too small") or make it a sheet that fast parts tunnel through. Use a thin `<box>`. A
-  warning.
+- It is flat: all of it lies in one plane. Simulators that take the convex hull reject it or make
+  it a sheet that fast parts tunnel through. Use a thin `<box>`. A warning; an error where MuJoCo is
+  a target, which also rejects a mesh of less than 1e-15 m³.
 - Its closed pieces overlap by more than a twentieth of the volume, which then counts twice in the
   volume, centre of mass and inertia that Gazebo, MeshLab and `urdfkit inertia` compute. Unite them,
   as with `urdfkit mesh repair --union`, or write the inertial by hand. An info; it is also reported
@@ -42,6 +42,10 @@ FILES = {
 }
 
 
+#: MuJoCo's mjMINVAL, in m³.
+_LEAST_VOLUME = 1e-15
+
+
 @rule(
     Severity.INFO,
     needs=(Need.MODEL, Need.MESHES),
@@ -49,10 +53,14 @@ FILES = {
 )
 def check(subject: Subject) -> Findings:
     defects = subject.measured.defects
+    fatal = ("mujoco",) if "mujoco" in subject.given_targets else ()
+    severity = Severity.ERROR if fatal else Severity.WARNING
     for use in defects.get(MeshDefect.FLAT, ()):
         x, y, z = use.edges
         message = f"{use.who} is flat: {x:.3g} x {y:.3g} x {z:.3g} m"
-        yield Finding(use.at, message, "use a thin <box>", severity=Severity.WARNING)
+        yield Finding(use.at, message, "use a thin <box>", severity=severity, targets=fatal)
+    if fatal:
+        yield from _tiny(subject.measured.uses)
     yield from map(_open, defects.get(MeshDefect.OPEN, ()))
     for use in defects.get(MeshDefect.OVERLAPPING, ()):
         yield Finding(
@@ -70,6 +78,20 @@ def check(subject: Subject) -> Findings:
         message = f"{use.who} is inside out: {what}"
         help = "urdfkit mesh repair FILE"
         yield Finding(use.at, message, help, group_key="inside out", severity=Severity.WARNING)
+
+
+def _tiny(uses: list[MeshUse]) -> Findings:
+    """The collision meshes with less volume than MuJoCo takes."""
+    for use in uses:
+        volume = use.solid.volume if use.solid else 0.0
+        if use.role == "collision" and use.measures.hull and volume < _LEAST_VOLUME:
+            yield Finding(
+                use.at,
+                f"{use.who} has a volume of {volume:.3g} m³, which MuJoCo rejects",
+                "correct its scale, or remove the collision",
+                severity=Severity.ERROR,
+                targets=("mujoco",),
+            )
 
 
 def _open(use: MeshUse) -> Finding:

@@ -1,8 +1,8 @@
 """A mesh has so many triangles that it slows down simulation, planning or rendering.
 
 - More than 20 000 in a collision: simulators and planners test it thousands of times a second.
-  Simulation falls behind real time, MoveIt plans in seconds instead of milliseconds, and MuJoCo
-  rejects more than 200 000. A warning.
+  Simulation falls behind real time, and MoveIt plans in seconds instead of milliseconds. A warning;
+  an error over the 200 000 of an STL file that MuJoCo loads, where it is a target.
 - More than 5 000 in a visual mesh that is used for collision as well: screws and fillets that make
   a part look good make collision checks slow and contacts noisy. An info.
 - More than 100 000 in a visual: the robot loads slowly, and RViz, Gazebo and simulated cameras
@@ -12,7 +12,7 @@ For collisions, a box, a cylinder or a convex hull is faster and behaves better:
 collision` finds the best. `urdfkit mesh simplify` keeps the shape with fewer triangles.
 
 Sources:
-    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    MuJoCo, stl_decoder.cc: https://github.com/google-deepmind/mujoco/blob/main/plugin/stl_decoder/stl_decoder.cc
     RobotLocomotion/drake#13125: https://github.com/RobotLocomotion/drake/issues/13125
     gazebosim/sdformat#68: https://github.com/gazebosim/sdformat/issues/68
     measured: 49 of 1 513 public collision meshes have more than 20 000 triangles
@@ -22,12 +22,12 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.mesh.io.facts import BINARY_STL
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import (
     DENSE_COLLISION,
     DENSE_SHARED,
     DENSE_VISUAL,
-    MUJOCO_MOST,
     MeshDefect,
 )
 from urdfkit.robot.samples import mesh_xml
@@ -38,6 +38,9 @@ FILES = {
     "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3)), copies=1700),
     "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
 }
+
+#: Triangles of an STL file that MuJoCo loads.
+_MOST = 200_000
 
 
 @rule(
@@ -56,13 +59,17 @@ def check(subject: Subject) -> Findings:
     }
     for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
-        rejected = f", and MuJoCo rejects more than {MUJOCO_MOST:,}" if number > MUJOCO_MOST else ""
+        is_rejected = number > _MOST and subject.files.facts(use.path).format == BINARY_STL
+        fatal = ("mujoco",) if is_rejected and "mujoco" in subject.given_targets else ()
+        rejected = f", and MuJoCo rejects more than {_MOST:,}" if is_rejected else ""
         yield Finding(
             use.at,
             f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
             f"checking slow{rejected}",
             weight=number,
             group_key="collision",
+            severity=Severity.ERROR if fatal else None,
+            targets=fatal,
         )
     for use in defects.get(MeshDefect.DENSE_SHARED, ()):
         number = use.measures.triangles

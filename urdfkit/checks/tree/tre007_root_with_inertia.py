@@ -24,6 +24,9 @@ FIXED = GOOD = robot_xml(
 )
 TARGETS = ("kdl",)
 
+#: robot_state_publisher and MoveIt's kinematics build on KDL.
+_WITH_KDL = ("kdl", "ros1", "ros2", "moveit")
+
 
 @rule(
     Severity.INFO,
@@ -31,6 +34,8 @@ TARGETS = ("kdl",)
     by_target={"kdl": Severity.WARNING},
 )
 def check(subject: Subject) -> Findings:
+    if subject.given_targets and not subject.targets.any_of(_WITH_KDL):
+        return
     roots = subject.tree.roots
     if len(roots) != 1 or roots[0].inertial is None:
         return

@@ -28,7 +28,7 @@ from urdfkit.output.report import physics, tables
 from urdfkit.output.report.findings import findings
 from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.ros.gazebo.rejection import rejections
-from urdfkit.ros.targets import TARGETS
+from urdfkit.ros.targets import facts_of
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, shown, without_directory
 from urdfkit.workspace.resolve import Resolver
@@ -203,7 +203,7 @@ def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
         verdict = "fails"
     elif counts["warning"]:
         verdict = "passes with warnings"
-    about = TARGETS[name]
+    about = facts_of(name).title
     return {"name": name, "about": about, "evidence": evidence, "verdict": verdict, **counts}
 
 

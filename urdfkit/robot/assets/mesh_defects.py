@@ -19,9 +19,6 @@ if TYPE_CHECKING:
 #: Triangles of a collision mesh over which simulation and planning become slow.
 DENSE_COLLISION = 20_000
 
-#: Triangles of a mesh over which MuJoCo rejects it.
-MUJOCO_MOST = 200_000
-
 #: Triangles of a visual mesh over which loading and drawing a robot becomes slow.
 DENSE_VISUAL = 100_000
 

@@ -26,6 +26,12 @@ def data(name: str) -> dict[str, Any]:
     return content
 
 
+def names(directory: str) -> list[str]:
+    """What the files of a directory are about, in the order of the alphabet."""
+    files = os.listdir(os.path.join(os.path.dirname(__file__), directory))
+    return sorted(file.removesuffix(".json") for file in files if file.endswith(".json"))
+
+
 def record(kind: type[Entry], entry: Mapping[str, Any], **more: object) -> Entry:
     """What a file says of one thing, lists as tuples; fields that it lacks have their defaults.
 

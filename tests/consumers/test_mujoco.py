@@ -1,0 +1,165 @@
+"""What MuJoCo rejects has an error with ``--target mujoco``, and what it takes has none."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from tests.consumers.comparison import refusal_of
+from tests.mesh import made
+from tests.meshed import SOUND, mesh
+from urdfkit.lint import engine
+from urdfkit.mesh.samples import box, stl
+from urdfkit.text.diagnostic import Severity
+
+BOX = '<geometry><box size="1 1 1"/></geometry>'
+COLLISION = f"<collision>{BOX}</collision>"
+SQUARE, FLAT = BOX.replace("1 1 1", "1 1"), BOX.replace("1 1 1", "0 1 1")
+BOUNDED = '<compiler boundmass="1e-3" boundinertia="1e-6"/>'
+PLATE = stl([[(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0), (0, 1, 0)]])
+NUMBER = "URD005"
+STRIPPED = '<mujoco><compiler strippath="true"/></mujoco>'
+
+
+def link(name: str, mass: object = 1, moments: str = "1 1 1", more: str = "") -> str:
+    ixx, iyy, izz = moments.split()
+    tensor = f'ixx="{ixx}" iyy="{iyy}" izz="{izz}" ixy="0" ixz="0" iyz="0"'
+    return (
+        f'<link name="{name}"><inertial><mass value="{mass}"/><inertia {tensor}/></inertial>'
+        f"{more}</link>"
+    )
+
+
+def arm(child: str, kind: str = "continuous", more: str = "", base: str = link("base")) -> str:
+    """A base, and a link ``arm`` that a joint holds."""
+    joint = f'<joint name="j" type="{kind}"><parent link="base"/><child link="arm"/>{more}</joint>'
+    return base + child + joint
+
+
+def fixed(child: str) -> str:
+    """A link ``tool`` that is fixed to a moving one."""
+    joint = '<joint name="k" type="fixed"><parent link="arm"/><child link="tool"/></joint>'
+    return arm(link("arm")) + child + joint
+
+
+def told(text: str) -> str:
+    """What MuJoCo alone reads of a robot, before the rest of it."""
+    return f"<mujoco>{text}</mujoco>"
+
+
+#: The inside of a robot, and the rule whose error says why MuJoCo rejects it; none if it does not.
+CASES = {
+    "sound": (arm(link("arm")), ""),
+    "equal limits": (arm(link("arm"), "revolute", '<limit lower="1" upper="1"/>'), ""),
+    "no mass": (arm('<link name="arm"/>'), "INE004"),
+    "mass from a collision": (arm(f'<link name="arm">{COLLISION}</link>'), ""),
+    "mass from a fixed link": (
+        arm('<link name="arm"/>')
+        + f'<link name="tool">{COLLISION}</link><joint name="k" type="fixed">'
+        '<parent link="arm"/><child link="tool"/></joint>',
+        "",
+    ),
+    "mass of 0": (arm(link("arm", 0, "0 0 0", COLLISION)), "INE001"),
+    "no mass anywhere": (arm('<link name="arm"/>', base='<link name="base"/>'), "INE004"),
+    "mass that is given": (told(BOUNDED) + arm('<link name="arm"/>'), ""),
+    "no inertia": (arm(link("arm", 1, "0 0 0")), "INE005"),
+    "moment of 0": (arm(link("arm", 1, "1 1 0")), "INE005"),
+    "moment of 0, fixed": (fixed(link("tool", 1, "1 1 0")), "INE005"),
+    "moment of 0 without mass": (fixed(link("tool", 0, "1 1 0")), "INE005"),
+    "no inertia, fixed": (fixed(link("tool", 1, "0 0 0")), ""),
+    "small moments": (arm(link("arm", 1, "1e-13 1e-13 1e-13")), ""),
+    "too small moments": (arm(link("arm", 1, "3e-15 3e-15 3e-15")), "INE005"),
+    "thin plate": (arm(link("arm", 1, "0.1 0.2 0.3")), ""),
+    "rounded plate": (arm(link("arm", 1, "0.1 0.2 0.3001")), "INE003"),
+    "triangle inequality": (arm(link("arm", 1, "0.1 0.2 0.5")), "INE003"),
+    "moments that are balanced": (
+        told('<compiler balanceinertia="true"/>') + arm(link("arm", 1, "0.1 0.2 0.5")),
+        "",
+    ),
+    "two geometries": (f'<link name="a"><collision>{BOX}{BOX}</collision></link>', "URD007"),
+    "two geometries in a visual": (f'<link name="a"><visual>{BOX}{BOX}</visual></link>', ""),
+    "two materials": (
+        f'<link name="a"><visual>{BOX}<material name="x"/><material name="x"/></visual></link>',
+        "URD007",
+    ),
+    "two origins": (arm(link("arm"), "fixed", "<origin/><origin/>"), "URD007"),
+    "two limits": (arm(link("arm"), "continuous", "<limit/><limit/>"), "URD007"),
+    "two limits, fixed": (arm(link("arm"), "fixed", "<limit/><limit/>"), ""),
+    "two calibrations": (arm(link("arm"), "continuous", "<calibration/><calibration/>"), ""),
+    "two settings": (told("") + told("") + link("a"), "URD007"),
+    "visual without a size": (f'<link name="a"><visual>{SQUARE}</visual></link>', ""),
+    "collision without a size": (f'<link name="a"><collision>{SQUARE}</collision></link>', NUMBER),
+    "visual of size 0": (f'<link name="a"><visual>{FLAT}</visual></link>', ""),
+    "collision of size 0": (f'<link name="a"><collision>{FLAT}</collision></link>', "GEO001"),
+    "colour of three numbers": (
+        '<material name="m"><color rgba="1 1 1"/></material>' + link("a"),
+        NUMBER,
+    ),
+}  # fmt: skip
+
+#: The same of robots with the mesh ``a``.
+MESHES: dict[str, tuple[str, str, bytes, str]] = {
+    "STL": ("", "a.stl", SOUND, ""),
+    "ASCII STL": ("", "a.stl", made.ascii_stl(), "MSH007"),
+    "COLLADA": ("", "a.dae", made.collada(), "MSH007"),
+    "package": ("", "package://arm/a.stl", SOUND, "MSH039"),
+    "package that is stripped": (STRIPPED, "package://arm/a.stl", SOUND, ""),
+    "another directory": (told('<compiler meshdir="meshes"/>'), "a.stl", SOUND, "MSH039"),
+    "flat": ("", "a.stl", PLATE, "MSH015"),
+    "tiny": ("", 'a.stl" scale="1e-5 1e-5 1e-5', SOUND, "MSH015"),
+    "200 000 triangles": ("", "a.stl", stl(box((0, 0, 0), (1, 1, 1)), copies=16667), "MSH019"),
+}  # fmt: skip
+
+
+def errors(robot: str, folder: Path, files: Mapping[str, bytes]) -> set[str]:
+    for name, data in files.items():
+        folder.joinpath(name).write_bytes(data)
+    path = folder / "robot.urdf"
+    path.write_text(robot, encoding="utf-8")
+    report = engine.check(path, targets=["mujoco"])
+    assert report.crashed == ()
+    return {one.code for one in report.diagnostics if one.severity is Severity.ERROR}
+
+
+def whole(inside: str) -> str:
+    return f'<robot name="r">{inside}</robot>'
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_errors(case: str, tmp_path: Path) -> None:
+    robot, code = CASES[case]
+    assert errors(whole(robot), tmp_path, {}) == ({code} if code else set())
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_refusals(case: str, tmp_path: Path) -> None:
+    pytest.importorskip("mujoco")
+    robot, code = CASES[case]
+    assert bool(refusal_of("mujoco", whole(robot).encode(), tmp_path)) == bool(code)
+
+
+@pytest.mark.parametrize("case", MESHES)
+def test_meshes(case: str, tmp_path: Path) -> None:
+    settings, name, data, code = MESHES[case]
+    robot = whole(settings + link("base", more=mesh(name)))
+    file = name.rpartition("/")[2].partition('"')[0]
+    files = {"package.xml": b"<package><name>arm</name></package>", file: data}
+    found = errors(robot, tmp_path, files)
+    assert code in found if code else found == set()
+
+
+@pytest.mark.parametrize("case", MESHES)
+def test_refusals_of_meshes(case: str, tmp_path: Path) -> None:
+    mujoco = pytest.importorskip("mujoco")
+    settings, name, data, code = MESHES[case]
+    file = name.rpartition("/")[2].partition('"')[0]
+    tmp_path.joinpath(file).write_bytes(data)
+    path = tmp_path / "robot.urdf"
+    path.write_text(whole(settings + link("base", more=mesh(name))), encoding="utf-8")
+    if code:
+        with pytest.raises(ValueError, match=r"\w"):
+            mujoco.MjModel.from_xml_path(str(path))
+    else:
+        mujoco.MjModel.from_xml_path(str(path))

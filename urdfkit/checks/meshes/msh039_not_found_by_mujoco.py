@@ -1,0 +1,92 @@
+"""MuJoCo does not find a mesh that ROS finds.
+
+MuJoCo takes the name of a mesh for a path relative to the URDF, or to `meshdir`: it knows no
+packages, and rejects a robot with `package://arm_description/meshes/arm.stl` ("Error opening
+file"). Reported where MuJoCo is a target, for collisions; for visuals only with
+`<mujoco><compiler discardvisual="false"/></mujoco>`. A xacro's URDF is taken to lie next to it.
+
+If all meshes lie in one directory, name it to MuJoCo, which ROS does not read:
+`<mujoco><compiler meshdir="../meshes" strippath="true"/></mujoco>`. Otherwise give MuJoCo a copy
+of the URDF with relative names.
+
+Sources:
+    MuJoCo, meshdir and strippath: https://mujoco.readthedocs.io/en/stable/XMLreference.html#compiler-strippath
+    MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
+    google-deepmind/mujoco#273: https://github.com/google-deepmind/mujoco/issues/273
+"""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.core import disk
+from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.samples import mesh_xml
+from urdfkit.text.editing.edits import insert_first
+from urdfkit.text.source import shown
+
+NAME = "urdf/arm.urdf"
+TARGETS = ("mujoco",)
+_ARM = mesh_xml("collision", "package://arm_description/meshes/arm.stl")
+BAD = f'<robot name="arm">\n  {_ARM}\n</robot>\n'
+FIXED = GOOD = BAD.replace(
+    "\n",
+    '\n  <mujoco>\n    <compiler meshdir="../meshes" strippath="true"/>\n  </mujoco>\n',
+    1,
+)
+FILES = {
+    "package.xml": b"<package><name>arm_description</name></package>",
+    "meshes/arm.stl": PLATE,
+}
+
+
+@rule(
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="give MuJoCo a copy of the URDF with names relative to it, as in ../meshes/arm.stl",
+)
+def check(subject: Subject) -> Findings:
+    if "mujoco" not in subject.given_targets or subject.is_part:
+        return
+    wanted = [
+        mesh
+        for mesh in subject.files.meshes
+        if mesh.role == "collision" or not subject.mujoco.drops_visuals
+    ]
+    lost = [mesh for mesh in wanted if _is_lost(subject, mesh)]
+    if lost:
+        first = lost[0]
+        more = f" (and {len(lost) - 1} more like this)" if len(lost) > 1 else ""
+        directory, name = subject.mujoco.mesh_path(first.at.value, subject.source.path)
+        message = f"{first.who} is not found by MuJoCo, which looks for '{name}' in "
+        message += f"{shown(os.path.normpath(directory))}{more}"
+        help, fix = _directory(subject, wanted)
+        yield Finding(first.at, message, help, fix)
+
+
+def _is_lost(subject: Subject, mesh: MeshReference) -> bool:
+    """True for a mesh that MuJoCo alone does not find, as far as may be looked."""
+    located = mesh.located
+    if located.path is None and (located.package is None or located.directory is not None):
+        return False  # MSH001
+    path = os.path.join(*subject.mujoco.mesh_path(mesh.at.value, subject.source.path))
+    return subject.resolver.admits(path) and not disk.is_file(path)
+
+
+def _directory(subject: Subject, wanted: list[MeshReference]) -> tuple[str, Fix | None]:
+    """How to name the directory of all meshes, if they are in one; else nothing."""
+    root = subject.document.root
+    directories = {os.path.dirname(mesh.located.path or "") for mesh in wanted}
+    if len(directories) > 1 or directories == {""} or root.child("mujoco"):
+        return "", None
+    urdf = os.path.dirname(os.path.abspath(subject.source.path))
+    directory = os.path.relpath(directories.pop(), urdf).replace(os.sep, "/")
+    escaped = directory.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
+    element = f'<compiler meshdir="{escaped}" strippath="true"/>'
+    fix = None
+    if subject.reading.xacro is None:
+        edits = insert_first(root, ("<mujoco>", f"  {element}", "</mujoco>"))
+        fix = Fix("tell MuJoCo where the meshes are", edits)
+    return f"write <mujoco>{element}</mujoco> into <robot>", fix
