@@ -6,7 +6,10 @@ import pytest
 
 from tests.massive import BALL, inertial, joint, link, part, shape
 from tests.reported import messages, reported
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 #: A rod of 1 kg, 0.6 x 0.1 x 0.1 m, turned by 30 degrees about z.
 ROD = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy="0 0 0.5235987755982988")
@@ -91,4 +94,43 @@ def test_densities_near_the_bound_and_of_scenery(
     mass: float, size: str, severity: Severity
 ) -> None:
     (found,) = reported("INE010", part("wall", mass, (1, 0, 0, 1, 0, 1), f'<box size="{size}"/>'))
+    assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("mass", "targets", "severity"),
+    [
+        (0.001, (), Severity.WARNING),
+        (0.001, ("mujoco",), Severity.ERROR),
+        (0.1, (), Severity.ERROR),
+    ],
+)
+def test_a_gram_without_a_tensor_stands_in(
+    mass: float, targets: tuple[str, ...], severity: Severity
+) -> None:
+    """UUV Simulator: thrusters of a gram, whose forces a plugin computes."""
+    robot = part("hull", 10, (1, 1, 1), BALL) + link("thruster", inertial(mass, (0, 0, 0)))
+    robot += joint("hull", "thruster", "continuous")
+    source = Source("robot.urdf", whole_robot(robot).encode())
+    (found,) = engine.check(source, select=["INE005"], targets=targets).diagnostics
+    assert found.severity is severity
+
+
+TOO_LARGE = inertial(0.018, (0.001, 0.001, 0.001))
+STABLE = TOO_LARGE.replace("</inertial>", " <!-- To stabilize simulation --></inertial>")
+MICROMETRE = shape("collision", '<cylinder radius="0.000001" length="0.000001"/>')
+
+
+@pytest.mark.parametrize(
+    ("finger", "severity"),
+    [
+        (link("finger", BALL_SHAPE, TOO_LARGE), Severity.WARNING),
+        (link("finger", BALL_SHAPE, STABLE), Severity.INFO),
+        (link("finger", BALL_SHAPE, STABLE.replace("stabilize", "be")), Severity.WARNING),
+        (link("finger", MICROMETRE, inertial(0.001, (2e-12,) * 3)), Severity.INFO),
+    ],
+)
+def test_a_tensor_that_is_too_large_on_purpose(finger: str, severity: Severity) -> None:
+    """PAL's hands have a comment; the optical frames of UUV Simulator measure a micrometre."""
+    (found,) = reported("INE006", finger)
     assert found.severity is severity

@@ -39,6 +39,9 @@ def test_modules_of_the_ethercat_driver(tag: str, count: int) -> None:
     assert len(reported("RCT017", robot)) == count
 
 
+CANOPEN = "canopen_ros2_control/RobotSystem"
+LEFT = '<joint name="left_joint"/>'
+MEASURED = '<joint name="left_joint"><state_interface name="position"/></joint>'
 POSITION = """\
 controller_manager:
   ros__parameters:
@@ -52,19 +55,22 @@ move:
 
 
 @pytest.mark.parametrize(
-    ("joint", "hardware", "count"),
+    ("joint", "hardware", "severities"),
     [
-        ('<joint name="left_joint"/>', "canopen_ros2_control/Cia402System", 0),
-        ('<joint name="left_joint"/>', MOCK, 1),
-        (driven("left_joint", command="velocity"), "canopen_ros2_control/Cia402System", 1),
+        (LEFT, CANOPEN, []),
+        (LEFT, MOCK, [Severity.ERROR]),
+        (MEASURED, CANOPEN, [Severity.INFO]),
+        (MEASURED, GZ, [Severity.ERROR]),
+        (driven("left_joint", command="velocity"), CANOPEN, [Severity.WARNING]),
     ],
 )
 def test_a_hardware_that_exports_interfaces_by_itself(
-    tmp_path: Path, joint: str, hardware: str, count: int
+    tmp_path: Path, joint: str, hardware: str, severities: list[Severity]
 ) -> None:
-    """ROS 2 CANopen: the joint of a drive has an ID and no interface."""
+    """ROS 2 CANopen: the joint of a drive has an ID and no interface, or those of its state."""
     robot = WHEELS + control(joint, plugin=hardware)
-    assert len(driving.reported(tmp_path, "RCT021", POSITION, robot)) == count
+    found = driving.reported(tmp_path, "RCT021", POSITION, robot)
+    assert [one.severity for one in found] == severities
 
 
 @pytest.mark.parametrize(("file", "count"), [("CMakeLists.txt", 0), ("cmake/driveConfig.cmake", 1)])

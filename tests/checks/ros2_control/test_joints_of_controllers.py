@@ -3,6 +3,7 @@ from pathlib import Path
 from tests.controls import GZ, ROBOT, control, driven, plugin
 from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
 
 TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
@@ -82,11 +83,16 @@ def test_the_files_of_a_launch_file_of_ros_1(tmp_path: Path) -> None:
     )
     (found,) = check(tmp_path / "r.launch", select=["RCT001"]).diagnostics
     assert found.message.startswith("controller 'arm': unknown joint 'swnig'")
+    assert found.severity is Severity.WARNING, "the hardware may have joints of its own"
     assert found.span.source.path == str(tmp_path / "c.yaml")
     (related,) = found.related
     assert related.span.source.path == str(tmp_path / "r.launch")
     assert related.span.line == 2
     assert check(tmp_path / "r.urdf", select=["RCT001"]).diagnostics == ()
+    simulated = whole_robot(ROBOT + plugin("libgazebo_ros_control.so"))
+    (tmp_path / "r.urdf").write_text(simulated)
+    (found,) = check(tmp_path / "r.launch", select=["RCT001"]).diagnostics
+    assert found.severity is Severity.ERROR, "Gazebo has no joints but those of the model"
 
 
 def test_the_files_of_a_launch_file_in_python(tmp_path: Path) -> None:

@@ -75,6 +75,8 @@ def test_within(joint: str) -> None:
 
 
 def test_swapped() -> None:
+    outside = ROBOT + control(commanded("slide", "position", "0.6", "0"))
+    assert messages("RCT009", outside) == ["joint 'slide', position: min 0.6 > max 0"]
     text = ROBOT + control(commanded("slide", "position", "0.5", "0"))
     assert messages("RCT009", text) == ["joint 'slide', position: min 0.5 > max 0"]
     assert places("RCT009", text) == [(NEXT + 2, '<param name="min">')]

@@ -21,7 +21,7 @@ USED = {
 @pytest.mark.parametrize(
     ("definition", "marked", "message", "severity"),
     [
-        (WIDTH, WIDTH.strip(), "property 'width' is never used", "warning"),
+        (WIDTH, WIDTH.strip(), "property 'width' is never used", "info"),
         (BLOCK, '<xacro:property name="width">', "property 'width' is never used", "warning"),
         (PREFIX, PREFIX.strip(), "argument 'prefix' is never used", "warning"),
         (
@@ -36,6 +36,23 @@ def test_never_used(definition: str, marked: str, message: str, severity: str) -
     (found,) = reported("XAC004", definition + BASE)
     assert (found.span.line, found.span.column, found.span.text) == (2, 1, marked)
     assert (found.message, found.severity.value) == (message, severity)
+
+
+@pytest.mark.parametrize(
+    ("text", "severity"),
+    [
+        (WIDTH + '<link name="a"><box size="0.30 1 1"/></link>', "warning"),
+        (WIDTH.replace("0.3", "left") + BASE, "warning"),
+        (WIDTH.replace("0.3", "${2*pi}") + BASE, "warning"),
+        (WIDTH + '<!-- 0.3 --><xacro:property name="x" value="0.3"/><link name="a${x}"/>', "info"),
+        (WIDTH.replace("0.3", "1.0") + BASE, "info"),
+    ],
+)
+def test_a_number_that_is_written_out_where_the_property_should_stand(
+    text: str, severity: str
+) -> None:
+    (found,) = reported("XAC004", text)
+    assert found.severity.value == severity
 
 
 def test_an_argument_that_is_given_is_not_used() -> None:

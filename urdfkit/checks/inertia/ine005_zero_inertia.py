@@ -5,7 +5,8 @@ engines divide by zero, and the link spins or vanishes. MuJoCo rejects the robot
 comes from a failed export, or from too few decimal places; compute it from mass and size. A single
 zero moment was rounded away, or a CAD program exported a wire or a surface: give the part its
 thickness, for even a rod has `mass / 2 * radius^2` about its length. That case is a warning,
-and so is a tensor that is not zero, but less than 1e-15 kg·m².
+and so is a link of at most a gram, a stand-in for a part that a plugin of Gazebo computes, and a
+tensor that is not zero, but less than 1e-15 kg·m².
 
 Where MuJoCo is a target, it is an error for every link with a moment below 1e-14 kg·m², also for
 one that is fixed to a heavier one: MuJoCo reads each tensor before it merges links. A tensor of
@@ -26,7 +27,6 @@ from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, ru
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
-from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 
@@ -44,6 +44,9 @@ FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
 #: In kg·m²: MuJoCo's mjEPS.
 _LEAST_OF_MUJOCO = 1e-14
 
+#: In kg: UUV's thrusters are links of a gram without a tensor, which Gazebo Classic moves.
+STAND_IN = 0.001
+
 #: In kg/m³: air has 1.2.
 MIN_DENSITY = 1.0
 
@@ -54,7 +57,7 @@ MIN_DENSITY = 1.0
     computes_fix=True,
 )
 def check(subject: Subject) -> Findings:
-    yield from together(_zero(subject.masses))
+    yield from together(_zero(subject))
     thin = sorted(_thin(subject), key=lambda finding: -finding.weight)
     if thin:
         worst, *others = thin
@@ -66,15 +69,17 @@ def check(subject: Subject) -> Findings:
         )
 
 
-def _zero(masses: Masses) -> Iterator[tuple[LinkInertia, Finding]]:
+def _zero(subject: Subject) -> Iterator[tuple[LinkInertia, Finding]]:
+    masses = subject.masses
+    is_rejected = "mujoco" in subject.given_targets
     for body in masses.without_inertia:
         assert body.joint is not None
         for link, _ in body.links:
             if one := masses.by_name.get(link.name):
                 found = _finding(one, body.joint)
-                # Not zero: a stand-in of a micrometre, which engines integrate all the same.
-                is_written = masses.moments_of(body)[2] > 0
-                yield one, found._replace(severity=Severity.WARNING) if is_written else found
+                is_stand_in = body.mass <= STAND_IN or masses.moments_of(body)[2] > 0
+                is_warning = is_stand_in and not is_rejected
+                yield one, found._replace(severity=Severity.WARNING) if is_warning else found
 
 
 def _finding(one: LinkInertia, joint: Joint) -> Finding:

@@ -11,6 +11,9 @@
   has the wrong sign. URDF rotates the tensor with the `<origin>` of the `<inertial>`, not with that
   of the collision or visual. Swap the values, or give the `<inertial>` the `rpy` of the shape.
 
+A tensor that is too large on purpose is an info: that of a link smaller than 10 µm, or one beside a
+comment such as "to stabilize simulation".
+
 The tensor comes from another link or in another unit, is a placeholder, or was not updated with the
 mass. Compute it from mass and size: for a box of x, y, z it is `ixx = mass / 12 * (y*y + z*z)`, for
 a cylinder along z `ixx = iyy = mass / 12 * (3*r*r + l*l)` and `izz = mass / 2 * r*r`, for a sphere
@@ -23,6 +26,8 @@ Sources:
 """
 
 from __future__ import annotations
+
+import re
 
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
@@ -40,6 +45,7 @@ from urdfkit.robot.inertials.diagnosis import (
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
+from urdfkit.text.comments import comments
 
 BAD = link_xml(
     "wheel",
@@ -53,6 +59,12 @@ FIXED = GOOD = BAD.replace(
 
 #: A radius of gyration this many times the reach of the link is named.
 _STRIKING = 10.0
+
+#: In m: shapes this small stand for a frame.
+_POINT = 1e-5
+
+#: In a comment beside a tensor that is too large on purpose.
+_PURPOSE = re.compile(rb"stabili[sz]", re.IGNORECASE)
 
 #: A share in the inertia of a whole rigid body that is named.
 _SHARE = 0.1
@@ -86,7 +98,16 @@ def _too_large(one: LinkInertia, masses: Masses) -> Finding:
         replacement(one, diagnosis.tensor),
         confidence=Confidence.INFERRED,
         weight=high / bound,
+        severity=Severity.INFO if _is_deliberate(one) else None,
     )
+
+
+def _is_deliberate(one: LinkInertia) -> bool:
+    """True for a stand-in, or where a comment in the line of the tensor gives a purpose."""
+    span = one.at.tag_at.whole_span
+    line_end = span.source.data.find(b"\n", span.end)
+    beside = comments(span.source.data[span.end : line_end if line_end >= 0 else None])
+    return one.reach < _POINT or any(_PURPOSE.search(comment[1]) for comment in beside)
 
 
 def _radius(one: LinkInertia) -> str:

@@ -80,7 +80,7 @@ def _wider_ranges(component: Component, joints: dict[str, Joint]) -> Findings:
 def _wider(joint: Joint, interface: Interface) -> tuple[Element, str] | None:
     """The bound of an interface that is outside the joint's limit, and the message."""
     limits = _limits(joint, interface.name)
-    if limits is None:
+    if limits is None or _is_empty(interface):  # of which there is an error
         return None
     lower, upper, of = limits
     slack = TOLERANCE * max(abs(lower), abs(upper))
@@ -113,10 +113,15 @@ def _limits(joint: Joint, interface: str) -> tuple[float, float, str] | None:
     return -placed.value, placed.value, of
 
 
-def _empty_range(part: ControlPart, interface: Interface) -> Findings:
+def _is_empty(interface: Interface) -> bool:
     least, greatest = interface.bound("min"), interface.bound("max")
+    return least is not None and greatest is not None and least > greatest
+
+
+def _empty_range(part: ControlPart, interface: Interface) -> Findings:
     at = interface.parameter("min")
-    if at and least is not None and greatest is not None and least > greatest:
+    if at and _is_empty(interface):
+        least, greatest = interface.bound("min"), interface.bound("max")
         yield Finding(
             at,
             f"{part.kind} '{part.name}', {interface.name}: min {least:g} > max {greatest:g}",

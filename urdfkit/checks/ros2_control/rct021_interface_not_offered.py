@@ -8,6 +8,9 @@ state interface is reported even without a controller (warning): most controller
 the joint is missing in the joint states. Joints without any `<ros2_control>` are not reported here.
 In ROS 1 Gazebo offers the `<hardwareInterface>` of the joint's transmission.
 
+Simulators and mock hardware offer what is listed. Other hardware may offer more by itself: that is
+a warning, and an info if the joint lists no interface of that kind.
+
 Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
     ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
@@ -18,13 +21,15 @@ Sources:
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.catalog.ros_control import hardware
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, control_xml, controller_yaml, driven_xml
-from urdfkit.ros.ros_control import components, control_plugins, driven_joints
+from urdfkit.ros.ros_control import Component, components, control_plugins, driven_joints
 from urdfkit.text.located_yaml import Value
 
 _DRIVEN = control_xml("gz_ros2_control/GazeboSimSystem", driven_xml("shoulder", "velocity"))
@@ -50,8 +55,8 @@ _INTERFACES = {
 _GRIPPER = "GripperActionController"
 _DRIVE = "diff_drive_controller/DiffDriveController"
 
-#: It has no interface but those that are written.
-_MOCK = "mock_components/GenericSystem"
+#: They have no interface but those that are written, as the hardware of simulators.
+_MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
 
 #: The interfaces of joints, by the names of the joints.
 _Offered = dict[str, set[str]]
@@ -62,16 +67,18 @@ def check(subject: Subject) -> Findings:
     read = [(file, one) for file, found in subject.controllers for one in found]
     yield from _without_command(subject, read)
     states = _offered(subject, "state")
+    free = _free(subject)
     for file, controller in read:
         kind = catalogue().get(controller.type)
         names = [name for name in kind.joints if name != "command_joints"] if kind else []
         joints = controller.values(names)
-        yield from _lacking(controller, file, joints, _states(controller), states, "state")
+        yield from _lacking(controller, file, joints, _states(controller), states, free, "state")
     yield from _without_state(subject)
 
 
 def _without_command(subject: Subject, read: list[tuple[ParameterFile, Controller]]) -> Findings:
     by_ros = {1: _transmitted(subject), 2: _offered(subject, "command")}
+    free = _free(subject)
     served = {
         value.text
         for _, one in read
@@ -82,7 +89,8 @@ def _without_command(subject: Subject, read: list[tuple[ParameterFile, Controlle
         by_ros[1].pop(name, None)
     for file, one in read:
         joints, offered = commanded_joints(one), by_ros[one.ros]
-        yield from _lacking(one, file, joints, commands(one), offered, "command")
+        by_itself = free if one.ros == 2 else frozenset()
+        yield from _lacking(one, file, joints, commands(one), offered, by_itself, "command")
 
 
 def _lacking(
@@ -91,6 +99,7 @@ def _lacking(
     joints: list[Value],
     needed: list[str],
     offered: _Offered,
+    free: Collection[str],
     direction: str,
 ) -> Findings:
     for value in joints:
@@ -104,7 +113,27 @@ def _lacking(
                 + (", ".join(sorted(available)) or "none"),
                 f"add the <{direction}_interface> to the joint, or change the controller",
                 related=(file.note,),
+                severity=_severity(available) if value.text in free else None,
             )
+
+
+def _severity(listed: Collection[str]) -> Severity:
+    """For a joint of hardware that may export interfaces by itself."""
+    return Severity.WARNING if listed else Severity.INFO
+
+
+def _free(subject: Subject) -> frozenset[str]:
+    """The joints of hardware that may export interfaces that are not listed."""
+    return frozenset(
+        part.name
+        for component in components(subject.model)
+        for part in component.joints
+        if not _offers_what_is_listed(component)
+    )
+
+
+def _offers_what_is_listed(component: Component) -> bool:
+    return component.hardware in hardware() or component.hardware in _MOCK
 
 
 def _without_state(subject: Subject) -> Findings:
@@ -131,7 +160,7 @@ def _offered(subject: Subject, direction: str) -> _Offered:
         part.name: {interface.name.removesuffix("_pid") for interface in part.of(direction)}
         for component in components(subject.model)
         for part in component.joints
-        if part.interfaces or component.hardware in (*hardware(), _MOCK)
+        if part.interfaces or _offers_what_is_listed(component)
     }
 
 
