@@ -86,6 +86,7 @@ class TargetFacts(Record):
         unread: families of rules about what the program does not read.
         meshes: the formats that it loads; empty if that is not known, or depends on the machine.
         drops_visuals: True if it loads no visuals unless it is told to.
+        loads_first_object: True if it loads only the first object or group of an OBJ.
         collides_hulls: True if the convex hulls of meshes collide, not their triangles.
     """
 
@@ -94,6 +95,7 @@ class TargetFacts(Record):
     unread: tuple[str, ...] = ()
     meshes: tuple[str, ...] = ()
     drops_visuals: bool = False
+    loads_first_object: bool = False
     collides_hulls: bool = False
 
 

@@ -27,6 +27,7 @@ PNG = bytes.fromhex(
     "89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de"
     "0000000c49444154789c63606060000000040001f61738550000000049454e44ae426082"
 )
+FACES = ((1, 3, 2), (1, 2, 4), (1, 4, 3), (2, 3, 4))
 INERTIAL = (
     '<inertial><mass value="2"/>'
     '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -280,3 +281,24 @@ def test_robots_of_the_corpus_load_from_their_bundles(
         pin.buildGeomFromUrdf(
             loaded, str(tmp_path / "out" / made.urdf), kind, package_dirs=[str(tmp_path / "out")]
         )
+
+
+def test_mujoco_gets_all_objects_of_an_obj(tmp_path: Path) -> None:
+    mujoco = pytest.importorskip("mujoco")
+    mesh = "".join(
+        f"o part_{k}\nv {k} 0 0\nv {k + 0.5} 0 0\nv {k} 1 0\nv {k} 0 1\n"
+        + "".join(f"f {4 * k + a} {4 * k + b} {4 * k + c}\n" for a, b, c in FACES)
+        for k in range(2)
+    )
+    add_file(tmp_path / "two.obj", mesh.encode())
+    collision = '<collision><geometry><mesh filename="two.obj"/></geometry></collision>'
+    robot = add_file(
+        tmp_path / "r.urdf",
+        f'<robot name="r"><link name="base">{INERTIAL}{collision}</link></robot>'.encode(),
+    )
+    (found,) = check(robot, select=["MSH007"], targets=["mujoco"]).diagnostics
+    assert "holds 2 objects, of which MuJoCo loads the first" in found.message
+    made, _ = bundle(robot, tmp_path / "out", consumer="mujoco")
+    urdf = str(tmp_path / "out" / made.urdf)
+    assert mujoco.MjModel.from_xml_path(urdf).mesh_facenum.tolist() == [8]
+    assert check(urdf, select=["MSH007"], targets=["mujoco"]).diagnostics == ()

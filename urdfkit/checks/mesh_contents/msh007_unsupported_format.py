@@ -8,6 +8,7 @@ Gazebo loads glTF and FBX, Gazebo Classic loads none of the three.
 
 MuJoCo loads binary STL and OBJ only: where it is a target, a collision in COLLADA or ASCII STL is
 an error. It leaves out visuals, unless the robot has `<mujoco><compiler discardvisual="false"/>`.
+Of an OBJ it loads the first object or group and leaves out the others without a message (warning).
 
 A binary STL that begins with `solid` is an info: ASCII files begin so, and the header of a binary
 one is free. RViz, Gazebo, MuJoCo and Python libraries load it, RViz with a warning; simple parsers
@@ -26,8 +27,10 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.core import disk
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
-from urdfkit.mesh.io.facts import BY_SUFFIX
+from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, OBJ
+from urdfkit.mesh.io.obj import objects
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
@@ -72,7 +75,18 @@ def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Finding
     """A format that a target does not load, of a mesh that it wants."""
     for target in map(facts_of, subject.given_targets):
         is_wanted = mesh.role == "collision" or subject.loads_visuals
-        if target.meshes and form not in target.meshes and is_wanted:
+        if not is_wanted:
+            continue
+        if target.loads_first_object and form == OBJ and (number := _objects(mesh)) > 1:
+            yield Finding(
+                mesh.at,
+                f"{mesh.who} holds {number} objects, of which {target.title} loads the first",
+                "urdfkit mesh convert FILE NEW.stl",
+                group_key=f"objects for {target.name}",
+                severity=Severity.WARNING,
+                targets=(target.name,),
+            )
+        if target.meshes and form not in target.meshes:
             yield Finding(
                 mesh.at,
                 f"{mesh.who} is {form}; {target.title} loads {' and '.join(target.meshes)} only",
@@ -80,6 +94,13 @@ def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Finding
                 group_key=f"{form} for {target.name}",
                 targets=(target.name,),
             )
+
+
+def _objects(mesh: MeshReference) -> int:
+    try:
+        return objects(disk.read(mesh.located.path or "", MAX_BYTES))
+    except OSError:
+        return 0
 
 
 def _is_mesh(form: str) -> bool:

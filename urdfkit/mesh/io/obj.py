@@ -11,6 +11,7 @@ _LAST_FACES = 200
 
 _VERTEX = re.compile(rb"(?:\A|(?<=\n))[ \t]*v[ \t]")
 _FACE = re.compile(rb"(?:\A|(?<=\n))[ \t]*f[ \t]+([^\r\n]*)")
+_OBJECT = re.compile(rb"(?:\A|(?<=\n))[ \t]*[go](?=[ \t\r\n])")
 _BAD_VERTEX = re.compile(rb"(?:\A|(?<=\n))[ \t]*v[ \t]+([^\r\n]*(?:nan|inf|#ind)[^\r\n]*)")
 
 
@@ -25,6 +26,11 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
         words = b" ".join(last)[:60].decode("utf-8", "replace")
         return truncated(f"ends inside a face: '{words}'"), ""
     return _beyond(data, vertices), _non_finite(data)
+
+
+def objects(data: bytes) -> int:
+    """How many objects or groups of a file have faces; some programs load the first of them."""
+    return sum(_FACE.search(piece) is not None for piece in _OBJECT.split(data))
 
 
 def _beyond(data: bytes, vertices: int) -> Defect | None:

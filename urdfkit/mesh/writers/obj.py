@@ -25,7 +25,6 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
     for number, part in enumerate(mesh.parts):
         if not len(part.faces):
             continue
-        lines.append(f"o part_{number + 1}")
         if number in material_names:
             lines.append(f"usemtl {material_names[number]}")
         lines += _part(shaded(part), starts)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfkit.core.record import Record
 from urdfkit.mesh.io.facts import ASCII_STL, BINARY_STL, COLLADA, GLB, GLTF, OBJ, PLY
+from urdfkit.ros.targets import facts_of
 
 
 class Consumer(Record):
@@ -16,6 +17,7 @@ class Consumer(Record):
         visual: the suffix of a visual mesh of another format; collision meshes become STL.
         is_package: it finds meshes by ``package://``, and not by paths relative to the robot.
         target: its name among the targets of a check; empty where it is none.
+        loads_first_object: it loads only the first object or group of an OBJ.
     """
 
     name: str
@@ -24,19 +26,28 @@ class Consumer(Record):
     visual: str
     is_package: bool = False
     target: str = ""
+    loads_first_object: bool = False
 
 
 _ALL = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)
 
-#: Sources: MuJoCo, https://mujoco.readthedocs.io/en/stable/XMLreference.html#asset-mesh (no decoder
-#: for COLLADA and ASCII STL); PyBullet, examples/Importers/ImportURDFDemo/BulletUrdfImporter.cpp;
+_MUJOCO = facts_of("mujoco")
+
+#: Sources: MuJoCo, its target; PyBullet, examples/Importers/ImportURDFDemo/BulletUrdfImporter.cpp;
 #: web: urdf-loader's defaultMeshLoader knows STL and COLLADA; RViz and Gazebo read by assimp;
 #: Isaac, https://docs.isaacsim.omniverse.nvidia.com/latest/importer_exporter/ext_isaacsim_asset_importer_urdf.html
 CONSUMERS = {
     one.name: one
     for one in (
         Consumer("any", "any program that finds files relative to the robot", _ALL, ".obj"),
-        Consumer("mujoco", "MuJoCo", (BINARY_STL, OBJ), ".obj", target="mujoco"),
+        Consumer(
+            _MUJOCO.name,
+            _MUJOCO.title,
+            _MUJOCO.meshes,
+            ".obj",
+            target=_MUJOCO.name,
+            loads_first_object=_MUJOCO.loads_first_object,
+        ),
         Consumer("pybullet", "PyBullet", (BINARY_STL, ASCII_STL, COLLADA, OBJ), ".obj"),
         Consumer("web", "urdf-loader for three.js", (BINARY_STL, ASCII_STL, COLLADA), ".dae"),
         Consumer("ros", "a ROS 2 package", (*_ALL[:4], GLB, GLTF), ".dae", is_package=True),

@@ -12,6 +12,7 @@ from urdfkit.core.record import Record
 from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MeshFacts, has_other_unit
+from urdfkit.mesh.io.obj import objects
 from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.workspace.package_directories import is_within
 
@@ -80,16 +81,22 @@ def bundled(
         yield BundledFile(f"meshes/{stem}{suffix}", disk.read(path), path)
         return
     mesh = _loaded(path)
-    if is_readable and all(_lies_below(path, other) for other in mesh.files):
-        yield from _with_its_files(path, mesh, stem)
-        return
-    if is_readable:
-        suffix = ".glb" if found.format == facts.GLTF else suffix
-        change = "files that it names from elsewhere are written beside it"
-    else:
+    if not is_readable:
         suffix = consumer.visual if is_visual else ".stl"
         change = f"{found.format} written as {suffix[1:].upper()}"
+    elif consumer.loads_first_object and found.format == facts.OBJ and _has_objects(path):
+        change = "its objects are one"
+    elif all(_lies_below(path, other) for other in mesh.files):
+        yield from _with_its_files(path, mesh, stem)
+        return
+    else:
+        suffix = ".glb" if found.format == facts.GLTF else suffix
+        change = "files that it names from elsewhere are written beside it"
     yield from _written(path, found, mesh, f"{stem}{suffix}", change)
+
+
+def _has_objects(path: str) -> bool:
+    return objects(disk.read(path)) > 1
 
 
 def _loaded(path: str) -> Mesh:
