@@ -88,6 +88,8 @@ class TargetFacts(Record):
         drops_visuals: True if it loads no visuals unless it is told to.
         loads_first_object: True if it loads only the first object or group of an OBJ.
         collides_hulls: True if the convex hulls of meshes collide, not their triangles.
+        collides_with_welded: True if a link collides with the one above, where that is welded to
+            the world.
     """
 
     name: str
@@ -97,6 +99,7 @@ class TargetFacts(Record):
     drops_visuals: bool = False
     loads_first_object: bool = False
     collides_hulls: bool = False
+    collides_with_welded: bool = False
 
 
 @cache

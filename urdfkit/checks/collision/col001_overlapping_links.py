@@ -12,11 +12,18 @@
   the outer geometry hits what the inner one should, such as a kerb. Only primitives and convex
   meshes are reported, since their penetration depth is exact.
 
-Correct the origin of a joint or of a collision, or make the collision geometry smaller.
+- For a target that collides the convex hulls of meshes (MuJoCo, Isaac Sim), a warning: the hulls
+  overlap by more than 1 mm at the beginning, though the meshes do not, and the simulator pushes the
+  links apart from the first step on. MuJoCo welds the root link of a URDF to the world, and does
+  not ignore the collisions between it and the link that its first joint moves.
+
+Correct the origin of a joint or of a collision, or make the collision geometry smaller;
+`urdfkit mesh collision` makes shapes that follow a mesh.
 
 Sources:
     MoveIt, check_start_state_collision.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_collision.cpp
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
+    MuJoCo, contact filtering: https://mujoco.readthedocs.io/en/stable/computation/index.html#selection
     MuJoCo, URDF: https://mujoco.readthedocs.io/en/stable/modeling.html#urdf-extensions
 """
 
@@ -26,9 +33,11 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
+from urdfkit.ros.targets import TargetFacts, facts_of
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.contacts import Contact, LinkPair
+    from urdfkit.physics.collision.hull_overlaps import HullOverlap
 
 _LIMIT = '<limit lower="-2" upper="2" effort="10" velocity="1"/>'
 BAD = robot_xml(
@@ -58,10 +67,13 @@ _PART = 0.6
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
 def check(subject: Subject) -> Findings:
     contacts = subject.collisions.contacts
+    reported = set()
     for pair in contacts.pairs:
         if pair.is_rigid:
             continue
         if found := _adjacent(pair) if pair.is_adjacent else _apart(pair, contacts.beginning):
+            if not pair.is_adjacent:
+                reported.add(pair.names)
             contact, message, help, severity = found
             small, large = contact.small, contact.large
             yield Finding(
@@ -78,6 +90,36 @@ def check(subject: Subject) -> Findings:
                 group_key="overlap",
                 severity=severity,
             )
+    if simulators := [one for one in map(facts_of, subject.given_targets) if one.collides_hulls]:
+        from urdfkit.physics.collision.hull_overlaps import hull_overlaps  # for few targets
+
+        for overlap in hull_overlaps(contacts, _DEEP):
+            if (overlap.first.link, overlap.second.link) not in reported:
+                yield from _of_hulls(subject, overlap, simulators)
+
+
+def _of_hulls(subject: Subject, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:
+    colliding = [
+        one
+        for one in simulators
+        if not overlap.joint or (overlap.is_welded and one.collides_with_welded)
+    ]
+    if not colliding:
+        return
+    names = " and ".join(one.title for one in colliding)
+    first, second = (
+        subject.model.collision(one.link, one.number) for one in (overlap.first, overlap.second)
+    )
+    yield Finding(
+        second,
+        f"the convex hulls of links '{overlap.first.link}' and '{overlap.second.link}', which "
+        f"collide in {names}, overlap by {1000 * overlap.depth:.3g} mm",
+        f"urdfkit mesh collision FILE --link {overlap.second.link} --write",
+        related=(Related(first.span, f"link '{overlap.first.link}'"),),
+        weight=overlap.depth,
+        group_key="hulls",
+        targets=tuple(one.name for one in colliding),
+    )
 
 
 def _adjacent(pair: LinkPair) -> tuple[Contact, str, str, Severity] | None:

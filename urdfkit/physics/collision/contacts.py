@@ -62,10 +62,10 @@ class LinkPair:
         names: of the links.
         is_adjacent: a joint holds the links together, or nothing with bodies lies between.
         is_rigid: only fixed joints lie between.
+        bounds: of their bodies.
 
     Args:
         robot: that has the links.
-        bounds: of their bodies.
     """
 
     def __init__(self, robot: Contacts, names: tuple[str, str], bounds: list[BoundedPair]) -> None:
@@ -73,7 +73,7 @@ class LinkPair:
         self.is_adjacent = robot.adjacency.is_adjacent(*names)
         self.is_rigid = robot.adjacency.is_rigid(*names)
         self._robot = robot
-        self._bounds = bounds
+        self.bounds = bounds
 
     @property
     def largest_part(self) -> float:
@@ -81,7 +81,7 @@ class LinkPair:
         return max(
             (
                 -bound / max(_by_size(first, second)[0].thickness, TOUCH)
-                for first, second, bound in self._bounds
+                for first, second, bound in self.bounds
                 if first.may_be_convex and second.may_be_convex
             ),
             default=0.0,
@@ -92,7 +92,7 @@ class LinkPair:
         """The bodies that overlap most; None if none overlap."""
         robot, best = self._robot, -TOUCH
         nearest: tuple[CollisionBody, CollisionBody] | None = None
-        for first, second, bound in self._bounds:
+        for first, second, bound in self.bounds:
             if bound < best:
                 at = relative(first, second, robot.frames)
                 distance = robot.distance(first, second, at)
@@ -233,6 +233,12 @@ class Contacts:
         """
         found = signed_distance(first.kind, first.size, second.kind, second.size, at)
         return self._exact.distance(first, second, at) if found is None else found
+
+    def hull_distance(self, first: CollisionBody, second: CollisionBody) -> float:
+        """The signed distance of the convex hulls of two bodies where the robot begins, in m."""
+        at = relative(first, second, self.frames)
+        found = signed_distance(first.kind, first.size, second.kind, second.size, at)
+        return self._exact.hull_distance(first, second, at) if found is None else found
 
     def is_deeper(self, first: CollisionBody, second: CollisionBody, depth: float) -> bool:
         """True if two bodies, of which one is not convex, overlap by more than a depth, in m."""

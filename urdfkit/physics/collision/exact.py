@@ -48,6 +48,13 @@ class ExactDistances:
         query = DistanceQuery(one, other)
         return query.distance(np.array(at.rotation), np.array(at.position), 0.0)
 
+    def hull_distance(self, first: CollisionBody, second: CollisionBody, at: Transform) -> float:
+        """The signed distance of the convex hulls of two bodies; arguments as for `distance`."""
+        one, other = self._geometry(first), self._geometry(second)
+        if one is None or other is None:
+            return inf
+        return DistanceQuery(one, other).hulls(np.array(at.rotation), np.array(at.position))
+
     def is_deeper(
         self, first: CollisionBody, second: CollisionBody, at: Transform, depth: float
     ) -> bool:

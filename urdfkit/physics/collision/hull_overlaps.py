@@ -1,0 +1,56 @@
+"""Overlaps of convex hulls, which some simulators collide in place of the triangles of meshes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.physics.collision.bodies import CollisionBody
+from urdfkit.physics.collision.contacts import Contacts, LinkPair
+
+
+class HullOverlap(Record):
+    """Two links whose hulls overlap where the robot begins.
+
+    Attributes:
+        first, second: the bodies of the deepest overlap.
+        depth: in m.
+        joint: the moving joint between the two, if it is the only one; empty otherwise.
+        is_welded: the joint moves its link against what is welded to the world.
+    """
+
+    first: CollisionBody
+    second: CollisionBody
+    depth: float
+    joint: str
+    is_welded: bool
+
+
+def hull_overlaps(contacts: Contacts, least: float) -> Iterator[HullOverlap]:
+    """The pairs of links with hulls that overlap by more than a depth, in m.
+
+    Links with only fixed joints between them are one body everywhere.
+    """
+    for pair in contacts.pairs:
+        if pair.is_rigid:
+            continue
+        depth, first, second = _deepest(contacts, pair, least)
+        if first is not None and second is not None:
+            moving = [joint for joint in contacts.between(pair.names) if joint.kind != "fixed"]
+            joint = moving[0] if len(moving) == 1 else None
+            above = contacts.tree.path(joint.parent.value) if joint and joint.parent else ()
+            is_welded = joint is not None and all(one.kind == "fixed" for one in above)
+            yield HullOverlap(first, second, depth, joint.name if joint else "", is_welded)
+
+
+def _deepest(
+    contacts: Contacts, pair: LinkPair, least: float
+) -> tuple[float, CollisionBody | None, CollisionBody | None]:
+    depth: float = least
+    bodies: tuple[CollisionBody | None, CollisionBody | None] = (None, None)
+    for first, second, bound in pair.bounds:
+        if -bound > depth:
+            found = -contacts.hull_distance(first, second)
+            if found > depth:
+                depth, bodies = found, (first, second)
+    return depth, *bodies
