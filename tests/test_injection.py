@@ -317,6 +317,7 @@ def test_a_hover_shows_names_as_they_are(name: str, tmp_path: Path) -> None:
     pytest.importorskip("pygls")
     from tests.lsp.edited import Edited
     from urdfkit.lsp.hover import hover
+    from urdfkit.lsp.server import Server
 
     payload, image = quoteattr(PAYLOADS[name]), quoteattr(f"package://{PAYLOADS[name]}/a.png")
     text = f"""<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -330,7 +331,9 @@ def test_a_hover_shows_names_as_they_are(name: str, tmp_path: Path) -> None:
     edited = Edited(tmp_path / "r.urdf.xacro", text)
     edited.workspace.check(edited.path)
     found = edited.workspace.diagnostics(edited.path)
-    assert not [one.message for one in found if _UNSAFE.search(one.message)]
+    published = [Server().diagnostic(one) for one in found]
+    assert published
+    assert not [one.message for one in published if _UNSAFE.search(one.message)]
     shown = {
         hover(edited.robot, edited.page, offset, found)
         for offset in range(0, len(text.encode()), 3)

@@ -14,7 +14,7 @@ from urdfkit.lsp.names import NameUse, path_in
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint, Link
 from urdfkit.ros.catalog import extensions, plugins
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.document import Attribute
@@ -137,12 +137,14 @@ def _link(robot: OpenRobot, link: Link) -> Iterator[str]:
     if robot.document is not None:
         for joint in robot.subject.tree.parents.get(link.name, ())[:1]:
             parent = joint.parent.value if joint.parent else ""
-            yield f"- child of `{_code(parent)}` by the {joint.kind} joint `{_code(joint.name)}`"
+            kind, name = _kind(joint), _code(joint.name)
+            yield f"- child of `{_code(parent)}` by the {kind} joint `{name}`"
 
 
 def _joint(joint: Joint) -> Iterator[str]:
     ends = [end.value if end else "?" for end in (joint.parent, joint.child)]
-    yield f"**{joint.kind} joint** `{_code(joint.name)}`: `{_code(ends[0])}` to `{_code(ends[1])}`"
+    kind, name = _kind(joint), _code(joint.name)
+    yield f"**{kind} joint** `{name}`: `{_code(ends[0])}` to `{_code(ends[1])}`"
     if joint.axis and joint.kind != "fixed":
         yield "- axis " + " ".join(f"{value:g}" for value in joint.axis.value)
     limit = joint.limit
@@ -176,11 +178,11 @@ def _file(robot: OpenRobot, node: TagNode, reference: str) -> Iterator[str]:
     located = robot.resolver.locate(reference, node.source.path, robot.path)
     if located.path is None:
         missing = "no such file" if located.directory or not located.package else "no such package"
-        yield f"**{node.name}** `{_code(reference)}`: {missing}"
+        yield f"**{escape(node.name)}** `{_code(reference)}`: {missing}"
         for tried in (located.tried or located.searched)[:MAX_SHOWN]:
             yield f"- tried `{_code(tried)}`"
         return
-    yield f"**{node.name}** `{_code(located.path)}`"
+    yield f"**{escape(node.name)}** `{_code(located.path)}`"
     if node.name == "mesh":
         facts = sniff_file(located.path)
         yield f"- {facts.format or 'unknown format'}, {facts.size / 1024:.1f} KiB"
@@ -227,7 +229,7 @@ def _plugin(here: Cursor) -> Iterator[str]:
             words = [parameter.type] + ["needed"] * parameter.required
             if parameter.default:
                 words.append(f"`{_code(parameter.default)}` by default")
-            yield f"**{node.name}** ({known.generation}): {', '.join(words)}"
+            yield f"**{escape(node.name)}** ({known.generation}): {', '.join(words)}"
 
 
 def _grammar(here: Cursor) -> Iterator[str]:
@@ -242,7 +244,7 @@ def _grammar(here: Cursor) -> Iterator[str]:
         extension = extensions.extensions().get(node.name)
         if extension is not None and not node.within("plugin", "sensor"):
             unit = f" in {extension.unit}" if extension.unit else ""
-            yield f"**{node.name}** for a {extension.on}: {extension.type}{unit}"
+            yield f"**{escape(node.name)}** for a {extension.on}: {extension.type}{unit}"
 
 
 # ---------------------------------------------------------------------- rules
@@ -273,3 +275,9 @@ def _code(text: str) -> str:
     """A text for a piece of code in Markdown."""
     text = printable(" ".join(text.split())).replace("`", "'")
     return text if len(text) <= 200 else text[:200] + "..."
+
+
+def _kind(joint: Joint) -> str:
+    """The type of a joint, as code if it is none."""
+    known = (*DEGREES_OF_FREEDOM, "fixed")
+    return joint.kind if joint.kind in known else f"`{_code(joint.kind)}`"

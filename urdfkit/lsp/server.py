@@ -30,6 +30,7 @@ from urdfkit.lsp.text import PositionEncoding, to_bytes, to_path, to_uri
 from urdfkit.lsp.workspace import Workspace
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Span
+from urdfkit.text.terminal import printable
 
 Answer = TypeVar("Answer")
 
@@ -175,7 +176,8 @@ class Server(LanguageServer):
 
     def diagnostic(self, found: Diagnostic) -> lsp.Diagnostic:
         """A finding as the protocol has it; the calls of a macro are related places."""
-        message = found.message + (f"\n{found.help}" if found.help else "")
+        texts = (found.message, found.help) if found.help else (found.message,)
+        message = "\n".join(map(printable, texts))
         related = [(note.span, note.message) for note in found.related]
         for call in found.calls[:8]:
             for step in call.via[::-1]:
@@ -188,7 +190,9 @@ class Server(LanguageServer):
             found.code,
             source="urdfkit",
             related_information=[
-                lsp.DiagnosticRelatedInformation(self.places.location(span, self.uris), text)
+                lsp.DiagnosticRelatedInformation(
+                    self.places.location(span, self.uris), printable(text)
+                )
                 for span, text in dict.fromkeys(related)
             ],
         )

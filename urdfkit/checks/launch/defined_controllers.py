@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Subject
 from urdfkit.ros.controllers import Controller, read
 
@@ -10,8 +11,11 @@ def defined_controllers(subject: Subject) -> dict[str, Controller]:
     """The controllers in the parameter files of a launch file and of its robots, by name."""
     found: dict[str, Controller] = {}
     for file in subject.launch.parameters:
-        if file.exists:
-            found |= {one.name: one for one in read(subject.resolver.read(file.path))}
+        try:
+            source = subject.resolver.read(file.path)
+        except UnreadableFile:
+            continue
+        found |= {one.name: one for one in read(source)}
     for description in subject.launch.descriptions:
         robot = subject.other_robot(description.path, description.arguments)
         if robot.reading.document is not None:

@@ -65,8 +65,8 @@ def _errors(robot: Subject) -> list[Problem]:
 
 
 def _why_no_text(robot: Subject) -> str:
-    """Why YAML finds no text in an expanded robot; empty if it does, or there is none."""
-    if robot.reading.document is None:
+    """Why YAML finds no text in an expanded robot; empty if it does, or the robot is broken."""
+    if robot.reading.document is None or robot.reading.problems:
         return ""
     import yaml  # 15 ms, and most descriptions have a type
 
