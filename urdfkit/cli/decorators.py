@@ -36,12 +36,6 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]
 TRUST = click.option(
     "--trust", is_flag=True, help="Let the model run any expression and read any file."
 )
-XACRO_SECONDS = click.option(
-    "--xacro-seconds", metavar="N", help="Processor time of one expansion. [default: 5]"
-)
-XACRO_MEGABYTES = click.option(
-    "--xacro-megabytes", metavar="N", help="Memory of one expansion. [default: 512]"
-)
 PACKAGE = click.option(
     "--package", multiple=True, metavar="NAME=DIR", help="Directory of a ROS package."
 )

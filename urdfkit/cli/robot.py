@@ -18,8 +18,6 @@ from urdfkit.cli.decorators import (
     TARGET,
     TRUST,
     VARIANT,
-    XACRO_MEGABYTES,
-    XACRO_SECONDS,
     Command,
     with_options,
 )
@@ -45,11 +43,8 @@ if TYPE_CHECKING:
 _NAMED = 5
 
 #: The options of reading a robot, and the keys of their values.
-_READING = (XACRO_MEGABYTES, XACRO_SECONDS, TRUST, ISOLATED, CONFIG, VARIANT, PACKAGE)
-_KEYS = (
-    *(options.FILES, "package", "variant", "config", "isolated", "trust"),
-    *("xacro_seconds", "xacro_megabytes", "joint", "pose"),
-)
+_READING = (TRUST, ISOLATED, CONFIG, VARIANT, PACKAGE)
+_KEYS = (options.FILES, "package", "variant", "config", "isolated", "trust", "joint", "pose")
 
 #: Gives a command the options of reading a robot, without the words that name it.
 read_by_options = with_options(*_READING)
