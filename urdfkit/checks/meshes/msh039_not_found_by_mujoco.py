@@ -21,7 +21,7 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
-from urdfkit.mesh.samples import PLATE
+from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.editing.edits import insert_first
@@ -38,7 +38,7 @@ FIXED = GOOD = BAD.replace(
 )
 FILES = {
     "package.xml": b"<package><name>arm_description</name></package>",
-    "meshes/arm.stl": PLATE,
+    "meshes/arm.stl": stl(box((0, 0, 0), (1, 1, 1))),
 }
 
 
