@@ -85,7 +85,6 @@ CASES = {
     "empty geometry": shape(""),
     "comment in a geometry": shape('<!-- box --><box size="1 1 1"/>'),
     "two shapes": shape('<box size="1 1 1"/><sphere radius="1"/>'),
-    "plane": shape("<plane/>"),
     "misspelt shape": shape('<bx size="1 1 1"/>'),
     "capsule": shape('<capsule radius="1" length="1"/>'),
     "material in a geometry": shape('<box size="1 1 1"/><material name="m"/>'),

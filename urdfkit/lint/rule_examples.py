@@ -52,8 +52,10 @@ def laid_out(rule: Rule, text: str) -> Iterator[Source]:
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, "wb") as file:
                 file.write(data)
+        path = os.path.join(directory, example)
+        os.makedirs(os.path.dirname(path), exist_ok=True)  # for names such as ../meshes/arm.stl
         robot = whole_robot(text).replace(DIRECTORY, directory)
-        yield Source(os.path.join(directory, example), robot.encode("utf-8", "surrogateescape"))
+        yield Source(path, robot.encode("utf-8", "surrogateescape"))
 
 
 def targets_of(rule: Rule) -> tuple[str, ...]:

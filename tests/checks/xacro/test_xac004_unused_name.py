@@ -42,6 +42,7 @@ def test_never_used(definition: str, marked: str, message: str, severity: str) -
     ("text", "severity"),
     [
         (WIDTH + '<link name="a"><box size="0.30 1 1"/></link>', "warning"),
+        (f'{WIDTH}{BASE}<xacro:if value="false"><link name="${{widht}}"/></xacro:if>', "warning"),
         (WIDTH.replace("0.3", "left") + BASE, "warning"),
         (WIDTH.replace("0.3", "${2*pi}") + BASE, "warning"),
         (WIDTH + '<!-- 0.3 --><xacro:property name="x" value="0.3"/><link name="a${x}"/>', "info"),

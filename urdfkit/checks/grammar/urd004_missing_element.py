@@ -4,8 +4,8 @@ urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects a robot with a joint without `
 `<child>`. Of an `<inertial>` without `<mass>` or `<inertia>` it drops the inertia; of a visual or
 collision without `<geometry>`, or whose `<geometry>` does not begin with a shape, it drops all
 visuals and collisions of the link, with one line in the log. The shapes are box, cylinder, sphere,
-mesh and, from version 1.1, capsule. A plane is a thin box; that Bullet reads `<plane>`, and no
-other program, is an info. A `<material>` belongs after the `<geometry>`.
+mesh and, from version 1.1, capsule. A plane is a thin box: only Bullet reads `<plane>`, which is
+an info unless a target is known. A `<material>` belongs after the `<geometry>`.
 
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
@@ -31,18 +31,18 @@ def check(subject: Subject) -> Findings:
     for element, _, missing, _ in subject.deviations.get("URD004", ()):
         who = owner(element)
         if not missing:
-            yield _without_shape(element, who)
+            yield _without_shape(subject, element, who)
             continue
         inside = "" if who.startswith(element.tag) else f": <{element.tag}>"
         yield Finding(element, f"{who}{inside} has no <{missing}>", f"add <{missing}>")
 
 
-def _without_shape(element: Element, who: str) -> Finding:
+def _without_shape(subject: Subject, element: Element, who: str) -> Finding:
     """A geometry without a shape, or what comes first in it."""
     message, severity = f"{who}: <geometry> has no shape", Severity.ERROR
     if has_element("geometry", element.tag):
         message = f"{who}: <geometry> begins with <{element.tag}>, which only Bullet reads"
-        severity = Severity.INFO
+        severity = Severity.ERROR if subject.targets.names else Severity.INFO
     elif element.tag != "geometry":
         message = f"{who}: <geometry> begins with <{element.tag}>, which is not a shape"
     help = f"let its first element be one of {', '.join(SHAPES)}"

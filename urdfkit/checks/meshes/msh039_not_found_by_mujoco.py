@@ -38,7 +38,7 @@ FIXED = GOOD = BAD.replace(
 )
 FILES = {
     "package.xml": b"<package><name>arm_description</name></package>",
-    "meshes/arm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
+    "meshes/arm.stl": stl(box((0, 0, 0), (1, 1, 1))),
 }
 
 
@@ -71,8 +71,7 @@ def _is_lost(subject: Subject, mesh: MeshReference) -> bool:
     located = mesh.located
     if located.path is None and (located.package is None or located.directory is not None):
         return False  # MSH001
-    directory, name = subject.mujoco.mesh_path(mesh.at.value, subject.source.path)
-    path = os.path.normpath(os.path.join(directory, name))
+    path = os.path.join(*subject.mujoco.mesh_path(mesh.at.value, subject.source.path))
     return subject.resolver.admits(path) and not disk.is_file(path)
 
 

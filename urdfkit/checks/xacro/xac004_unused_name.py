@@ -1,10 +1,10 @@
 """A property, an argument or a macro is defined and never used.
 
 A change of the property, or `name:=value` on the command line, then has no effect. Usually the use
-was deleted, or misspells the name. An unused macro may be left over, and so may a property that is
-a number, unless the file writes that number out elsewhere: these are infos. Not reported
-in files that other files include, in libraries of macros, and where an include is not expanded: the
-name may be used there.
+was deleted, or misspells the name. An unused macro may be left over: that is an info. So may a
+property that is a number, unless the file writes that number out elsewhere, or uses a name that
+differs in one letter and is not defined. Not reported in files that other files include, in
+libraries of macros, and where an include is not expanded: the name may be used there.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -14,11 +14,13 @@ from __future__ import annotations
 
 import re
 
+from urdfkit.core.suggest import is_typo
 from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.workspace.includes import is_included
+from urdfkit.xacro import Xacro
 from urdfkit.xacro.definitions import Definition
 
 BAD = xacro_xml(
@@ -50,6 +52,7 @@ def _unused(subject: Subject) -> Findings:
         name = definition.name.removeprefix("**")
         if name not in xacro.usage.names:
             written = _numbers_written(subject) if written is None else written
+            is_left_over = _is_left_over(definition, written) and not _is_misspelt(name, xacro)
             fix = Fix("delete the property", remove_spans([definition.tag.whole_span]))
             at = Location(definition.tag.span, definition.frame)
             yield Finding(
@@ -57,7 +60,7 @@ def _unused(subject: Subject) -> Findings:
                 f"property '{name}' is never used",
                 fix=fix,
                 group_key="unused",
-                severity=Severity.INFO if _is_left_over(definition, written) else None,
+                severity=Severity.INFO if is_left_over else None,
             )
     for argument in xacro.arguments:
         if argument.name not in xacro.usage.names:
@@ -76,6 +79,12 @@ def _is_left_over(definition: Definition, written: set[float]) -> bool:
     """True for a number that stands nowhere else, where the property should."""
     value = definition.attributes.get("value", "").strip().encode()
     return _NUMBER.fullmatch(value) is not None and float(value) not in written
+
+
+def _is_misspelt(name: str, xacro: Xacro) -> bool:
+    """True if a name that nothing defines differs in one letter; xacro did not evaluate its use."""
+    defined = {one.name.removeprefix("**") for one in (*xacro.properties, *xacro.arguments)}
+    return any(is_typo(name, used) for used in xacro.usage.names - defined)
 
 
 def _numbers_written(subject: Subject) -> set[float]:
