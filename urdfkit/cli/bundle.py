@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.progress import shown as progress
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.mesh.io.facts import counted
@@ -37,6 +37,7 @@ from urdfkit.text.source import shown
     help="Convert the meshes that this program cannot read.",
 )
 @click.option("--force", is_flag=True, help="Replace OUT if it is a bundle.")
+@limited
 def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
     """Write a robot with all of its files, for use elsewhere.
 
