@@ -15,7 +15,7 @@ from urdfkit.cli.robot import one_robot, robot
 from urdfkit.mesh.io.facts import counted
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
-from urdfkit.output.bundle.writing import Rejection
+from urdfkit.output.bundle.writing import TargetError
 from urdfkit.output.bundle.writing import bundle as write
 from urdfkit.text.source import shown
 
@@ -66,7 +66,7 @@ def _summary(bundle: Bundle, out: str) -> Iterator[str]:
         yield from output.indented(f"{element} still names {value}")
 
 
-def _reasons(consumer: str, rejections: tuple[Rejection, ...]) -> Iterator[str]:
+def _reasons(consumer: str, rejections: tuple[TargetError, ...]) -> Iterator[str]:
     if rejections:
         yield f"{CONSUMERS[consumer].what} rejects it all the same:"
     for one in rejections:

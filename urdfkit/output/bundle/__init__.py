@@ -33,8 +33,8 @@ VERSION = 1
 _NAMED = 5
 
 
-class Content(Record):
-    """A file that a bundle holds.
+class ManifestEntry(Record):
+    """A file that a bundle holds, as its manifest has it.
 
     Attributes:
         path: in the bundle, with ``/``.
@@ -75,7 +75,7 @@ class Bundle:
         self._paths = _found(robot)
         self.name = re.sub(r"[^a-z0-9_]+", "_", robot.model.name.lower()).strip("_") or "robot"
         self.urdf = f"{'urdf/' if consumer.is_package else ''}{self.name}.urdf"
-        self.contents: list[Content] = []
+        self.contents: list[ManifestEntry] = []
         self.renamed: tuple[Renamed, ...] = ()
         self.outside: tuple[tuple[str, str], ...] = ()
 
@@ -88,7 +88,9 @@ class Bundle:
         for file in self._files():
             digest = hashlib.sha256(file.data).hexdigest()
             source = self._shown(file.source)
-            self.contents.append(Content(file.path, len(file.data), digest, source, file.change))
+            self.contents.append(
+                ManifestEntry(file.path, len(file.data), digest, source, file.change)
+            )
             yield file
         text = json.dumps(self._manifest(), indent=1, ensure_ascii=False) + "\n"
         yield BundledFile(MANIFEST, text.encode(), "")

@@ -25,7 +25,7 @@ from urdfkit.text.source import Span
 _DATE = (1980, 1, 1, 0, 0, 0)
 
 
-class Rejection(Record):
+class TargetError(Record):
     """Why a program will not load a bundle.
 
     Attributes:
@@ -45,7 +45,7 @@ def bundle(
     *,
     consumer: str = "any",
     force: bool = False,
-) -> tuple[Bundle, tuple[Rejection, ...]]:
+) -> tuple[Bundle, tuple[TargetError, ...]]:
     """Write a robot with all files that it needs, for another machine or program.
 
     Args:
@@ -67,7 +67,9 @@ def bundle(
     return made, rejected
 
 
-def _rejections(made: Bundle, directory: str, subject: Subject, target: str) -> Iterator[Rejection]:
+def _rejections(
+    made: Bundle, directory: str, subject: Subject, target: str
+) -> Iterator[TargetError]:
     if not target:
         return
     places = {element.path: element.span for element in subject.document.root.walk()}
@@ -75,7 +77,7 @@ def _rejections(made: Bundle, directory: str, subject: Subject, target: str) -> 
     for one in report.diagnostics:
         if one.severity is Severity.ERROR:
             span = places.get(one.element.partition("@")[0], one.span)
-            yield Rejection(one.code, one.message, span)
+            yield TargetError(one.code, one.message, span)
 
 
 @contextmanager
