@@ -63,7 +63,7 @@ def bundle(
     subject = robot if isinstance(robot, Subject) else read(robot)
     made = Bundle(subject, CONSUMERS[consumer])
     with _staged(made.files(), os.path.abspath(out), force=force) as directory:
-        rejected = tuple(_rejections(made, directory, subject, CONSUMERS[consumer].target))
+        rejected = tuple(_errors(made, directory, subject, CONSUMERS[consumer].target))
     return made, rejected
 
 
