@@ -67,9 +67,7 @@ def bundle(
     return made, rejected
 
 
-def _rejections(
-    made: Bundle, directory: str, subject: Subject, target: str
-) -> Iterator[TargetError]:
+def _errors(made: Bundle, directory: str, subject: Subject, target: str) -> Iterator[TargetError]:
     if not target:
         return
     places = {element.path: element.span for element in subject.document.root.walk()}
