@@ -72,11 +72,18 @@ def test_a_centre_of_mass_beside_a_shape_that_marks_a_place() -> None:
         assert len(messages("INE011", robot + arm)) == count
 
 
-@pytest.mark.parametrize(("moment", "severity"), [(0.0, Severity.ERROR), (3e-16, Severity.WARNING)])
-def test_a_tensor_of_a_body_of_a_micrometre(moment: float, severity: Severity) -> None:
+@pytest.mark.parametrize(
+    ("mass", "moment", "severity"),
+    [
+        (0.001, 3e-16, Severity.WARNING),
+        (0.001, 0.0, Severity.WARNING),
+        (0.1, 0.0, Severity.ERROR),
+    ],
+)
+def test_a_tensor_of_a_body_of_a_micrometre(mass: float, moment: float, severity: Severity) -> None:
     """UUV simulator's thrusters: 1 g within 1 µm, on purpose, which Gazebo simulates."""
     tensor = (moment, 0, 0, moment, 0, moment)
-    thruster = link("base") + part("thruster", 0.001, tensor, BALL)
+    thruster = link("base") + part("thruster", mass, tensor, BALL)
     thruster += joint("base", "thruster", "revolute")
     (found,) = reported("INE005", thruster)
     assert found.severity is severity
