@@ -1,6 +1,9 @@
+from pathlib import Path
+
 import pytest
 
 from tests.reported import fixed, messages, places, reported
+from urdfkit import check
 
 JOINT = '<link name="a"/><link name="b"/>\n<joint {}>{}</joint>'
 ENDS = '<parent link="a"/><child link="b"/>'
@@ -101,3 +104,17 @@ def test_links_and_joints_without_a_name() -> None:
 
 def test_no_name_at_all_is_the_same_rule() -> None:
     assert messages("URD003", "<link/>") == ["<link>: <link> has no 'name'"]
+
+
+def test_mujoco_reads_a_material_without_a_name(tmp_path: Path) -> None:
+    mujoco = pytest.importorskip("mujoco")
+    path = tmp_path / "r.urdf"
+    path.write_text(
+        '<robot name="r"><mujoco><compiler discardvisual="false"/></mujoco><link name="a"><visual>'
+        '<geometry><sphere radius="0.1"/></geometry><material><color rgba="1 0 0 1"/></material>'
+        "</visual></link></robot>"
+    )
+    assert mujoco.MjModel.from_xml_path(str(path)).geom_rgba[0].tolist() == [1, 0, 0, 1]
+    for target, severity in (("mujoco", "warning"), ("pinocchio", "error")):
+        (found,) = check(path, select=["URD003"], targets=[target]).diagnostics
+        assert found.severity.value == severity

@@ -45,7 +45,11 @@ def check(subject: Subject) -> Findings:
             yield Finding(attribute, f"a {element.tag} has an empty name", "give it a name")
             continue
         if attribute is None:
-            yield Finding(element, message, group_key=f"{missing} of {element.tag}")
+            # MuJoCo reads the colour of a material without a name.
+            is_unneeded = element.tag == "material" and subject.targets.are_only("mujoco")
+            severity = Severity.WARNING if is_unneeded else None
+            key = f"{missing} of {element.tag}"
+            yield Finding(element, message, group_key=key, severity=severity)
             continue
         edits = rename_attribute(attribute, suggested)
         yield Finding(
