@@ -178,6 +178,6 @@ def _of_names(names: Iterable[str]) -> str:
 
 
 def _digest(data: bytes) -> str:
-    from hashlib import blake2b
+    from urdfkit.core.digest import blake2b
 
     return blake2b(data, digest_size=16).hexdigest()

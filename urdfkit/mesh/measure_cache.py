@@ -85,8 +85,7 @@ class Store:
 
 def _digest(data: bytes, form: str, directory: str) -> str:
     """Of all that the measures are made from: a file and those that it names."""
-    from hashlib import blake2b
-
+    from urdfkit.core.digest import blake2b
     from urdfkit.mesh.io import referenced_files
 
     digest = blake2b(f"{form} {len(data)}\n".encode(), digest_size=20)
