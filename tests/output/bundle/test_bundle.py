@@ -256,7 +256,6 @@ def test_equal_bundles_have_equal_zips(robot: Path, tmp_path: Path) -> None:
 
 
 @needs_corpus
-@pytest.mark.slow
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
 def test_robots_of_the_corpus_load_from_their_bundles(
     entry: tuple[Path, dict[str, Any]], tmp_path: Path
