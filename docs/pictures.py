@@ -31,7 +31,7 @@ def drawn(name: str, robot: Path, *words: str, size: list[str] = SMALL) -> None:
     assert code == 0, name
 
 
-def mended(directory: Path) -> Path:
+def fixed(directory: Path) -> Path:
     """The robot of the quick start, after what the quick start does."""
     shutil.copytree(PACKAGE, directory / "mine")
     robot = directory / "mine" / "urdf" / "waking_robot_new.xacro"
@@ -47,7 +47,7 @@ def main() -> None:
     arm = [f"--joint={word}" for word in POSE]
     ur5e = ["ur_type:=ur5e", "name:=ur", *arm]
     with tempfile.TemporaryDirectory() as scratch:
-        drawn("robot", mended(Path(scratch)), size=LARGE)
+        drawn("robot", fixed(Path(scratch)), size=LARGE)
     drawn("findings", mission, "--findings")
     drawn("collision", mission, "--layers", "visual,collision,names")
     drawn("ur5e", corpus / UR5E, *ur5e)

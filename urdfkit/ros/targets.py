@@ -85,7 +85,7 @@ class TargetFacts(Record):
         title: what it stands for.
         unread: families of rules about what the program does not read.
         meshes: the formats that it loads; empty if that is not known, or depends on the machine.
-        drops_visuals: True if it loads no visuals unless it is told to.
+        drops_visuals: True if it loads no visuals unless it is asked to.
         loads_first_object: True if it loads only the first object or group of an OBJ.
         collides_hulls: True if the convex hulls of meshes collide, not their triangles.
         collides_with_welded: True if a link collides with the one above, where that is welded to

@@ -5,9 +5,11 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 import zipfile
 from pathlib import Path
 from typing import Any
+from xml.sax.saxutils import quoteattr
 
 import pytest
 
@@ -220,6 +222,52 @@ def test_a_missing_mesh_is_an_error_at_its_place(tmp_path: Path) -> None:
     with pytest.raises(UrdfkitError, match=r"xacro:266:25: package://gazebo_pkg/meshes/hokuyo.dae"):
         bundle(mission, tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_nothing_from_outside_of_the_workspace_is_bundled(robot: Path, tmp_path: Path) -> None:
+    (tmp_path / "src" / ".git").mkdir()
+    secret = add_file(tmp_path / "secret.png", PNG + b"secret")
+    image = robot.parents[1] / "meshes" / "visual" / "wood.png"
+    for outside in ("wood.png", "../../../../secret.png", str(secret)):
+        image.unlink(missing_ok=True)
+        image.symlink_to(secret)
+        library = f"newmtl wood\nKd 1 0 0\nmap_Kd {outside}\n".encode()
+        (image.parent.parent / "tip.mtl").write_bytes(library)
+        (image.parent / "tip.mtl").write_bytes(library)
+        obj = image.parent / "tip.obj"
+        for path in ("tip.mtl", "../tip.mtl"):
+            obj.write_bytes(re.sub(rb"mtllib .*", f"mtllib {path}".encode(), obj.read_bytes()))
+            for consumer in ("any", "web"):
+                bundle(robot, tmp_path / "out", consumer=consumer, force=True)
+                assert not [n for n, d in contents(tmp_path / "out").items() if b"secret" in d]
+
+
+def test_a_mesh_that_names_itself_is_there_once(robot: Path, tmp_path: Path) -> None:
+    obj = robot.parents[1] / "meshes" / "visual" / "tip.obj"
+    obj.write_bytes(re.sub(rb"mtllib .*", b"mtllib tip.obj", obj.read_bytes()))
+    bundle(robot, tmp_path / "out")
+    assert "meshes/tip.obj" in contents(tmp_path / "out")
+
+
+@pytest.mark.parametrize(
+    "name", ["a & b's <1>.stl", 'quote".stl', "\u540d \u00e9.stl", "tab\t.stl"]
+)
+def test_names_are_written_so_that_readers_see_them(tmp_path: Path, name: str) -> None:
+    add_file(tmp_path / name, samples.stl(TRIANGLES))
+    mesh = f"<mesh filename={quoteattr(name)}/>"
+    link = f'<link name="a"><visual><geometry>{mesh}</geometry></visual></link>'
+    robot = add_file(tmp_path / "r.urdf", f'<robot name="r">{link}</robot>'.encode())
+    made, _ = bundle(robot, tmp_path / "out")
+    (written,) = read(tmp_path / "out" / made.urdf).files.meshes
+    assert (written.at.value, written.located.path) == (
+        f"meshes/{name}",
+        str(tmp_path / "out" / "meshes" / name),
+    )
+
+
+def test_no_such_program(robot: Path, tmp_path: Path) -> None:
+    with pytest.raises(UrdfkitError, match="no program 'mujco'; did you mean 'mujoco'"):
+        bundle(robot, tmp_path / "out", consumer="mujco")
 
 
 def test_a_broken_mesh_leaves_nothing_behind(robot: Path, tmp_path: Path) -> None:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import MissingLibrary, UrdfkitError
-from urdfkit.mesh.io import facts
-from urdfkit.mesh.io.facts import MeshFacts, has_other_unit
+from urdfkit.mesh.io import facts, referenced_files
+from urdfkit.mesh.io.facts import MAX_BYTES, MeshFacts, has_other_unit
 from urdfkit.mesh.io.obj import objects
 from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.workspace.package_directories import is_within
@@ -115,15 +115,17 @@ def _lies_below(path: str, other: str) -> bool:
 
 
 def _with_its_files(path: str, mesh: Mesh, stem: str) -> Iterator[BundledFile]:
-    """A mesh file and those that it names, at the same paths from one another."""
-    start, name = os.path.split(os.path.abspath(path))
-    there = [other for other in mesh.files if disk.is_file(other)]
-    home = f"meshes/{stem}" if there else "meshes"
-    own = name if there else stem + os.path.splitext(name)[1]
+    """A mesh file and those that it names and may read, at the same paths from one another."""
+    path = os.path.abspath(path)
+    start, name = os.path.split(path)
+    read = {other: referenced_files.read(other, MAX_BYTES, start) for other in mesh.files}
+    others = {other: data for other, data in read.items() if data is not None and other != path}
+    home = f"meshes/{stem}" if others else "meshes"
+    own = name if others else stem + os.path.splitext(name)[1]
     yield BundledFile(f"{home}/{own}", disk.read(path), path)
-    for other in there:
+    for other, data in others.items():
         relative = os.path.relpath(other, start).replace(os.sep, "/")
-        yield BundledFile(f"{home}/{relative}", disk.read(other), other)
+        yield BundledFile(f"{home}/{relative}", data, other)
 
 
 def _written(

@@ -11,7 +11,8 @@ from tempfile import mkdtemp
 
 from urdfkit.core import atomic
 from urdfkit.core.record import Record
-from urdfkit.errors import UnwritableFile
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import UnwritableFile, UrdfkitError
 from urdfkit.lint.context import Subject
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
@@ -58,8 +59,10 @@ def bundle(
         What was written, and why the program will reject it all the same.
 
     Raises:
-        UrdfkitError: a file is missing, broken, or cannot be written.
+        UrdfkitError: no consumer has that name; a file is missing, broken, or cannot be written.
     """
+    if consumer not in CONSUMERS:
+        raise UrdfkitError(f"no program '{consumer}'{did_you_mean(consumer, CONSUMERS)}")
     subject = robot if isinstance(robot, Subject) else read(robot)
     made = Bundle(subject, CONSUMERS[consumer])
     with _staged(made.files(), os.path.abspath(out), force=force) as directory:
