@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from urdfkit.core.words import few
+from urdfkit.core.words import counted, few
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown
@@ -21,11 +21,6 @@ _STEPS = {
     "launch": "launched from",
 }
 _GUTTER = 8  # columns before a line of source
-
-
-def many(count: int, noun: str) -> str:
-    """A number and what it counts."""
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 class Page:
@@ -58,7 +53,7 @@ class Page:
         first, *others = group
         blocks = [self.head(first)]
         if macros := [step for step in first.calls[0].via if step.kind == "macro"]:
-            more = f" and {many(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
+            more = f" and {counted(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
             blocks.append(f"{self._step(macros[-1])}{more}")
         if others:
             places = few([self._near(other.span, first) for other in others], MAX_CALLS)
@@ -129,7 +124,7 @@ class Page:
         for number, step in enumerate(way):
             if MAX_CALLS <= number < len(way) - 1:  # the outermost is where a person looks
                 if number == MAX_CALLS:
-                    yield f"  ... {many(len(way) - MAX_CALLS - 1, 'more call')} ..."
+                    yield f"  ... {counted(len(way) - MAX_CALLS - 1, 'more call')} ..."
                 continue
             yield self._step(step)
 

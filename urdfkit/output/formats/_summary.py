@@ -6,10 +6,10 @@ import os
 from collections.abc import Iterator
 from itertools import islice
 
-from urdfkit.core.words import few
+from urdfkit.core.words import counted, few
 from urdfkit.lint.report import Crashed, Report
 from urdfkit.lint.rule_index import NOT_CHECKED, external
-from urdfkit.output.formats._page import COLORS, Page, many
+from urdfkit.output.formats._page import COLORS, Page
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable
@@ -26,7 +26,7 @@ def crashes(report: Report, page: Page) -> Iterator[str]:
     """The rules that crashed, those with one error together."""
     for crash, codes in _crashed(report):
         whose = "that rule" if crash.code in external() else "urdfkit"
-        what = few([code for code in codes if code], MAX_CODES) or "the check"
+        what = few(codes, MAX_CODES) or "the check"
         text = (
             f"{page.path(crash.path)}: {what} failed with {crash.error}. This is a bug in "
             f"{whose}, not in the robot: please report it with the file."
@@ -59,24 +59,24 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     """The last line: how much was found, and which rules did not get to look."""
     page = Page(color, width)
     counts = {severity: report.count(severity) for severity in Severity}
-    found = [many(count, severity.value) for severity, count in counts.items() if count]
-    text = f"{', '.join(found) or 'no findings'} in {many(len(report.files), 'file')}"
+    found = [counted(count, severity.value) for severity, count in counts.items() if count]
+    text = f"{', '.join(found) or 'no findings'} in {counted(len(report.files), 'file')}"
     reasons = [*_launched(report)]
     if unchecked := sum(found.code == NOT_CHECKED for found in report.diagnostics):
-        reasons.append(f"{many(unchecked, 'robot')} not checked")
+        reasons.append(f"{counted(unchecked, 'robot')} not checked")
     reasons += [f"{what} skipped: {why}" for why, what in _skipped(report)]
     if crashed := {crash.code for crash in report.crashed if crash.code}:
-        reasons.append(f"{many(len(crashed), 'rule')} crashed")
+        reasons.append(f"{counted(len(crashed), 'rule')} crashed")
     if report.suppressed:
-        reasons.append(f"{many(report.suppressed, 'finding')} suppressed")
+        reasons.append(f"{counted(report.suppressed, 'finding')} suppressed")
     if report.tolerated:
-        reasons.append(f"{many(report.tolerated, 'finding')} in the baseline")
+        reasons.append(f"{counted(report.tolerated, 'finding')} in the baseline")
     if reasons:
         text += f" ({'; '.join(reasons)})"
     text = page.wrap(text, indent=2)
     for severity, count in counts.items():
         if count:
-            words = many(count, severity.value)
+            words = counted(count, severity.value)
             text = text.replace(words, page.paint(words, COLORS[severity]), 1)
     return text + "\n"
 
@@ -115,7 +115,7 @@ def _launched(report: Report) -> Iterator[str]:
             values.setdefault((one.path, name), {}).setdefault(value, one.launch)
     for (path, name), launches in values.items():
         files = {os.path.basename(launch) for launch in launches.values()}
-        where = min(files) if len(files) == 1 else many(len(files), "launch file")
+        where = min(files) if len(files) == 1 else counted(len(files), "launch file")
         what = f"{name} {', '.join(launches)}"
         if len(what) > MAX_VALUES:
             what = f"{len(launches)} values of {name}"
@@ -134,9 +134,9 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
             codes.setdefault(skip.reason, set()).add(skip.code)
         else:
             files.setdefault(skip.reason, set()).add(skip.path)
-    found = [(reason, many(len(codes[reason]), "rule")) for reason in sorted(codes)]
+    found = [(reason, counted(len(codes[reason]), "rule")) for reason in sorted(codes)]
     for reason in sorted(files):
         paths = sorted({shown(path) for path in files[reason]})
-        named = ", ".join(paths) if len(paths) <= MAX_FILES else many(len(paths), "file")
+        named = ", ".join(paths) if len(paths) <= MAX_FILES else counted(len(paths), "file")
         found.append((reason, printable(named)))
     return found

@@ -6,10 +6,10 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import groupby
 
-from urdfkit.core.words import few
+from urdfkit.core.words import counted, few
 from urdfkit.lint.grouping import grouped, groups
 from urdfkit.lint.report import Report
-from urdfkit.output.formats._page import Page, many
+from urdfkit.output.formats._page import Page
 from urdfkit.output.formats._summary import crashes, hints, summary
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
@@ -48,5 +48,5 @@ def _infos(report: Report, page: Page) -> str:
     if not codes:
         return ""
     names = few([code for code, _ in codes.most_common()], MAX_CODES)
-    count = many(codes.total(), "info")
+    count = counted(codes.total(), "info")
     return page.wrap(f"Not shown: {count} ({names}); --info shows them", indent=2) + "\n"
