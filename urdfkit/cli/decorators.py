@@ -33,6 +33,11 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]
     return decorated
 
 
+def in_formats(*names: str) -> Callable[[Command], Command]:
+    """Give a command the option ``--format``, as ``form``; the first format is the default."""
+    return click.option("--format", "form", type=click.Choice(names), default=names[0])
+
+
 TRUST = click.option(
     "--trust", is_flag=True, help="Let the model run any expression and read any file."
 )

@@ -9,6 +9,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import with_examples
+from urdfkit.core.words import listed
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.rule_index import FAMILIES, find_rule, note
 from urdfkit.lint.rules import Need, Rule
@@ -75,8 +76,8 @@ def render(rule: Rule) -> str:
     if rule.preview:
         parts.append("Preview: runs with --preview, or if it is selected by its code or name.")
     if rule.options:
-        listed = ", ".join(f"{name} = {value:g}" for name, value in rule.options.items())
-        parts.append(_fill(f"Options in [rules.{rule.code}] of the configuration: {listed}"))
+        defaults = ", ".join(f"{name} = {value:g}" for name, value in rule.options.items())
+        parts.append(_fill(f"Options in [rules.{rule.code}] of the configuration: {defaults}"))
     if rule.help:
         parts.append(_fill(f"Help: {rule.help}"))
     for title, example in _robots(rule).items():
@@ -99,8 +100,7 @@ def severities(rule: Rule) -> str:
     for severity in Severity:
         names = [name for name, one in rule.by_target.items() if one is severity]
         if names and severity is not rule.severity:
-            listed = " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
-            parts.append(f"{severity.value} for {listed}")
+            parts.append(f"{severity.value} for {listed(names)}")
     return ", ".join(parts)
 
 

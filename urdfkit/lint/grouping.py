@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from urdfkit.core.words import more_like_this
 from urdfkit.text.diagnostic import Diagnostic, Fix, Related
 
 #: Findings that are alike and still shown one by one.
@@ -37,7 +38,7 @@ def grouped(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
 def _as_one(group: list[Diagnostic]) -> Diagnostic:
     first, *others = group
     return first._replace(
-        message=f"{first.message} (and {len(others)} more like this)",
+        message=first.message + more_like_this(len(others)),
         related=first.related + tuple(_note(other, first) for other in others[:MAX_NOTES]),
         fix=_together([one.fix for one in group]),
     )
@@ -57,5 +58,5 @@ def _together(fixes: list[Fix | None]) -> Fix | None:
     if not known or len(known) < len(fixes):
         return None
     edits = dict.fromkeys(edit for fix in known for edit in fix.edits)  # two may share a fix
-    title = f"{known[0].title} (and {len(known) - 1} more like this)"
+    title = known[0].title + more_like_this(len(known) - 1)
     return Fix(title, tuple(edits), all(fix.safe for fix in known))

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
+from urdfkit.core.words import counted, few
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Crashed, Report
 from urdfkit.lint.rule_index import NOT_CHECKED, external
@@ -86,24 +87,24 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     """The last line: how much was found, and which rules did not get to look."""
     page = _TextReport(color, width)
     counts = {severity: report.count(severity) for severity in Severity}
-    found = [_many(count, severity.value) for severity, count in counts.items() if count]
-    text = f"{', '.join(found) or 'no findings'} in {_many(len(report.files), 'file')}"
+    found = [counted(count, severity.value) for severity, count in counts.items() if count]
+    text = f"{', '.join(found) or 'no findings'} in {counted(len(report.files), 'file')}"
     reasons = [*_launched(report)]
     if unchecked := sum(found.code == NOT_CHECKED for found in report.diagnostics):
-        reasons.append(f"{_many(unchecked, 'robot')} not checked")
+        reasons.append(f"{counted(unchecked, 'robot')} not checked")
     reasons += [f"{what} skipped: {why}" for why, what in _skipped(report)]
     if crashed := {crash.code for crash in report.crashed if crash.code}:
-        reasons.append(f"{_many(len(crashed), 'rule')} crashed")
+        reasons.append(f"{counted(len(crashed), 'rule')} crashed")
     if report.suppressed:
-        reasons.append(f"{_many(report.suppressed, 'finding')} suppressed")
+        reasons.append(f"{counted(report.suppressed, 'finding')} suppressed")
     if report.tolerated:
-        reasons.append(f"{_many(report.tolerated, 'finding')} in the baseline")
+        reasons.append(f"{counted(report.tolerated, 'finding')} in the baseline")
     if reasons:
         text += f" ({'; '.join(reasons)})"
     text = page.wrap(text, indent=2)
     for severity, count in counts.items():
         if count:
-            words = _many(count, severity.value)
+            words = counted(count, severity.value)
             text = text.replace(words, page.paint(words, _COLORS[severity]), 1)
     return text + "\n"
 
@@ -125,7 +126,7 @@ def _launched(report: Report) -> Iterator[str]:
             values.setdefault((one.path, name), {}).setdefault(value, one.launch)
     for (path, name), launches in values.items():
         files = {os.path.basename(launch) for launch in launches.values()}
-        where = min(files) if len(files) == 1 else _many(len(files), "launch file")
+        where = min(files) if len(files) == 1 else counted(len(files), "launch file")
         what = f"{name} {', '.join(launches)}"
         if len(what) > MAX_VALUES:
             what = f"{len(launches)} values of {name}"
@@ -144,16 +145,12 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
             codes.setdefault(skip.reason, set()).add(skip.code)
         else:
             files.setdefault(skip.reason, set()).add(skip.path)
-    found = [(reason, _many(len(codes[reason]), "rule")) for reason in sorted(codes)]
+    found = [(reason, counted(len(codes[reason]), "rule")) for reason in sorted(codes)]
     for reason in sorted(files):
         paths = sorted({shown(path) for path in files[reason]})
-        named = ", ".join(paths) if len(paths) <= MAX_FILES else _many(len(paths), "file")
+        named = ", ".join(paths) if len(paths) <= MAX_FILES else counted(len(paths), "file")
         found.append((reason, printable(named)))
     return found
-
-
-def _many(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 class _TextReport:
@@ -182,8 +179,7 @@ class _TextReport:
 
     def crash(self, crash: Crashed, codes: Sequence[str]) -> str:
         whose = "that rule" if crash.code in external() else "urdfkit"
-        more = f" and {len(codes) - MAX_CODES} more" if len(codes) > MAX_CODES else ""
-        what = ", ".join(codes[:MAX_CODES]) + more or "the check"
+        what = few(codes, MAX_CODES) or "the check"
         text = (
             f"{self.path(crash.path)}: {what} failed with {crash.error}. This is a bug in "
             f"{whose}, not in the robot: please report it with the file."
@@ -247,7 +243,7 @@ class _TextReport:
         for number, step in enumerate(way):
             if MAX_CALLS <= number < len(way) - 1:  # the outermost is where a person looks
                 if number == MAX_CALLS:
-                    yield f"  ... {_many(len(way) - MAX_CALLS - 1, 'more call')} ..."
+                    yield f"  ... {counted(len(way) - MAX_CALLS - 1, 'more call')} ..."
                 continue
             yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
 
