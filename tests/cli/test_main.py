@@ -83,9 +83,9 @@ def test_what_each_command_does_is_told_on_one_line_of_80_columns(
 ) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     assert main([*group, "--help"]) == 0
-    commands = capsys.readouterr().out.partition("Commands:")[2].splitlines()
-    assert len(commands) > 5
-    assert [line for line in commands if line.endswith("...")] == []
+    help_text = capsys.readouterr().out
+    assert [line for line in help_text.splitlines() if line.endswith("...")] == []
+    assert max(map(len, help_text.splitlines())) <= 80
 
 
 @pytest.mark.parametrize("command", [[], ["check"], ["explain"], ["rules"]])
