@@ -8,7 +8,7 @@ from __future__ import annotations
 TYPE_CHECKING = False
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from urdfkit.core.progress import Progress
 
 #: To the process that waits for this one; -1 if none does.
 _channel = -1
@@ -76,7 +76,7 @@ def limit_memory(size: int) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (size, most))
 
 
-def noting(progress: Callable[[int, int], None] | None) -> Callable[[int, int], None] | None:
+def noting(progress: Progress | None) -> Progress | None:
     """Progress that the process that waits for this one learns of, too."""
     if not is_answering():
         return progress
