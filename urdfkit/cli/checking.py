@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from urdfkit.lint.baseline import Fingerprint
     from urdfkit.lint.fix_session import Fixes
 
+#: Formats that say what would be fixed.
+_FOR_PEOPLE = ("text", "full")
+
 
 def run_check(values: Mapping[str, Any]) -> int:
     """Check, report, and return the exit code.
@@ -35,8 +38,8 @@ def run_check(values: Mapping[str, Any]) -> int:
     Args:
         values: of the options and files, by key.
     """
-    outputs = options.outputs(values)
     chosen = choices(values)
+    outputs = options.outputs(values, fail_on(values, chosen).value)
     if values["show_files"]:
         output.write(_files(values, chosen))
         return 0
@@ -53,7 +56,7 @@ def run_check(values: Mapping[str, Any]) -> int:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
     else:
         report = _check(values, chosen)
-        if any(name == "text" for name, _ in outputs) and _has_fixes(report):
+        if any(name in _FOR_PEOPLE for name, _ in outputs) and _has_fixes(report):
             report = _with_fixable(report, values, chosen)
     report = _with_baseline(report, known, values)
     _show_crashes(report)
