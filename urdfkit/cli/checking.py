@@ -24,7 +24,7 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from collections import Counter
 
-    from urdfkit.cli.progress import Progress
+    from urdfkit.cli.progress import ProgressBar
     from urdfkit.lint.baseline import Fingerprint
     from urdfkit.lint.fix_session import Fixes
 
@@ -249,7 +249,7 @@ def _with_baseline(
     return baseline.apply_baseline(report, known, directory)
 
 
-def _progress(files: Sequence[str]) -> Progress | None:
+def _progress(files: Sequence[str]) -> ProgressBar | None:
     """Of the robots; of a single one, of its mesh files, for nothing else takes that long."""
     if sys.stderr is None or not sys.stderr.isatty():
         return None  # which spares the import

@@ -35,6 +35,7 @@ from urdfkit.text.source import shown
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.text.diagnostic import Problem
 
 #: Robots of a directory that an error names.
@@ -143,7 +144,7 @@ def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
     return ReadOptions(entry.arguments, packages, asked["trust"] or config.trust)
 
 
-def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None = None) -> Subject:
+def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Subject:
     """The robot that a command line names.
 
     Args:
