@@ -54,6 +54,12 @@ VARIANT = click.option(
 TARGET = click.option(
     "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
 )
+RULES = click.option(
+    "--rules",
+    multiple=True,
+    metavar="NAMES",
+    help="Rule packages to load: installed names, or modules.",
+)
 
 #: Gives a command that computes the limits of its process; they hold from here on.
 limited = with_options(

@@ -8,7 +8,7 @@ from textwrap import fill, indent
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import RULES, with_examples
 from urdfkit.core.words import listed
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.rule_index import FAMILIES, find_rule, note
@@ -33,12 +33,7 @@ _HARD = "\0"
 
 @with_examples("explain", "urdfkit explain MSH001")
 @click.argument("words", nargs=-1, required=True, metavar="RULE...")
-@click.option(
-    "--rules",
-    multiple=True,
-    metavar="NAMES",
-    help="Rule packages to load: installed names, or modules.",
-)
+@RULES
 def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
     """Explain a rule: what it reports, why, and how to fix it.
 

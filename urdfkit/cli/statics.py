@@ -13,8 +13,6 @@ from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.core.suggest import did_you_mean
-from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import RobotModel
@@ -77,7 +75,7 @@ def command(
     given = positions(subject, asked)
     carried = _payload(subject, payload)
     loads = _statics(subject, given, carried, samples, seed)
-    contacts = [_known(subject, link) for link in contact] or None
+    contacts = [subject.model.require_link(link).name for link in contact] or None
     stands = standing(subject, given, contacts, payload=carried, visuals=visuals)
     lines = [*render(loads, subject.model, posed=bool(given)), ""]
     lines += (line for text in describe(stands) for line in output.wrapped(text))
@@ -92,15 +90,9 @@ def _payload(subject: Subject, words: tuple[str, ...]) -> dict[str, float]:
         value = number(mass.removesuffix("kg"))
         if not at or value is None or value < 0:
             raise options.UsageError(f"--payload {word}: expected KG@LINK: a mass in kg and a link")
-        found[_known(subject, link)] = found.get(link, 0.0) + value
+        subject.model.require_link(link)
+        found[link] = found.get(link, 0.0) + value
     return found
-
-
-def _known(subject: Subject, link: str) -> str:
-    if link not in subject.model.links_by_name:
-        hint = did_you_mean(link, subject.model.links_by_name)
-        raise UrdfkitError(f"no link '{link}'{hint}")
-    return link
 
 
 def _statics(

@@ -10,7 +10,7 @@ from errno import ENOMEM
 TYPE_CHECKING = False
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from urdfkit.core.progress import Progress
 
 #: Bytes: what a library may have asked for in vain, in one piece, when something fails.
 _MARGIN = 128 * 2**20
@@ -109,7 +109,7 @@ def _room() -> float:
     return float("inf")
 
 
-def noting(progress: Callable[[int, int], None] | None) -> Callable[[int, int], None] | None:
+def noting(progress: Progress | None) -> Progress | None:
     """Progress that the process that waits for this one learns of, too."""
     if not is_answering():
         return progress

@@ -167,7 +167,7 @@ def assert_no_findings(
 
 
 def _text(report: Report) -> str:
-    from urdfkit.output.formats.text import render
+    from urdfkit.output.formats.full import render
 
     return "\n" + render(report)
 

@@ -8,7 +8,7 @@ from urdfkit.core.words import counted
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.output.formats.text import summary
+from urdfkit.output.formats._summary import summary
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.markdown import escape
 
