@@ -1,11 +1,11 @@
 """A property, an argument or a macro is defined and never used.
 
-A change of the property, or `name:=value` on the command line, then has no effect. What is only left
-over is an info: the robot is the same without it. It is a warning where somebody is misled: a use
-misspells the name, the file writes the number of a property out elsewhere, or an argument is given
-a value, by a launch file or the caller, that changes nothing. Not reported in files that other
-files include, in libraries of macros, and where an include is not expanded: the name may be used
-there.
+A change of the property, or `name:=value` on the command line, then has no effect. What is only
+left over is an info: the robot is the same without it. It is a warning where somebody is misled: a
+use misspells the name, the file writes the number of a property out elsewhere, or an argument is
+given a value, by a launch file or the caller, that changes nothing. Not reported in files that
+other files include, in libraries of macros, and where an include is not expanded: the name may be
+used there.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
