@@ -16,10 +16,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import subjects
-from urdfkit.lint.fix_guard import (
-    Checker,
-    real_path,
-)
+from urdfkit.lint.fix_guard import Checker, real_path
 from urdfkit.lint.fix_session import Fixes, FixSession, UnappliedFix
 from urdfkit.lint.options import Options, choose, external_codes
 from urdfkit.lint.report import Fixable, Report

@@ -8,11 +8,11 @@ the order of the bands, so the bytes are the same for any number of threads.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
 from typing import NamedTuple, TypedDict
 
 import numpy as np
 
+from urdfkit.core.progress import Progress
 from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface, fragments, surface
@@ -93,7 +93,7 @@ def draw(
     floor: bool = True,
     level: float | None = None,
     threads: int | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Bytes:
     """Draw a scene.
 
@@ -161,7 +161,7 @@ class _Drawing:
         is_whole = len(chosen) == len(everything.faces)
         return screen, everything if is_whole else chosen_triangles(everything, chosen)
 
-    def image(self, background: Background | None, progress: Callable[[int, int], None]) -> Bytes:
+    def image(self, background: Background | None, progress: Progress) -> Bytes:
         width, height = self.camera.size
         bands: dict[int, _Band] = {}
         count, steps = 3 * -(-height // BAND), itertools.count(1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.core.record import Record
+from urdfkit.core.words import few
 
 MAX_ERRORS = 100
 #: Tags that are compared to distinguish a missing end tag from one too many.
@@ -187,9 +188,7 @@ class TagMatching:
             return
         still = [tag for tag in reversed(self._open) if tag.kind == "open"]
         if still:
-            names = ", ".join(f"</{tag.name}>" for tag in still[:5]) + (
-                f" and {len(still) - 5} more" if len(still) > 5 else ""
-            )
+            names = few([f"</{tag.name}>" for tag in still], 5)
             notes = [tag.note(f"{self._shown(tag)} is not closed") for tag in still[:5]]
             end = len(self._data.rstrip())
             self._add((end, end), f"the file ends before {names}", *notes)

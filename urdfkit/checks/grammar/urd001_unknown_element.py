@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
@@ -131,10 +132,8 @@ def _in_place(
     places = " or ".join(f"<{place}>" for place in sorted(places_of(element.tag)))
     message = (
         f"{owner(parent)}: URDF parsers ignore <{element.tag}> inside <{parent.tag}>; "
-        f"it belongs in {places}"
+        f"it belongs in {places}{more_like_this(len(others))}"
     )
-    if others:
-        message += f" (and {len(others)} more like this)"
     related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
     # The colour of a collision is not shown; onshape-to-robot writes an <origin> of zeros in links.
     is_material = element.tag == "material" and parent.tag == "collision"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable
 from math import dist
 from typing import TYPE_CHECKING
 
@@ -24,6 +23,7 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import without_directory
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.core.spatial import Vector
 
 #: What two states may differ in; ``findings`` are new ones, from warnings upwards.
@@ -100,7 +100,7 @@ def compare(
     *,
     tolerances: Tolerances | None = None,
     has_images: bool = False,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Comparison:
     """What became of a robot.
 

@@ -22,8 +22,6 @@ from urdfkit.render.scene import SceneItem
 from urdfkit.render.textures import stripes
 from urdfkit.render.textures import texture as read_image
 
-Bytes = NDArray[np.uint8]
-
 _ARRAY, _ELEMENTS = 34962, 34963
 _TYPES = {"i1": 5120, "u1": 5121, "u2": 5123, "u4": 5125, "f4": 5126}
 _SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}

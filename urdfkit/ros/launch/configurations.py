@@ -14,6 +14,7 @@ from urdfkit.ros.launch.argument_checks import (
     undeclared,
     unknown_to_included,
 )
+from urdfkit.ros.launch.contents import Word
 from urdfkit.ros.launch.signature import Signature, declares, signature
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem
@@ -69,6 +70,21 @@ class Configurations:
         text = self._values.text
         own = {name: self._values.configuration(name) for name in self._values.arguments}
         return {**own, **{name: text(value) for key, value in pairs if (name := text(key))}}
+
+    def seen(self, call: ast.Call) -> dict[str, Word] | None:
+        """The arguments that an included file sees, with their places; None as in `given`."""
+        pairs = self._pairs(call)
+        if pairs is None:
+            return None
+        values = self._values
+        place = values.span(call)
+        own = {name: Word(values.configuration(name), place) for name in values.arguments}
+        passed = {
+            name: Word(values.text(value), values.span(value))
+            for key, value in pairs
+            if (name := values.text(key))
+        }
+        return own | passed
 
     def _passed(self, call: ast.Call) -> list[tuple[str, Span]] | None:
         """The names of the arguments that an include passes; None if not all are known."""

@@ -15,7 +15,14 @@ from urdfkit.ros.launch.argument_checks import (
     unknown_to_included,
 )
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
-from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, StartedProgram
+from urdfkit.ros.launch.contents import (
+    MAX_DEPTH,
+    MAX_INCLUDED,
+    PARAMETERS,
+    IncludedFile,
+    StartedProgram,
+    Word,
+)
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
 from urdfkit.ros.launch.substitutions import Substitutions, unresolved
@@ -179,6 +186,11 @@ class _File:
         attribute = element.attributes.get("file")
         path = self._path_in(attribute) if attribute else None
         purpose = "included launch file"
+        if path:
+            seen = self._seen(element)
+            is_sure = not self._unknown_conditions
+            included = IncludedFile(path, seen, element.span, self.frame, is_sure)
+            self.collector.includes.append(included)
         if attribute and path and self.collector.file(path, attribute.span, purpose):
             self._included(element, path)
             return
@@ -241,6 +253,18 @@ class _File:
             if child.tag in ("arg", "let") and attribute:
                 passed[child.get("name") or ""] = self.text(attribute)
         return passed
+
+    def _seen(self, element: Element) -> dict[str, Word]:
+        """The arguments that an included file sees, with their places."""
+        places = {
+            child.get("name") or "": child.attributes["value"].span
+            for child in element.children
+            if "value" in child.attributes
+        }
+        return {
+            name: Word(value, places.get(name, element.span))
+            for name, value in self._passed(element).items()
+        }
 
     def _param(self, element: Element) -> None:
         name = (element.get("name") or "").strip()
