@@ -122,6 +122,7 @@ READERS = {
     "workspace/package_directories.py": IN_PACKAGE,
     "workspace/resolve.py": "itself",
     "workspace/siblings.py": IN_PACKAGE,
+    "workspace/xml_programs.py": ADMITTED,
     "xacro/file_reader.py": "Resolver.allows",
 }
 
