@@ -83,9 +83,9 @@ def test_what_each_command_does_is_told_on_one_line_of_80_columns(
 ) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     assert main([*group, "--help"]) == 0
-    commands = capsys.readouterr().out.partition("Commands:")[2].splitlines()
-    assert len(commands) > 5
-    assert [line for line in commands if line.endswith("...")] == []
+    _, *lines = capsys.readouterr().out.splitlines()
+    assert [line for line in lines if line.endswith("...")] == []
+    assert max(map(len, lines)) <= 80
 
 
 @pytest.mark.parametrize("command", [[], ["check"], ["explain"], ["rules"]])

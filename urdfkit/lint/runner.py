@@ -27,7 +27,7 @@ T = TypeVar("T")
 OWN_FAMILY = "checking"
 
 #: Families of rules that apply to launch files.
-LAUNCH_FAMILIES = frozenset(("checking", "launch", "package"))
+LAUNCH_FAMILIES = frozenset(("checking", "launch", "package", "worlds"))
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000

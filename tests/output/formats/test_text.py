@@ -80,6 +80,12 @@ def test_findings_that_are_alike_are_one_with_the_places_of_the_others() -> None
     ]
 
 
+def test_a_call_in_the_file_of_the_finding_is_a_line() -> None:
+    way = (macro("inner", span(ROBOT, "<robot")),)
+    found = diagnostic(ARM, calls=(Call("m", way, "e"),))
+    assert shown(found).splitlines()[1:] == ["  expanded from macro 'inner' at line 1:1"]
+
+
 @pytest.mark.parametrize(("calls", "more"), [("a", ""), ("ab", " and 1 more place")])
 def test_the_innermost_call_of_a_macro_is_named(calls: str, more: str) -> None:
     ways = [(macro("outer", ARM), macro("inner", span(CALLS, f"<{name}/>"))) for name in calls]

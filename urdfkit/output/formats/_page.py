@@ -54,7 +54,8 @@ class Page:
         blocks = [self.head(first)]
         if macros := [step for step in first.calls[0].via if step.kind == "macro"]:
             more = f" and {counted(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
-            blocks.append(f"{self._step(macros[-1])}{more}")
+            where = self._near(macros[-1].span, first) + more
+            blocks.append(f"  expanded from macro '{printable(macros[-1].name)}' at {where}")
         if others:
             places = few([self._near(other.span, first) for other in others], MAX_CALLS)
             blocks.append(self._labelled(f"{len(others)} more like this", places))
@@ -126,10 +127,7 @@ class Page:
                 if number == MAX_CALLS:
                     yield f"  ... {counted(len(trace) - MAX_CALLS - 1, 'more call')} ..."
                 continue
-            yield self._step(step)
-
-    def _step(self, step: Step) -> str:
-        return f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
+            yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
 
     def _near(self, span: Span, diagnostic: Diagnostic) -> str:
         """A place; without the path if it is the path of the finding."""
