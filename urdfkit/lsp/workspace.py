@@ -182,8 +182,8 @@ class Workspace:
 
         Args:
             path: of the file.
-            thorough: run the rules that open meshes or compute dynamics, too, and check a robot that
-                lacks arguments with each set of values that is found, not the first alone.
+            thorough: run the rules that open meshes or compute dynamics, too, and check a robot
+                that lacks arguments with each set of values that is found, not the first alone.
             is_cancelled: asked before each rule.
 
         Raises:

@@ -7,10 +7,11 @@ for all joints above and below, one after another, at a cost that grows with the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from math import pi
 
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, rotate, times
 from urdfkit.physics.gravity_model import UP, GravityModel, rest, turned
@@ -282,7 +283,7 @@ def gravity_loads(
     efforts: Mapping[str, float | None],
     starts: Sequence[Mapping[str, float]],
     pose: Mapping[str, float],
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> list[Load]:
     """The gravity loads of some joints, those first that use the largest part of their effort.
 

@@ -6,7 +6,7 @@ for every joint climbs from the worst of these. The root is held.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
@@ -15,6 +15,7 @@ from urdfkit.physics.gravity_model import GravityModel
 from urdfkit.robot.joint_loads import effort
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.physics.dynamics.robot import Dynamics
 
 #: Poses that are drawn, and the seed.
@@ -51,7 +52,7 @@ def statics(
     samples: int = SAMPLES,
     seed: int = SEED,
     joints: Iterable[str] | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Statics:
     """The loads of the joints that can be set by one number.
 
