@@ -53,3 +53,15 @@ def test_a_first_value_that_a_missing_include_may_use(name: str, count: int) -> 
         f'{include}<xacro:property name="mesh" value="b.dae"/><link name="${{mesh}}"/></robot>'
     )
     assert len(reported("XAC008", text.encode(), "robot.xacro")) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("calibration.xacro", 0), ("", 1)])
+def test_a_block_that_a_missing_include_may_define(name: str, count: int) -> None:
+    """hector_models: the calibration of the lidar is in a package that is not there."""
+    include = f'<xacro:include filename="{name}"/>' if name else ""
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'{include}<link name="a"/><xacro:insert_block name="calibration"/></robot>'
+    )
+    found = [one.message for one in reported("XAC001", text.encode(), "robot.xacro")]
+    assert sum("block 'calibration'" in message for message in found) == count

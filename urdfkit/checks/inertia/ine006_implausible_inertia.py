@@ -103,8 +103,8 @@ def _is_deliberate(one: LinkInertia) -> bool:
     """True where a comment in the line of the tensor gives a purpose."""
     span = one.at.tag_at.whole_span
     line_end = span.source.data.find(b"\n", span.end)
-    beside = comments(span.source.data[span.end : line_end if line_end >= 0 else None])
-    return any(_PURPOSE.search(comment[1]) for comment in beside)
+    following = comments(span.source.data[span.end : line_end if line_end >= 0 else None])
+    return any(_PURPOSE.search(comment[1]) for comment in following)
 
 
 def _radius(one: LinkInertia) -> str:
