@@ -21,6 +21,7 @@ BASE = f"""<link name="base">{INERTIAL}</link>
 <origin xyz="0 {y} 0"/><axis xyz="0 1 0"/></joint>"""
     for side, y in (("left", 0.2), ("right", -0.2))
 )
+SURFACE = "<surface><friction><ode><mu>0.02</mu><mu2>0.02</mu2></ode></friction></surface>"
 CLASSIC = """<gazebo><plugin name="d" filename="libgazebo_ros_diff_drive.so">
 <left_joint>left_joint</left_joint><right_joint>right_joint</right_joint></plugin></gazebo>"""
 GZ = """<gazebo><plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
@@ -41,8 +42,7 @@ def friction(link: str, inside: str) -> str:
         "<mu1>0.01</mu1><mu2>0.01</mu2>",
         '<mu1 value="0.0"/><mu2 value="0.05"/>',
         "<mu1>0</mu1>",
-        "<collision><surface><friction><ode><mu>0.02</mu><mu2>0.02</mu2></ode></friction>"
-        "</surface></collision>",
+        f"<collision>{SURFACE}</collision>",
     ],
 )
 def test_a_wheel_without_grip(drive: str, inside: str) -> None:

@@ -50,7 +50,7 @@ def test_beams_end_at_the_robot(shape: str, at: str, percent: int, kind: str, ta
     (one,) = reported("GAZ072", robot(LIDAR.format(kind, 360), shape, at, tag))
     assert one.message.endswith("of its beams end at the robot itself: at base")
     assert abs(int(one.message.split()[2]) - percent) <= 2
-    assert one.severity is Severity.WARNING
+    assert one.severity is (Severity.WARNING if percent > 30 else Severity.INFO)
 
 
 def test_a_post_is_an_info() -> None:
@@ -149,4 +149,4 @@ def test_primitives_agree_with_points_on_their_surfaces() -> None:
                 assert found is not None
                 assert max(found[0], 0) == pytest.approx(within[0], abs=2e-3)
                 assert found[1] == pytest.approx(within[-1], abs=2e-3)
-            assert (number in met) is (len(within) > 1 or (number in met and not within))
+                assert number in met
