@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +13,7 @@ from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
+from urdfkit.core.temporary import scratch
 from urdfkit.errors import UrdfkitError
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
+    with scratch() as directory:
         scenes = []
         chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):

@@ -140,15 +140,9 @@ class Subject(DescriptionFile):
             return True
         if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
-        if self.document.root.get("name") is not None and self.has_base:
+        if self.document.root.get("name") is not None and self.tree.has_base:
             return False
         return is_included(self.source.path, self.resolver.packages)
-
-    @property
-    def has_base(self) -> bool:
-        """False if all links are below a joint whose parent is missing, as in a part of a robot."""
-        children = {joint.child.value for joint in self.model.joints if joint.child}
-        return any(root.name not in children for root in self.tree.roots)
 
     @cached_property
     def model(self) -> RobotModel:

@@ -16,7 +16,7 @@ from urdfkit.lint import rule_index
 from urdfkit.lint.context import Subject
 from urdfkit.lint.engine import check_with, subjects
 from urdfkit.lint.options import Options
-from urdfkit.lint.report import Report
+from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Need
 from urdfkit.text.diagnostic import Diagnostic, Edit
 from urdfkit.text.source import Source
@@ -50,26 +50,35 @@ def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
         old: the subjects of the first, which are read only where an error is new.
         new: the subjects of the second.
     """
-    if lost := {(s.path, s.code) for s in after.skipped} - {
-        (s.path, s.code) for s in before.skipped
-    }:
-        path = min(lost)[0]
-        return f"dropped: with it, {path} could not be checked any more"
+    if lost := _rules(after.skipped) - _rules(before.skipped):
+        return f"dropped: with it, {min(lost)[0]} could not be checked any more"
+    if added := _added_error(before, after, old, new):
+        return f"skipped: it would add {added}"
+    if failed := _rules(after.crashed) - _rules(before.crashed):
+        return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
+    return ""
+
+
+def _rules(without_result: Iterable[Skipped | Crashed]) -> set[tuple[str, str]]:
+    return {(one.path, one.code) for one in without_result}
+
+
+def _added_error(before: Report, after: Report, old: Robots, new: Robots) -> str:
+    """The code of an error that is new, and could have been seen before; empty if there is none."""
     hidden = {skipped.code for skipped in before.skipped}
     added = [
         {code: count for code, count in (_codes(now) - _codes(then)).items() if code not in hidden}
         for now, then in zip_longest(after.errors, before.errors, fillvalue=())
     ]
-    if any(added):
-        robots = zip_longest(added, after.errors, old(), new())
-        for codes, errors, then, now in robots:
-            revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
-            visible = Counter(codes) - _codes(one for one in errors or () if _is_at(one, revealed))
-            if visible:
-                return f"skipped: it would add {min(visible)}"
-    crashed = {(crash.path, crash.code) for crash in before.crashed}
-    if failed := {(crash.path, crash.code) for crash in after.crashed} - crashed:
-        return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
+    if not any(added):
+        return ""
+    for codes, errors, then, now in zip_longest(added, after.errors, old(), new()):
+        revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
+        visible: Counter[str] = Counter(codes) - _codes(
+            one for one in errors or () if _is_at(one, revealed)
+        )
+        if visible:
+            return min(visible)
     return ""
 
 

@@ -61,18 +61,15 @@ def check(subject: Subject) -> Findings:
 
 
 def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
-    parameters = use.plugin.parameters if use.plugin and use.plugin.generation != "gz" else {}
-    parameter = next((name for name in _FRAMES if name in parameters), None)
-    odometry = next((name for name in _ODOMETRY if name in parameters), None)
-    switches = [use.value(name) for name in _SWITCHES if name in parameters]
-    is_sent = all(value.lower() in ("true", "1") for value in switches)
-    if parameter is None or odometry is None or not is_sent:
+    frames = _sent_frames(use)
+    if frames is None:
         return
+    parameter, frame = frames
     written, name = use.values(parameter), use.value(parameter)
     above = subject.tree.parents.get(name.lstrip("/"), [])
     if len(above) != 1 or above[0].parent is None:
         return
-    parent, frame = above[0].parent.value, use.value(odometry) or "odom"
+    parent = above[0].parent.value
     if parent == frame.lstrip("/"):
         return
     roots = subject.tree.roots
@@ -84,6 +81,16 @@ def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
         f"name the root link '{root}', or remove the links above '{name}'",
         fix_value(written[0].at, root) if written and len(roots) == 1 else None,
     )
+
+
+def _sent_frames(use: PluginUse) -> tuple[str, str] | None:
+    """The parameter for the child of the transform that a plugin sends, and the parent."""
+    parameters = use.plugin.parameters if use.plugin and use.plugin.generation != "gz" else {}
+    child = next((name for name in _FRAMES if name in parameters), None)
+    parent = next((name for name in _ODOMETRY if name in parameters), None)
+    switches = [use.value(name) for name in _SWITCHES if name in parameters]
+    is_sent = all(value.lower() in ("true", "1") for value in switches)
+    return (child, use.value(parent) or "odom") if child and parent and is_sent else None
 
 
 def _of_controller(controller: Controller, frame: Value, subject: Subject) -> Findings:

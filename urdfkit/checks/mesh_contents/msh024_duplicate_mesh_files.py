@@ -22,9 +22,10 @@ FILES = dict.fromkeys(("left.stl", "right.stl"), stl(box((0, 0, 0), (0.1, 0.1, 0
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.FILES), help="refer to one of them from both places")
 def check(subject: Subject) -> Findings:
-    if not subject.files.copies:
+    copies = subject.files.copies
+    if not copies:
         return
-    (copy, first), *others = subject.files.copies
+    (copy, first), *others = copies
     yield Finding(
         copy.at,
         f"{copy.who} has the same content as '{first.at.value}'{more_like_this(len(others))}",

@@ -45,7 +45,7 @@ def check(subject: Subject) -> Findings:
 def _links(subject: Subject) -> Findings:
     known = subject.model.links_by_name
     children = {joint.child.value for joint in subject.model.joints if joint.child}
-    is_fragment = subject.source.path.endswith(".xacro") and not subject.has_base
+    is_fragment = subject.source.path.endswith(".xacro") and not subject.tree.has_base
     # A second parent would be another error.
     suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
     for joint in subject.model.joints:

@@ -72,10 +72,10 @@ def command(
         subject = robot({**asked, options.FILES: (model, *arguments)})
         found = _of_robot(subject, files, part, size, force)
     if not dry_run:
-        for one in found.made:
+        for one in found.generated:
             one.write()
     output.page(render(found, dry_run))
-    return int(bool(found.undone))
+    return int(bool(found.not_generated))
 
 
 def _without_robot(
@@ -102,14 +102,14 @@ def _of_robot(
 
 def render(found: GeneratedMeshes, dry_run: bool) -> Iterator[str]:
     """What was made, and what was not."""
-    if not found.made and not found.undone:
+    if not found.generated and not found.not_generated:
         yield "nothing is missing"
-    for one in found.made:
+    for one in found.generated:
         yield f"{'would write' if dry_run else 'wrote'} {shown(one.path)}"
         yield from output.indented(f"the file {one.defect}")
         yield from output.indented(one.reason)
         yield f"  {len(one.mesh.faces)} triangles, {len(one.mesh.parts)} materials"
-    for other in found.undone:
+    for other in found.not_generated:
         yield f"cannot generate {shown(other.path)}"
         yield from output.indented(f"the file {other.defect}")
         yield from output.indented(other.reason)

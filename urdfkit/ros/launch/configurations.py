@@ -129,7 +129,7 @@ class Configurations:
         for name, call in missing.items():
             if is_sure or is_typo(name, self._known):
                 span = self._values.span(call)
-                yield undeclared(name, self._known, span, None, is_lost=False)
+                yield undeclared(name, self._known, span, None, is_lost=False, ros=2)
 
     def _may_be_lent(self) -> bool:
         """True if files that include this one may give it more arguments than are known."""

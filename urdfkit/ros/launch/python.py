@@ -19,7 +19,6 @@ from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
 
 _PARAMETER_FILES = (".yaml", ".yml")
-_ROBOT_FILES = (".urdf", ".xacro")
 
 
 def read(
