@@ -1,4 +1,4 @@
-"""GAZ070: a driven wheel has next to no friction, or what slides beside it has much."""
+"""GAZ073: a driven wheel has next to no friction, or what slides beside it has much."""
 
 from __future__ import annotations
 
@@ -46,13 +46,13 @@ def friction(link: str, inside: str) -> str:
     ],
 )
 def test_a_wheel_without_grip(drive: str, inside: str) -> None:
-    (one,) = messages("GAZ070", BASE + drive + friction("left", inside))
+    (one,) = messages("GAZ073", BASE + drive + friction("left", inside))
     assert one.startswith("driven wheel 'left' has a friction coefficient of 0")
 
 
 def test_the_place_is_the_coefficient() -> None:
     both = friction("left", "<mu1>0.01</mu1>") + friction("right", "<mu2>0.02</mu2>")
-    found = reported("GAZ070", BASE + GZ + both)
+    found = reported("GAZ073", BASE + GZ + both)
     assert [one.span.text for one in found] == ["<mu1>", "<mu2>"]
 
 
@@ -69,7 +69,7 @@ drive:
 filename="gz_ros2_control-system"><parameters>{tmp_path}/c.yaml</parameters></plugin></gazebo>"""
     low = friction("right", "<mu1>0.001</mu1><mu2>0.001</mu2>")
     (tmp_path / "r.urdf").write_text(f'<robot name="r">{BASE}{control}{low}</robot>')
-    (one,) = check(tmp_path / "r.urdf", select=["GAZ070"]).diagnostics
+    (one,) = check(tmp_path / "r.urdf", select=["GAZ073"]).diagnostics
     assert "driven wheel 'right'" in one.message
 
 
@@ -85,21 +85,21 @@ filename="gz_ros2_control-system"><parameters>{tmp_path}/c.yaml</parameters></pl
     ],
 )
 def test_wheels_that_are_meant_so(text: str) -> None:
-    assert messages("GAZ070", BASE + text) == []
+    assert messages("GAZ073", BASE + text) == []
 
 
 @pytest.mark.parametrize("inside", ["<mu1>1</mu1><mu2>1</mu2>", "<mu1>0.5</mu1>"])
 def test_a_caster_with_grip(inside: str) -> None:
-    (one,) = messages("GAZ070", BASE + GZ + friction("ball", inside))
+    (one,) = messages("GAZ073", BASE + GZ + friction("ball", inside))
     assert "'ball' slides on the ground beside driven wheels" in one
 
 
 def test_casters_that_do_no_harm() -> None:
     much = friction("ball", "<mu1>1</mu1><mu2>1</mu2>")
-    assert messages("GAZ070", BASE + much) == []
-    assert messages("GAZ070", BASE + GZ) == []
-    assert messages("GAZ070", BASE + GZ + friction("ball", "<mu1>1</mu1><mu2>0.1</mu2>")) == []
+    assert messages("GAZ073", BASE + much) == []
+    assert messages("GAZ073", BASE + GZ) == []
+    assert messages("GAZ073", BASE + GZ + friction("ball", "<mu1>1</mu1><mu2>0.1</mu2>")) == []
     lifted = BASE.replace("-0.3 0 -0.05", "-0.3 0 0.05")
-    assert messages("GAZ070", lifted + GZ + much) == []
+    assert messages("GAZ073", lifted + GZ + much) == []
     turns = BASE.replace('name="b" type="fixed"', 'name="b" type="continuous"')
-    assert messages("GAZ070", turns + GZ + much) == []
+    assert messages("GAZ073", turns + GZ + much) == []
