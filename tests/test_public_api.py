@@ -18,7 +18,7 @@ NAMES = """
 Call Comparison Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Options Related Report
 RobotModel
 Rule Severity Source Span Context Tolerances UnreadableRobot UrdfkitError Xacro all_rules bundle
-check collisions compare expand find_rule fix format_files frames load mass_properties pose
+check collisions compare convert expand find_rule fix format_files frames load mass_properties pose
 read report stand statics summarise to_yourdfpy transform
 """.split()
 

@@ -43,6 +43,7 @@ __all__ = [
     "check",
     "collisions",
     "compare",
+    "convert",
     "expand",
     "find_rule",
     "fix",
@@ -77,6 +78,7 @@ if TYPE_CHECKING:
     from urdfkit.output.bundle.writing import bundle
     from urdfkit.output.comparison import Comparison, compare
     from urdfkit.output.comparison.differences import Tolerances
+    from urdfkit.output.conversion import convert
     from urdfkit.output.exchange import to_yourdfpy
     from urdfkit.output.mass_table import mass_properties
     from urdfkit.output.overview import summarise
@@ -96,6 +98,7 @@ _HOMES = {
     "physics.collision.sampling": "collisions",
     "output.bundle.writing": "bundle",
     "output.comparison": "Comparison compare",
+    "output.conversion": "convert",
     "text.diagnostic": "Call Confidence Diagnostic Edit Fix Related Severity",
     "output.comparison.differences": "Tolerances",
     "physics.dynamics.robot": "Dynamics",

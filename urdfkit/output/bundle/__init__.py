@@ -86,6 +86,8 @@ class Bundle:
             UrdfkitError: one is broken, or cannot be written in a format that is read.
         """
         for file in self._files():
+            if "\\" in file.path:  # it would lead elsewhere where it is extracted on Windows
+                raise UrdfkitError(f"{file.path}: a name with a backslash cannot be bundled")
             digest = hashlib.sha256(file.data).hexdigest()
             source = self._shown(file.source)
             self.contents.append(
@@ -93,7 +95,7 @@ class Bundle:
             )
             yield file
         text = json.dumps(self._manifest(), indent=1, ensure_ascii=False) + "\n"
-        yield BundledFile(MANIFEST, text.encode(), "")
+        yield BundledFile(MANIFEST, text.encode("utf-8", "backslashreplace"), "")
 
     def _files(self) -> Iterator[BundledFile]:
         names: dict[str, str] = {}  # in the bundle, by path
