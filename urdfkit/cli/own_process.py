@@ -40,18 +40,18 @@ def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
         leave: ends that process with an exit code.
     """
     lifeline, ours = os.pipe()
-    reports, told = os.pipe()
+    reports, reporting = os.pipe()
     process = os.fork()
     if process == 0:
         os.close(ours)
         os.close(reports)
         _depend_on(lifeline)
-        limits.answer_to(told)
+        limits.answer_to(reporting)
         code = run()
-        os.write(told, _END)
+        os.write(reporting, _END)
         leave(code)
     os.close(lifeline)
-    os.close(told)
+    os.close(reporting)
     signal.signal(signal.SIGTERM, _stop)
     try:
         said = _read(reports)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -14,10 +13,11 @@ from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
+from urdfkit.core.temporary import scratch
 from urdfkit.errors import UrdfkitError
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.render import Background, CameraOptions, DrawingOptions, Scene
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
@@ -94,7 +94,7 @@ def command(asked: dict[str, Any], **values: Any) -> int:
     return 0
 
 
-def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Scene:
+def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Scene:
     """The robot in its pose, with everything over it that is asked for."""
     from urdfkit import render
     from urdfkit.lint.engine import check_with
@@ -131,7 +131,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
 
 
 def _animation(
-    robot: Subject, pose: dict[str, float], scene: Scene, values: dict[str, Any]
+    robot: Context, pose: dict[str, float], scene: Scene, values: dict[str, Any]
 ) -> None:
     """A turn of the robot, or a sweep of one of its joints."""
     from urdfkit import render
@@ -155,7 +155,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
+    with scratch() as directory:
         scenes = []
         chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
@@ -217,7 +217,7 @@ def _background(word: str | None) -> Background | None:
     return rgb, rgb
 
 
-def _nothing(file: str, robot: Subject) -> str:
+def _nothing(file: str, robot: Context) -> str:
     if not robot.model.links:
         return f"{file}: nothing to draw: no links (a file with only macros?)"
     return f"{file}: nothing to draw: no geometry in these layers; try --layers frames,names"

@@ -26,7 +26,7 @@ from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
 from urdfkit.lint.argument_sets import unknown_arguments
 from urdfkit.lint.config import Config
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
@@ -144,7 +144,7 @@ def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
     return ReadOptions(entry.arguments, packages, asked["trust"] or config.trust)
 
 
-def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Subject:
+def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context:
     """The robot that a command line names.
 
     Args:
@@ -168,9 +168,11 @@ def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Subject
     except UnreadableRobot as error:
         raise first_of(error, file) from error
     if not subject.model.links and subject.document.root.tag != "robot":
-        raise UnreadableRobot(
-            f"{file}: the root element is <{subject.document.root.tag}>, not <robot>"
-        )
+        root = subject.document.root
+        hint = ""
+        if root.tag == "sdf" and root.child("world"):
+            hint = "; a world is checked with the package that starts it: urdfkit check PACKAGE"
+        raise UnreadableRobot(f"{file}: the root element is <{root.tag}>, not <robot>{hint}")
     for one in subject.launched:
         values = " ".join(f"{name}:={value}" for name, value in one.arguments.items())
         output.note(f"read with {values} of {shown(one.launch)}")

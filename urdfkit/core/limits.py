@@ -45,7 +45,7 @@ def begin_time(seconds: float) -> None:
     if is_answering():
         import faulthandler
 
-        _tell(f"limit {seconds:g} s")
+        _report(f"limit {seconds:g} s")
         faulthandler.dump_traceback_later(seconds, exit=True, file=_channel)
         _limit_processor_time(seconds)
 
@@ -115,7 +115,7 @@ def noting(progress: Progress | None) -> Progress | None:
         return progress
 
     def noted(done: int, total: int) -> None:
-        _tell(f"done {done} of {total}" if total else f"done {done}")
+        _report(f"done {done} of {total}" if total else f"done {done}")
         if progress:
             progress(done, total)
 
@@ -133,7 +133,7 @@ def _limit_processor_time(seconds: float) -> None:
         resource.setrlimit(resource.RLIMIT_CPU, (allowed, most))
 
 
-def _tell(text: str) -> None:
+def _report(text: str) -> None:
     import os
 
     try:

@@ -11,7 +11,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.mesh.parts import PARTS, RealPart
 from urdfkit.robot.assets.placeholder_meshes import (
     GeneratedMeshes,
@@ -72,10 +72,10 @@ def command(
         subject = robot({**asked, options.FILES: (model, *arguments)})
         found = _of_robot(subject, files, part, size, force)
     if not dry_run:
-        for one in found.made:
+        for one in found.generated:
             one.write()
     output.page(render(found, dry_run))
-    return int(bool(found.undone))
+    return int(bool(found.not_generated))
 
 
 def _without_robot(
@@ -90,7 +90,7 @@ def _without_robot(
 
 
 def _of_robot(
-    robot: Subject, files: list[str], part: RealPart | None, size: Vector | None, force: bool
+    robot: Context, files: list[str], part: RealPart | None, size: Vector | None, force: bool
 ) -> GeneratedMeshes:
     if files:
         one = generate(robot, files[0], part=part, size=size, force=force)
@@ -102,14 +102,14 @@ def _of_robot(
 
 def render(found: GeneratedMeshes, dry_run: bool) -> Iterator[str]:
     """What was made, and what was not."""
-    if not found.made and not found.undone:
+    if not found.generated and not found.not_generated:
         yield "nothing is missing"
-    for one in found.made:
+    for one in found.generated:
         yield f"{'would write' if dry_run else 'wrote'} {shown(one.path)}"
         yield from output.indented(f"the file {one.defect}")
         yield from output.indented(one.reason)
         yield f"  {len(one.mesh.faces)} triangles, {len(one.mesh.parts)} materials"
-    for other in found.undone:
+    for other in found.not_generated:
         yield f"cannot generate {shown(other.path)}"
         yield from output.indented(f"the file {other.defect}")
         yield from output.indented(other.reason)

@@ -10,7 +10,7 @@ from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown
 from urdfkit.text.terminal import columns, frame, printable, wrap
 
-#: Calls of one macro, and steps of one way, that are shown.
+#: Calls of one macro, and steps of one trace, that are shown.
 MAX_CALLS = 8
 #: Colours of severities.
 COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
@@ -36,7 +36,7 @@ class Page:
         blocks = [
             self.head(diagnostic),
             *self._frame(diagnostic.span, diagnostic.severity),
-            *self._ways(diagnostic),
+            *self._traces(diagnostic),
             *(self._note(related, diagnostic) for related in diagnostic.related),
         ]
         if diagnostic.variants:
@@ -91,41 +91,41 @@ class Page:
         used = 2 + len(f"{label}: ")
         return f"  {self.paint(f'{label}:', '1')} {self.wrap(text, indent=used, used=used)}"
 
-    def _ways(self, diagnostic: Diagnostic) -> Iterator[str]:
+    def _traces(self, diagnostic: Diagnostic) -> Iterator[str]:
         """How expansion arrived at the place, from there outwards.
 
         Steps that all calls share are printed once: the inner ones before the calls, the outer
         ones after them.
         """
-        ways = [call.via[::-1] for call in diagnostic.calls]
-        if not any(ways):
+        traces = [call.via[::-1] for call in diagnostic.calls]
+        if not any(traces):
             return
-        inner = _shared(ways)
-        own = [way[inner:] for way in ways]
-        outer = _shared([way[::-1] for way in own])
-        yield from self._steps(ways[0][:inner])
-        if len(ways) > 1:
+        inner = _shared(traces)
+        own = [trace[inner:] for trace in traces]
+        outer = _shared([trace[::-1] for trace in own])
+        yield from self._steps(traces[0][:inner])
+        if len(traces) > 1:
             what = "expanded from {} places" if any(own) else "{} findings here"
-            yield f"  {what.format(len(ways))}:"
-            for call, way in zip(diagnostic.calls[:MAX_CALLS], own, strict=False):
-                yield self._call(call, way[: len(way) - outer], diagnostic)
-            if len(ways) > MAX_CALLS:
-                yield f"    and {len(ways) - MAX_CALLS} more"
+            yield f"  {what.format(len(traces))}:"
+            for call, trace in zip(diagnostic.calls[:MAX_CALLS], own, strict=False):
+                yield self._call(call, trace[: len(trace) - outer], diagnostic)
+            if len(traces) > MAX_CALLS:
+                yield f"    and {len(traces) - MAX_CALLS} more"
         yield from self._steps(own[0][len(own[0]) - outer :])
 
-    def _call(self, call: Call, way: Sequence[Step], diagnostic: Diagnostic) -> str:
+    def _call(self, call: Call, trace: Sequence[Step], diagnostic: Diagnostic) -> str:
         """One of several calls: where it is, and what it says that the finding has not said."""
-        places = [self._near(step.span, diagnostic) for step in way[:MAX_CALLS]]
+        places = [self._near(step.span, diagnostic) for step in trace[:MAX_CALLS]]
         text = call.element if call.message == diagnostic.message else call.message
         where = ", from ".join(places)
         # A path that is longer than a line begins there nevertheless.
         return "    " + self.wrap(f"{where}: {text}" if where else text, indent=6, used=4).lstrip()
 
-    def _steps(self, way: Sequence[Step]) -> Iterator[str]:
-        for number, step in enumerate(way):
-            if MAX_CALLS <= number < len(way) - 1:  # the outermost is where a person looks
+    def _steps(self, trace: Sequence[Step]) -> Iterator[str]:
+        for number, step in enumerate(trace):
+            if MAX_CALLS <= number < len(trace) - 1:  # the outermost is where a person looks
                 if number == MAX_CALLS:
-                    yield f"  ... {counted(len(way) - MAX_CALLS - 1, 'more call')} ..."
+                    yield f"  ... {counted(len(trace) - MAX_CALLS - 1, 'more call')} ..."
                 continue
             yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
 
@@ -157,9 +157,9 @@ def _lines(blocks: Iterable[str]) -> str:
     return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
 
 
-def _shared(ways: Sequence[Sequence[Step]]) -> int:
-    """How many first steps all ways share."""
-    shared = min(map(len, ways))
-    while any(way[:shared] != ways[0][:shared] for way in ways):
+def _shared(traces: Sequence[Sequence[Step]]) -> int:
+    """How many first steps all traces share."""
+    shared = min(map(len, traces))
+    while any(trace[:shared] != traces[0][:shared] for trace in traces):
         shared -= 1
     return shared

@@ -145,17 +145,17 @@ class GltfWriter:
             entry["max"] = values.max(axis=0).tolist()
         return self._once(("accessor", json.dumps(entry)), self._accessors, entry)
 
-    def _material(self, look: SurfaceMaterial) -> int:
-        rgba = [_linear(part) for part in look.rgba[:3]] + [look.rgba[3]]
+    def _material(self, material: SurfaceMaterial) -> int:
+        rgba = [_linear(part) for part in material.rgba[:3]] + [material.rgba[3]]
         surface: dict[str, Any] = {
             "baseColorFactor": rgba,
             "metallicFactor": 0.0,
             "roughnessFactor": 0.75,
         }
         entry: dict[str, Any] = {"pbrMetallicRoughness": surface, "doubleSided": True}
-        if look.rgba[3] < 1:
+        if material.rgba[3] < 1:
             entry["alphaMode"] = "BLEND"
-        image = self._image(look.texture)
+        image = self._image(material.texture)
         if image is not None:
             surface["baseColorTexture"] = {"index": image}
         return self._once(("material", json.dumps(entry)), self._materials, entry)

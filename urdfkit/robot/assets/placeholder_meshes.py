@@ -59,6 +59,10 @@ class GeneratedMesh(Record):
         """
         return write(self.mesh, self.path)
 
+    def not_written(self, reason: str) -> NotGenerated:
+        """The result where the file may not be written."""
+        return NotGenerated(self.path, self.references, self.defect, reason)
+
 
 class NotGenerated(Record):
     """A file for which no mesh can be made, and why."""
@@ -72,8 +76,8 @@ class NotGenerated(Record):
 class GeneratedMeshes(Record):
     """What was made for the missing and broken files of a robot, and what was not."""
 
-    made: tuple[GeneratedMesh, ...]
-    undone: tuple[NotGenerated, ...]
+    generated: tuple[GeneratedMesh, ...]
+    not_generated: tuple[NotGenerated, ...]
 
     @classmethod
     def of(cls, results: Sequence[GeneratedMesh | NotGenerated]) -> GeneratedMeshes:
