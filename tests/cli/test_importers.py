@@ -41,7 +41,8 @@ def test_json_has_places(capsys: pytest.CaptureFixture[str]) -> None:
     first, second = json.loads(capsys.readouterr().out)["importers"]
     assert (first["name"], second["name"]) == ("pybullet", "isaac")
     assert first["errors"] == []
-    (change,) = first["changes"]
+    change, tensors = first["changes"]
+    assert "tensors are not read: 3 in all" in tensors["text"]
     assert (change["line"], "1 kg by default" in change["text"]) == (11, True)
     assert [(joint["name"], joint["q"], joint["v"]) for joint in first["joints"]] == [
         ("shoulder", 7, 6),

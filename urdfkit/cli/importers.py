@@ -280,10 +280,9 @@ def _map_csv(found: IndexMap) -> Iterator[str]:
 
 def _map_line(found: IndexMap) -> str:
     """One line to paste into Python."""
-    name, target = f"{found.source}_to_{found.target}".replace("-", "_"), found.target
-    return (
-        f"{name} = {list(found.indices)}  # values of {target} = values of {found.source}[{name}]"
-    )
+    source, target = found.source.replace("-", "_"), found.target.replace("-", "_")
+    name = f"{source}_to_{target}"
+    return f"{name} = {list(found.indices)}  # q_{target} = q_{source}[{name}]"
 
 
 def _map_as_json(found: IndexMap) -> dict[str, Any]:

@@ -33,6 +33,7 @@ def changes(robot: Imported) -> Iterator[Change]:
     for body in robot.bodies:
         if body.name != WORLD or not robot.facts.merges_into_world:
             yield from _masses(robot, body)
+    yield from _tensors(robot)
     yield from _visuals(robot)
     for joint in robot.tree.model.joints:
         yield from _joint(robot, joint)
@@ -72,6 +73,13 @@ def _mass(robot: Imported, link: Link, mass: float) -> Iterator[Change]:
 
 #: Masses that differ by no more are the same.
 _ROUNDING = 1e-9
+
+
+def _tensors(robot: Imported) -> Iterator[Change]:
+    written = [link.inertial for link in robot.tree.model.links if link.inertial]
+    if robot.facts.ignores_tensors and written:
+        how = "each comes from the collision shapes"
+        yield Change(written[0].at, f"tensors are not read: {len(written)} in all; {how}")
 
 
 def _visuals(robot: Imported) -> Iterator[Change]:
