@@ -33,7 +33,11 @@ PARTS = {
 
 #: What rules of a family, or a rule, look at where it is to be had, and do without otherwise.
 OPTIONAL = {family: {"files", "measured"} for family in ("INE", "GEO", "MSH")}
-OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "measured", "xacro"}}
+OPTIONAL |= {
+    "LAU023": {"document", "model"},
+    "XAC011": {"document", "files", "model"},
+    "XAC014": {"files", "measured", "xacro"},
+}
 
 #: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
 OUR_OWN = {"CFG001", "CFG002", "CFG003", "MSH024"}
