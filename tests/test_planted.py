@@ -25,7 +25,7 @@ ROBOTS: dict[str, tuple[Path, tuple[str, ...]]] = {
     "rover": (CARRIERS / "rover", ("urdf/rover.urdf.xacro", "launch/simulation.launch.py")),
     "crawler": (CARRIERS / "crawler", ("urdf/crawler.xacro", "launch/gazebo.launch")),
     "picker": (CARRIERS / "picker", ("urdf/picker.urdf",)),
-    "porter": (HERE / "bringup" / "porter", (".",)),
+    "porter": (CARRIERS / "porter", (".",)),
     "mobile_base": (MODELS / "good" / "mobile_base", ("urdf/mobile_base.urdf.xacro",)),
     "gripper": (MODELS / "good", ("gripper.urdf",)),
 }

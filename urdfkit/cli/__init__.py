@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 #: Commands that run in a process of their own, with limits (`urdfkit.cli.own_process`).
 COMPUTING = frozenset(
-    "bundle collisions diff inertia info kinematics mass mesh render report statics".split()
+    "bundle collisions convert diff inertia info kinematics mass mesh render report statics".split()
 )
 
 
@@ -44,6 +44,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # This process does one thing and ends. Looking for garbage on the way finds none, and to take
     # everything apart at the end, before the system takes the memory back, is 8 of 120 ms.
     gc.set_threshold(100_000)
+    # Nor do processes that multiprocessing starts import from the current directory.
+    os.environ["PYTHONSAFEPATH"] = "1"
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
         from urdfkit.cli.own_process import run_apart
@@ -69,14 +71,16 @@ def _guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
         _reject_files_as_options(words)
         return run(words)
     except UrdfkitError as error:
-        return fail(2, str(error))
+        return fail(2, _no_memory() if _is_import_in_vain(error) else str(error))
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:
         return 2  # of standard error; of standard output it is none
     except Exception as error:
-        if isinstance(error, MemoryError) or getattr(error, "errno", None) == ENOSPC:
-            return fail(2, getattr(error, "strerror", "") or _no_memory())
+        if getattr(error, "errno", None) == ENOSPC:
+            return fail(2, os.strerror(ENOSPC))
+        if _lacks_memory(error):
+            return fail(2, _no_memory())
         if os.environ.get("URDFKIT_DEBUG") == "1":
             import traceback
 
@@ -121,6 +125,20 @@ def _run(words: list[str]) -> int:
     from urdfkit.cli.checking import run_check
 
     return run_check(values)
+
+
+def _is_import_in_vain(error: UrdfkitError) -> bool:
+    """True for a library that is there, and has no room."""
+    cause: BaseException | None = error
+    while cause is not None and type(cause) is not ImportError:
+        cause = cause.__cause__
+    return cause is not None and _lacks_memory(error)
+
+
+def _lacks_memory(error: Exception) -> bool:
+    from urdfkit.core import limits
+
+    return limits.lacks_memory(error)
 
 
 def _no_memory() -> str:

@@ -10,10 +10,11 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import with_examples
 from urdfkit.core import atomic
+from urdfkit.core.words import counted
 from urdfkit.errors import UnwritableFile
 from urdfkit.lint.argument_values import found_values
 from urdfkit.lint.config import Config
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.entry_points import DirectoryContents
 from urdfkit.ros.targets import TARGETS
@@ -47,8 +48,7 @@ def command(directory: str, only_print: bool) -> int:
         raise UnwritableFile(f"{path}: configures it already; --print shows what would be written")
     path = os.path.join(directory, _FILE)
     atomic.write(path, output.encode(text))
-    count = len(found.robots)
-    output.write(f"{path}: {count} {'robot' if count == 1 else 'robots'}\n")
+    output.write(f"{path}: {counted(len(found.robots), 'robot')}\n")
     return 0
 
 
@@ -79,7 +79,7 @@ class _ConfiguredRobot:
 
     def __init__(self, file: str, directory: str, resolver: Resolver) -> None:
         self.file = os.path.relpath(file, directory).replace(os.sep, "/")
-        subject = Subject(Source.read(file), resolver)
+        subject = Context(Source.read(file), resolver)
         self._xacro = subject.reading.xacro
         self._needed = subject.reading.missing_arguments
         self._resolver = resolver

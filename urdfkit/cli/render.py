@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import os
-import sys
-import tempfile
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit.cli import options, progress
+from urdfkit.cli import options, output, progress
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
+from urdfkit.core.temporary import scratch
 from urdfkit.errors import UrdfkitError
-from urdfkit.text.terminal import printable
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.render import Background, CameraOptions, DrawingOptions, Scene
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
@@ -96,7 +94,7 @@ def command(asked: dict[str, Any], **values: Any) -> int:
     return 0
 
 
-def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Scene:
+def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Scene:
     """The robot in its pose, with everything over it that is asked for."""
     from urdfkit import render
     from urdfkit.lint.engine import check_with
@@ -133,7 +131,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
 
 
 def _animation(
-    robot: Subject, pose: dict[str, float], scene: Scene, values: dict[str, Any]
+    robot: Context, pose: dict[str, float], scene: Scene, values: dict[str, Any]
 ) -> None:
     """A turn of the robot, or a sweep of one of its joints."""
     from urdfkit import render
@@ -157,7 +155,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
+    with scratch() as directory:
         scenes = []
         chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
@@ -219,7 +217,7 @@ def _background(word: str | None) -> Background | None:
     return rgb, rgb
 
 
-def _nothing(file: str, robot: Subject) -> str:
+def _nothing(file: str, robot: Context) -> str:
     if not robot.model.links:
         return f"{file}: nothing to draw: no links (a file with only macros?)"
     return f"{file}: nothing to draw: no geometry in these layers; try --layers frames,names"
@@ -230,12 +228,11 @@ def _print_notes(scene: Scene) -> None:
     from urdfkit import render
 
     for mesh in scene.missing[:_NAMED]:
-        text = f"drawn as a striped box: the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
-        print(printable(f"note: {text} ({mesh.reason})"), file=sys.stderr)
+        which = f"the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
+        output.note(f"drawn as a striped box: {which} ({mesh.reason})")
     if others := scene.missing[_NAMED:]:
-        print(f"note: drawn as striped boxes: {len(others)} meshes more", file=sys.stderr)
+        output.note(f"drawn as striped boxes: {len(others)} meshes more")
     for note in scene.notes:
-        print(printable(f"note: {note}"), file=sys.stderr)
+        output.note(note)
     if letters := render.unwritable(label.text for label in scene.labels):
-        text = f"no font here has {letters}; install one, such as fonts-noto-cjk"
-        print(printable(f"note: {text}"), file=sys.stderr)
+        output.note(f"no font here has {letters}; install one, such as fonts-noto-cjk")

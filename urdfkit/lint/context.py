@@ -14,8 +14,7 @@ from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
+    from urdfkit.core.progress import Progress
     from urdfkit.lint.report import Launched, UncheckedValues
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
     from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
     from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.assets.triangles import Meshes
-    from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
     from urdfkit.robot.inertials.masses import Masses
     from urdfkit.robot.model import Body, Joint, RobotModel, Shape
     from urdfkit.robot.shapes import MeshSolid
@@ -41,6 +39,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "MAX_BODIES",
+    "Context",
     "NotApplicable",
     "Reading",
     "RunState",
@@ -67,7 +66,7 @@ class RunState(Record):
     chosen: frozenset[str] | None = None
 
 
-class Subject(DescriptionFile):
+class Context(DescriptionFile):
     """What rules know of one description: the file as it was read, the robot in it, its files.
 
     Attributes:
@@ -92,7 +91,7 @@ class Subject(DescriptionFile):
         frame: CallFrame | None = None,
         parameters: tuple[FileUse, ...] = (),
         cache: bool = False,
-        progress: Callable[[int, int], None] | None = None,
+        progress: Progress | None = None,
     ) -> None:
         super().__init__(source, resolver, arguments, trust=trust, frame=frame)
         self.parameters = parameters
@@ -102,7 +101,7 @@ class Subject(DescriptionFile):
         self.run = RunState()
         self.launched: tuple[Launched, ...] = ()
         self.unchecked: tuple[UncheckedValues, ...] = ()
-        self._other_robots: dict[tuple[object, ...], Subject] = {}
+        self._other_robots: dict[tuple[object, ...], Context] = {}
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
@@ -142,15 +141,9 @@ class Subject(DescriptionFile):
             return True
         if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
-        if self.document.root.get("name") is not None and self.has_base:
+        if self.document.root.get("name") is not None and self.tree.has_base:
             return False
         return is_included(self.source.path, self.resolver.packages)
-
-    @property
-    def has_base(self) -> bool:
-        """False if all links are below a joint whose parent is missing, as in a part of a robot."""
-        children = {joint.child.value for joint in self.model.joints if joint.child}
-        return any(root.name not in children for root in self.tree.roots)
 
     @cached_property
     def model(self) -> RobotModel:
@@ -248,11 +241,11 @@ class Subject(DescriptionFile):
 
         return other_variant(self, self.srdf)
 
-    def other_robot(self, path: str, arguments: Mapping[str, str]) -> Subject:
+    def other_robot(self, path: str, arguments: Mapping[str, str]) -> Context:
         """Another description, read in the same way; the same one each time."""
         key = (path, *sorted(arguments.items()))
         if key not in self._other_robots:
-            self._other_robots[key] = Subject(
+            self._other_robots[key] = Context(
                 self.resolver.read(path),
                 self.resolver,
                 arguments,
@@ -267,13 +260,6 @@ class Subject(DescriptionFile):
         from urdfkit.robot.inertials.masses import Masses
 
         return Masses(self.model, self.tree, self.mesh_solid)
-
-    @cached_property
-    def visual_collision_pairs(self) -> VisualCollisionPairs:
-        """The collisions of each link with its visuals."""
-        from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
-
-        return VisualCollisionPairs(self.model, self.mesh_solid, self.files.has_ambiguous_axes)
 
     def mesh_solid(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""
@@ -352,3 +338,7 @@ class Subject(DescriptionFile):
         from urdfkit.robot.assets.triangles import Meshes
 
         return Meshes(self.files, self._progress)
+
+
+#: The former name.
+Subject = Context

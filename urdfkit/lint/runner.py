@@ -1,4 +1,4 @@
-"""The rules over one Subject."""
+"""The rules over one Context."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import NotApplicable, RunState, Subject, Unavailable
+from urdfkit.lint.context import Context, NotApplicable, RunState, Unavailable
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, Superseded, crash
 from urdfkit.lint.rules import Finding, Location, Rule
@@ -27,7 +27,7 @@ T = TypeVar("T")
 OWN_FAMILY = "checking"
 
 #: Families of rules that apply to launch files.
-LAUNCH_FAMILIES = frozenset(("checking", "launch", "package"))
+LAUNCH_FAMILIES = frozenset(("checking", "launch", "package", "worlds"))
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -61,7 +61,7 @@ class FileResult(Record):
 
 
 def run_rules(
-    subject: Subject,
+    subject: Context,
     chosen: Sequence[str],
     options: Options = Options(preview=True),
 ) -> FileResult:
@@ -97,7 +97,7 @@ def run_rules(
 class _RuleRun:
     """Gathers what the rules say about one subject."""
 
-    def __init__(self, subject: Subject, options: Options) -> None:
+    def __init__(self, subject: Context, options: Options) -> None:
         self.subject = subject
         self.options = options
         self.config = options.config
@@ -330,11 +330,11 @@ def diagnose(
 
 
 def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnostic:
-    severity, suffering = rule.severity_for(targets)
+    severity, affected = rule.severity_for(targets)
     group.sort(key=lambda finding: ((finding.severity or severity).rank, -finding.weight))
     worst = group[0]
     if worst.severity is not None:
-        severity, suffering = worst.severity, worst.targets
+        severity, affected = worst.severity, worst.targets
     calls = tuple(Call(f.message, place(f)[1], _path(f)) for f in group)
     return Diagnostic(
         rule.code,
@@ -347,7 +347,7 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
         (*worst.related, *_in_data_files(group)),
         worst.help or rule.help,
         worst.fix,
-        suffering,
+        affected,
         worst.group_key,
     )
 

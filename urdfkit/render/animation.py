@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
@@ -14,7 +14,7 @@ from PIL import Image
 from urdfkit.core import atomic
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.render.arrays import Floats
 from urdfkit.render.camera import Camera, CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
@@ -26,6 +26,8 @@ from urdfkit.robot.joints import bounds
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
+
+    from urdfkit.core.progress import Progress
 
 #: What an animation is saved as, by suffix.
 FORMATS = {".gif": "GIF", ".webp": "WEBP", ".png": "PNG", ".apng": "PNG"}
@@ -74,7 +76,7 @@ def orbit(scene: Scene, camera: Camera, frames: int = FRAMES) -> list[Shot]:
 
 def sweep(
     scene: Scene,
-    subject: Subject,
+    subject: Context,
     joint: str,
     given: dict[str, float] | None = None,
     frames: int = FRAMES,
@@ -118,7 +120,7 @@ def sweep(
 def animated(
     shots: Sequence[Shot],
     *,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
     **drawing: Unpack[DrawingOptions],
 ) -> list[Image.Image]:
     """The images of an animation, on one floor.

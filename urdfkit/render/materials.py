@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.mesh import geometry
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Material
@@ -19,13 +19,13 @@ class SurfaceMaterial(NamedTuple):
     Attributes:
         rgba: each part from 0 to 1, as written (sRGB); multiplied with the texture.
         texture: path of an image, or its bytes; None without one.
-        sign: True for what explains the robot and is no part of it: it casts no shadow, and is
+        overlay: True for what explains the robot and is no part of it: it casts no shadow, and is
             seen through what hides it.
     """
 
     rgba: Colour
     texture: str | bytes | None = None
-    sign: bool = False
+    overlay: bool = False
 
 
 #: For what says nothing about its material.
@@ -48,7 +48,7 @@ class ModelMaterials:
         see_through: whether collisions show what is in them.
     """
 
-    def __init__(self, subject: Subject, *, see_through: bool = True) -> None:
+    def __init__(self, subject: Context, *, see_through: bool = True) -> None:
         self._subject = subject
         self._collision = COLLISION if see_through else SurfaceMaterial((*COLLISION.rgba[:3], 1.0))
         self._colours = Colours(subject.model)

@@ -14,7 +14,8 @@ pytest.importorskip("coal")
 
 from tests.conftest import MODELS
 from tests.physics.collision.robots import box, joint, link, revolute, robot, sphere
-from urdfkit.lint.context import Subject
+from urdfkit.core import child_process
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision import worker_pool
@@ -31,7 +32,7 @@ def verdicts(matrix: Matrix) -> dict[tuple[str, str], str]:
     return {(pair.first, pair.second): pair.verdict.value for pair in matrix.pairs}
 
 
-def spheres(radius: float, *arms: float, limits: str = revolute(-pi, pi)) -> Subject:
+def spheres(radius: float, *arms: float, limits: str = revolute(-pi, pi)) -> Context:
     """A base at the origin; an elbow joint; balls in the base, at the elbow and at the tip."""
     upper, lower = arms
     return robot(
@@ -249,7 +250,7 @@ class Crash(Task):
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
-def pool_of(subject: Subject) -> tuple[WorkerPool, Floats]:
+def pool_of(subject: Context) -> tuple[WorkerPool, Floats]:
     moving = chain(subject.tree)
     return WorkerPool(moving, solids(subject.model, subject.meshes)[0], 2), moving.default
 
@@ -275,14 +276,14 @@ def test_a_robot_that_crashes_all_the_time_is_given_up(monkeypatch: pytest.Monke
 
 def test_a_body_that_is_fatal_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """The second of three bodies ends every process that makes it."""
-    boot = worker_pool._BOOT.replace(
-        "from urdfkit.physics.collision.worker import main",
+    boot = child_process._BOOT.replace(
+        "__import__",
         "from urdfkit.physics.collision import collision_geometry as forms; "
         "import os; make = forms.form; "
         "forms.form = lambda s: os.abort() if s.link == 'upper' else make(s); "
-        "from urdfkit.physics.collision.worker import main",
+        "__import__",
     )
-    monkeypatch.setattr(worker_pool, "_BOOT", boot)
+    monkeypatch.setattr(child_process, "_BOOT", boot)
     found = collisions(spheres(0.1, 1.0, 0.5), samples=100, jobs=2)
     assert [(one.link, one.reason) for one in found.omitted] == [("upper", "it crashes coal")]
     assert list(verdicts(found)) == [("base", "lower")]

@@ -11,14 +11,14 @@ from hypothesis import event, given
 from hypothesis import strategies as st
 
 from tests.output.test_overview import of
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.output.mass_table import mass_properties
 from urdfkit.output.overview import summarise
 from urdfkit.physics.dynamics.conditioning import conditioning
-from urdfkit.physics.dynamics.robot import Unsuitable
 from urdfkit.physics.dynamics.statics import statics
 from urdfkit.physics.poses import PoseError, pose
 from urdfkit.robot.kinematics import frames
+from urdfkit.robot.model import UnknownLink
 from urdfkit.robot.reach import reach
 from urdfkit.robot.stability import stand
 
@@ -81,7 +81,7 @@ def test_odd_numbers(text: str, position: float) -> None:
     conditioning(dynamics)
 
 
-def settable(robot: Subject, position: float) -> dict[str, float]:
+def settable(robot: Context, position: float) -> dict[str, float]:
     """The joints that a pose may set, all at one position."""
     found: dict[str, float] = {}
     for name in robot.model.joints_by_name:
@@ -102,5 +102,5 @@ def test_the_largest_numbers_that_are_taken_give_no_nonsense_of_types() -> None:
     )
     robot = of(text)
     assert np.isfinite(robot.dynamics.mass_matrix({"j": 9e29})).all()
-    with pytest.raises(Unsuitable, match="no link"):
+    with pytest.raises(UnknownLink, match="no link"):
         robot.dynamics.placement("c", {})

@@ -6,7 +6,8 @@ in every step. Make the outer geometry smaller, or move the inner one to where t
 that contains several others is reported once. Not reported is a link with links fixed to it that
 extend outside, such as the rotor of a motor; nor what is inside an envelope: a link without visual,
 or with a transparent one, fixed to one that has it, such as the capsules for self-collision of
-Franka's arms and safety boxes around tools; nor a shape without any size, which stands for none.
+Franka's arms and safety boxes around tools; nor a shape of a few micrometres, which stands for
+none.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -17,7 +18,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
@@ -39,6 +40,8 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
+#: In m: a shape this small stands for none.
+_POINT = 1e-5
 #: Links inside another one that a finding names.
 _NOTES = 5
 
@@ -48,7 +51,7 @@ _NOTES = 5
     needs=(Need.MODEL, Need.COLLISIONS),
     help="make the outer geometry smaller, or move the inner one to where the part is",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     contained: dict[str, list[Contact]] = {}
     for pair in subject.collisions.contacts.pairs:
         if not pair.is_rigid and pair.is_out_of_reach and pair.is_permanent:
@@ -65,7 +68,7 @@ def check(subject: Subject) -> Findings:
             yield _single(subject.model, contacts[0])
 
 
-def _is_envelope(subject: Subject, name: str) -> bool:
+def _is_envelope(subject: Context, name: str) -> bool:
     """True for a link without an opaque visual that is fixed to one which has a visual."""
     colours = Colours(subject.model)
     if not all(
@@ -82,7 +85,8 @@ def _is_envelope(subject: Subject, name: str) -> bool:
 
 def _is_point(model: RobotModel, body: CollisionBody) -> bool:
     shape = model.links_by_name[body.link].collisions[body.number].shape
-    return shape is not None and shape.half_extents is not None and not any(shape.half_extents)
+    extents = shape and shape.half_extents
+    return extents is not None and max(extents) < _POINT
 
 
 def _is_transparent(material: Material | None) -> bool:

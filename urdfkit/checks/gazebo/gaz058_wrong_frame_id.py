@@ -22,7 +22,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Confidence, Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.core.words import more_like_this
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.plugins import PluginUse
@@ -50,13 +51,13 @@ _ELSEWHERE = ("odom", "map", "world", "earth", "utm")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _missing(subject)
     if not subject.is_part:
         yield from _unknown(subject)
 
 
-def _unknown(subject: Subject) -> Findings:
+def _unknown(subject: Context) -> Findings:
     known = subject.model.links_by_name
     suggester = Suggester(known)
     for who, at, name in _frames(subject):
@@ -78,7 +79,7 @@ def _unknown(subject: Subject) -> Findings:
             )
 
 
-def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
+def _frames(subject: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
     """Each frame that is named: by whom, where, its name."""
     spaced = {link.rpartition("/")[2] for link in subject.model.links_by_name if "/" in link}
     for use in subject.plugins:
@@ -97,7 +98,7 @@ def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
                 yield sensor.who, element, element.text.strip()
 
 
-def _missing(subject: Subject) -> Findings:
+def _missing(subject: Context) -> Findings:
     """One finding for all sensors: usually all of them lack it."""
     targets = subject.targets
     if targets.names and not targets.any_of(_READ):
@@ -107,14 +108,13 @@ def _missing(subject: Subject) -> Findings:
     if not without:
         return
     first = without[0]
-    more = f" (and {len(without) - 1} more like this)" if len(without) > 1 else ""
     tags = _given(first)
     lack = f"has only <{tags[0]}> as its frame" if tags else "has no <gz_frame_id>"
     is_for_ros = any(one.any_of(("ros1", "ros2")) for one in (targets, subject.inferred_targets))
     readers_for_ros = targets.among(_READ) if is_for_ros else ()
     yield Finding(
         first.at,
-        f"{first.who} {lack}{more}",
+        f"{first.who} {lack}{more_like_this(len(without) - 1)}",
         "add <gz_frame_id>LINK</gz_frame_id> to the sensor",
         severity=Severity.WARNING if readers_for_ros else Severity.INFO,
         targets=readers_for_ros,

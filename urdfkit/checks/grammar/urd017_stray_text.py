@@ -2,7 +2,8 @@
 
 All values of URDF are attributes; parsers ignore text between the tags. A value that is written
 as in SDF, `<origin>0 0 0.1</origin>`, is lost without a message, and a piece of a comment or a
-doubled `>` shows that something was cut or typed by mistake.
+doubled `>` shows that something was cut or typed by mistake. A comment in the style of another
+language, `## wheels`, is an info.
 
 Sources:
     URDF, XML specification: http://wiki.ros.org/urdf/XML
@@ -12,7 +13,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
@@ -27,13 +28,15 @@ _SHOWN = 40
 
 
 @rule(Severity.WARNING, help="write the value as an attribute, or remove it")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for deviation in subject.deviations.get("URD017", ()):
         element = deviation.element
         text = element.text.strip().split("\n")[0].rstrip()
         shown = text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
         message = f"{owner(element)}: URDF parsers ignore the text '{shown}' in <{element.tag}>"
-        yield Finding(_place(element, text.encode(), subject.document.sources), message)
+        place = _place(element, text.encode(), subject.document.sources)
+        is_comment = text.startswith(("#", "//"))
+        yield Finding(place, message, severity=Severity.INFO if is_comment else None)
 
 
 def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Location | Element:

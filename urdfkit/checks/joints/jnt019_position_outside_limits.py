@@ -24,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.samples import arm_xml
@@ -38,8 +38,8 @@ BAD = arm_xml(
 )
 GOOD = BAD.replace("-1.6", "-1.4")
 
-#: Part of the range that is rounding.
-_TOLERANCE = 1e-3
+#: Part of the range that is rounding: of a calibration, and of a soft limit.
+_TOLERANCE, _ROUNDING = 1e-3, 1e-4
 
 
 class _Soft(Record):
@@ -57,7 +57,8 @@ class _Soft(Record):
 
     @property
     def is_outside(self) -> bool:
-        return self.soft[0] < self.hard[0] or self.soft[1] > self.hard[1]
+        allowed = _ROUNDING * (self.hard[1] - self.hard[0])
+        return self.soft[0] < self.hard[0] - allowed or self.soft[1] > self.hard[1] + allowed
 
     @property
     def shown(self) -> str:
@@ -65,7 +66,7 @@ class _Soft(Record):
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     """One finding for all soft limits with one defect: mostly every joint has the same margin."""
     soft = list(_soft_limits(subject.model))
     if outside := [one for one in soft if one.is_outside and not one.is_empty]:

@@ -19,8 +19,8 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.core.spatial import Rotation, rotate
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.core.spatial import Rotation, multiply, rotate
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.robot.values import numbers
@@ -50,7 +50,7 @@ _FRAME_IDS = ("frameName", "frame_name", "gz_frame_id", "frame_id", "ignition_fr
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "fixed" or joint.parent is None or joint.child is None:
             continue
@@ -61,6 +61,7 @@ def check(subject: Subject) -> Findings:
             or any(word.startswith(_ELSEWHERE) for word in optical.lower().split("_"))
             or not _is_square(rotation)
             or _is_near(rotation, _OPTICAL)
+            or _is_near(_from_mount(subject, camera, rotation), _OPTICAL)
         ):
             continue
         is_upside_down = _is_near(rotation, _OPTICAL_DOWN)
@@ -79,7 +80,15 @@ def check(subject: Subject) -> Findings:
         yield from _of_gazebo(subject)
 
 
-def _of_gazebo(subject: Subject) -> Findings:
+def _from_mount(subject: Context, camera: str, rotation: Rotation) -> Rotation:
+    """The rotation of an optical frame from what the frame of its camera is fixed to."""
+    for joint in subject.tree.parents.get(camera, ()):
+        if joint.kind == "fixed":
+            return multiply(joint.origin.rotation, rotation)
+    return rotation
+
+
+def _of_gazebo(subject: Context) -> Findings:
     from urdfkit.ros.gazebo.sensors import sensors
 
     for sensor in sensors(subject.model):
@@ -108,7 +117,7 @@ def _of_gazebo(subject: Subject) -> Findings:
                     )
 
 
-def _looks_aside(subject: Subject, optical: str) -> bool:
+def _looks_aside(subject: Context, optical: str) -> bool:
     """True if z of an optical frame points forward, so that x does not."""
     joints = subject.tree.parents.get(optical, ())
     return any(rotate(joint.origin.rotation, (0.0, 0.0, 1.0))[0] > 0.99 for joint in joints)
@@ -119,7 +128,7 @@ def _is_rotated(pose: Element | None) -> bool:
     return values is not None and any(abs(angle) > 1e-6 for angle in values[3:])
 
 
-def _is_z_down(subject: Subject, camera: str) -> bool:
+def _is_z_down(subject: Context, camera: str) -> bool:
     """True if z of a camera's frame points down: it is mounted so, or all frames may be."""
     frame = subject.tree.frames.get(camera)
     if frame is not None and frame.rotation[2][2] < 0:
@@ -128,7 +137,7 @@ def _is_z_down(subject: Subject, camera: str) -> bool:
     return any(word.rstrip("0123456789") in _UNDER_WATER for word in words)
 
 
-def _has_sensor(subject: Subject, link: str) -> bool:
+def _has_sensor(subject: Context, link: str) -> bool:
     """True if a sensor of Gazebo is on a link: it looks along x, and would be rotated away."""
     blocks = (block for block in subject.model.gazebo if block.get("reference") == link)
     return any(block.child("sensor") for block in blocks)

@@ -1,7 +1,8 @@
 """A launch file cannot be read.
 
 `roslaunch` and `ros2 launch` stop before anything starts: the XML is not well formed, the root is
-not `<launch>`, or the Python of a ROS 2 launch file has a syntax error.
+not `<launch>`, or the Python of a ROS 2 launch file has a syntax error. A file of another program,
+as Eclipse writes them with the same suffix, or a script that is run by itself, is an info.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -9,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Need, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"
 BAD = "<launch><node></launch>"
@@ -17,5 +18,5 @@ GOOD = "<launch/>"
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="fix the file; the parser stopped here")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from reported(subject, "LAU001")

@@ -23,7 +23,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.gazebo.topics import GazeboTopic, topics
 from urdfkit.ros.launch.bridges import (
     DIRECTIONS,
@@ -51,7 +51,7 @@ GOOD = BAD.replace("gz.msgs.Pose", "gz.msgs.IMU")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     bridged = [
         (topic, started.frame)
         for started in (*subject.launch.started, *subject.launch.included)
@@ -110,7 +110,7 @@ def _lacking(topic: BridgedTopic) -> str:
     return "ROS" if not topic.ros_type else "Gazebo"
 
 
-def _silent(subject: Subject, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
+def _silent(subject: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
     """The topics that pass nothing on, where a sensor or system waits for a bridge in vain."""
     of_robot = list(_topics(subject))
     passed = {topic.topic for topic, _ in bridged} | _images(subject)
@@ -144,7 +144,7 @@ def _silent(subject: Subject, bridged: list[tuple[BridgedTopic, CallFrame | None
         yield Finding(Location(at, frame), message, help, severity=Severity.WARNING)
 
 
-def _topics(subject: Subject) -> Iterator[GazeboTopic]:
+def _topics(subject: Context) -> Iterator[GazeboTopic]:
     """The topics of the robots that are described; none if not all of them are known."""
     for description in subject.launch.descriptions:
         robot = subject.other_robot(description.path, description.arguments)
@@ -152,7 +152,7 @@ def _topics(subject: Subject) -> Iterator[GazeboTopic]:
             yield from topics(robot.model)
 
 
-def _images(subject: Subject) -> set[str]:
+def _images(subject: Context) -> set[str]:
     """The topics that ros_gz_image passes on."""
     started = (*subject.launch.started, *subject.launch.included)
     bridges = [one for one in started if one.executable == "image_bridge"]

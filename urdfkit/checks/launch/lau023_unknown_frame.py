@@ -27,7 +27,7 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.core.words import few
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.frames import NamedFrame, named_frames
@@ -69,7 +69,7 @@ _NAMED = 4
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     launch = subject.launch
     named = list(named_frames(launch, subject.resolver))
     if not named and not any(True for _ in _transforms(launch)):
@@ -95,7 +95,7 @@ def _unknown(frame: NamedFrame, known: frozenset[str]) -> Finding:
     )
 
 
-def _published(subject: Subject) -> frozenset[str]:
+def _published(subject: Context) -> frozenset[str]:
     """The frames that are known to be published; none if not all of the robots are known."""
     launch = subject.launch
     links = _of_robots(subject, (launch,))
@@ -111,7 +111,7 @@ def _published(subject: Subject) -> frozenset[str]:
     return links.union((child.lstrip("/") for child in children), well_known)
 
 
-def _of_robots(subject: Subject, launches: tuple[Launch, ...]) -> frozenset[str]:
+def _of_robots(subject: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
     """The links of the robots that are started; none if one of them cannot be expanded."""
     found: set[str] = set()
     descriptions = [one for launch in launches for one in launch.descriptions]
@@ -171,7 +171,7 @@ def _unknown_parents(launch: Launch, known: frozenset[str], of_robot: frozenset[
             )
 
 
-def _other_world(subject: Subject) -> Findings:
+def _other_world(subject: Context) -> Findings:
     """A world frame of robot_localization that is neither of its two."""
     for file in subject.launch.parameters:
         try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Findings, Location, Related, Subject
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawned_controllers import controllers, manager
 from urdfkit.ros.launch.spawning import options, spawner_of
@@ -39,7 +39,7 @@ def unpublished_description(started: tuple[StartedProgram, ...]) -> Findings:
             )
 
 
-def other_manager(subject: Subject, started: tuple[StartedProgram, ...]) -> Findings:
+def other_manager(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Spawners that wait for a controller manager in another namespace than that which runs."""
     running = list(_managers(subject, started))
     if not running or any(name is None for name, _ in running):
@@ -64,7 +64,7 @@ def other_manager(subject: Subject, started: tuple[StartedProgram, ...]) -> Find
 
 
 def _managers(
-    subject: Subject, started: tuple[StartedProgram, ...]
+    subject: Context, started: tuple[StartedProgram, ...]
 ) -> Iterator[tuple[str | None, Span]]:
     """The controller managers that are started; None for a name that is not known."""
     for one in started:

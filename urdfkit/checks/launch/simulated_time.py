@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawning import spawner_of
@@ -31,7 +31,7 @@ _STAMPING = {
 _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py")
 
 
-def without_clock(subject: Subject, started: tuple[StartedProgram, ...]) -> Findings:
+def without_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes by the time of gz-sim, where no bridge passes that time on."""
     unread = (path.rpartition("/")[2] for path in subject.launch.unread)
     is_gz = any(one.package == "ros_gz_sim" and spawner_of(one) for one in started)
@@ -55,7 +55,7 @@ def without_clock(subject: Subject, started: tuple[StartedProgram, ...]) -> Find
     )
 
 
-def by_wall_clock(subject: Subject, started: tuple[StartedProgram, ...]) -> Findings:
+def by_wall_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes without the time of Gazebo, beside others that have it."""
     if subject.launch.has_scopes or not any(map(spawner_of, started)):
         return

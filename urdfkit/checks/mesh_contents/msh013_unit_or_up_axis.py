@@ -31,7 +31,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.core.words import more_like_this
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.samples import mesh_xml
@@ -52,7 +53,7 @@ FILES = {
     needs=(Need.MODEL, Need.FILES),
     help="bake the unit into the vertices: urdfkit mesh convert FILE NEW.dae",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     collisions = {mesh.located.path for mesh in subject.files.meshes if mesh.role == "collision"}
     for mesh in subject.files.each_file:
         if mesh.facts and has_other_unit(mesh.facts):
@@ -83,7 +84,7 @@ def check(subject: Subject) -> Findings:
 
 
 def _once(
-    subject: Subject,
+    subject: Context,
     concerns: Callable[[MeshFacts], bool],
     describe: Callable[[MeshFacts], str],
     effect: str,
@@ -94,6 +95,6 @@ def _once(
     if found:
         mesh, *others = found
         assert mesh.facts
-        more = f" (and {len(others)} more like this)" if others else ""
+        more = more_like_this(len(others))
         message = f"{mesh.who} {describe(mesh.facts)}{more}: {effect}"
         yield Finding(mesh.at, message, help, severity=Severity.INFO)

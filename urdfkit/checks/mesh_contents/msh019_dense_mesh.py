@@ -21,7 +21,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import BINARY_STL
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import (
@@ -49,28 +49,9 @@ _MOST = 200_000
     help="make a lighter one: urdfkit mesh collision FILE, or urdfkit mesh simplify FILE",
     options={"triangles": DENSE_COLLISION},
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
+    yield from _slow_collisions(subject, check.option(subject, "triangles"))
     defects = subject.measured.defects
-    bound = check.option(subject, "triangles")
-    dense = {
-        use.path: use
-        for use in reversed(subject.measured.files)
-        if use.role == "collision" and use.measures.triangles > bound
-    }
-    for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
-        number = use.measures.triangles
-        is_rejected = number > _MOST and subject.files.facts(use.path).format == BINARY_STL
-        fatal = ("mujoco",) if is_rejected and "mujoco" in subject.given_targets else ()
-        rejected = f", and MuJoCo rejects more than {_MOST:,}" if is_rejected else ""
-        yield Finding(
-            use.at,
-            f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
-            f"checking slow{rejected}",
-            weight=number,
-            group_key="collision",
-            severity=Severity.ERROR if fatal else None,
-            targets=fatal,
-        )
     for use in defects.get(MeshDefect.DENSE_SHARED, ()):
         number = use.measures.triangles
         yield Finding(
@@ -91,4 +72,26 @@ def check(subject: Subject) -> Findings:
             weight=number,
             group_key="visual",
             severity=Severity.INFO,
+        )
+
+
+def _slow_collisions(subject: Context, bound: float) -> Findings:
+    dense = {
+        use.path: use
+        for use in reversed(subject.measured.files)
+        if use.role == "collision" and use.measures.triangles > bound
+    }
+    for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
+        number = use.measures.triangles
+        is_rejected = number > _MOST and subject.files.facts(use.path).format == BINARY_STL
+        fatal = ("mujoco",) if is_rejected and "mujoco" in subject.given_targets else ()
+        rejected = f", and MuJoCo rejects more than {_MOST:,}" if is_rejected else ""
+        yield Finding(
+            use.at,
+            f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
+            f"checking slow{rejected}",
+            weight=number,
+            group_key="collision",
+            severity=Severity.ERROR if fatal else None,
+            targets=fatal,
         )

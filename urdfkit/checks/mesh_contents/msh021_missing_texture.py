@@ -15,7 +15,8 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.core.words import more_like_this
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import MeshDefect, missing_textures
 from urdfkit.robot.samples import mesh_xml
@@ -33,11 +34,11 @@ FILES = {
     needs=(Need.MODEL, Need.MESHES),
     help="add the image next to the mesh, or give the mesh a plain colour",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.MISSING_TEXTURES, ()):
         names = missing_textures(use)
-        more = f" (and {len(names) - 1} more like this)" if len(names) > 1 else ""
+        more = more_like_this(len(names) - 1)
         yield Finding(use.at, f"{use.who} uses the image '{names[0]}', which does not exist{more}")
     for use in defects.get(MeshDefect.MISSING_MATERIALS, ()):
         yield Finding(

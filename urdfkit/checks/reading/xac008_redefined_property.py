@@ -1,7 +1,8 @@
 """A property is defined twice in the same block before its first value is used.
 
-The first definition has no effect, so one of the two is left over, or has the wrong
-name. A conditional default (`<xacro:if>`) and a property that is used in between are no findings.
+The first definition has no effect, so one of the two is left over, or has the wrong name. A
+conditional default (`<xacro:if>`) and a property that is used in between are no findings; nor is
+one where an include is not found, which may use the first.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -10,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
 BAD = xacro_xml(
@@ -26,5 +27,5 @@ GOOD = BAD.replace('name="width" value="0.4"', 'name="height" value="0.4"')
     needs=(),
     help="delete one of the two, or use default= where a value may already be given",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XAC008")

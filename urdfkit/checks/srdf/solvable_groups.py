@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from urdfkit.lint.rules import Finding, Findings, Location, Related, Severity, Subject
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.robot.model import Joint
 from urdfkit.ros.moveit.config import group_entries
 from urdfkit.ros.moveit.srdf import Srdf
@@ -17,7 +17,7 @@ _FOR_CHAINS = (
 )  # fmt: skip
 
 
-def unsolvable_groups(subject: Subject, srdf: Srdf) -> Findings:
+def unsolvable_groups(subject: Context, srdf: Srdf) -> Findings:
     """The groups that are given a solver for chains and are none."""
     for entry in group_entries(srdf, subject.resolver):
         solver = entry.values.get("kinematics_solver")
@@ -36,7 +36,7 @@ def unsolvable_groups(subject: Subject, srdf: Srdf) -> Findings:
             )
 
 
-def _branch(subject: Subject, links: set[str]) -> tuple[Joint, Joint] | None:
+def _branch(subject: Context, links: set[str]) -> tuple[Joint, Joint] | None:
     """Two moving joints of a group of which none follows the other; None if it is a chain."""
     paths: list[list[Joint]] = []
     for joint in subject.model.joints:

@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.joints import MOVING, bounds, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
@@ -53,7 +53,7 @@ _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _without_acceleration(subject)
     for planned in planned_limits(subject):
         if joint := subject.model.joints_by_name.get(planned.joint):
@@ -62,7 +62,7 @@ def check(subject: Subject) -> Findings:
             yield from (found for name, found in _wider(planned, joint) if name not in invalid)
 
 
-def _without_acceleration(subject: Subject) -> Findings:
+def _without_acceleration(subject: Context) -> Findings:
     """The joints of groups that MoveIt cannot time, in a file that limits others or velocities."""
     srdf, planned = subject.srdf, {limit.joint: limit for limit in planned_limits(subject)}
     if srdf is None or not planned or _ros(subject) != 2:
@@ -107,7 +107,7 @@ def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]
             )
 
 
-def _invalid(planned: PlannedLimit, subject: Subject) -> Iterator[tuple[str, Finding]]:
+def _invalid(planned: PlannedLimit, subject: Context) -> Iterator[tuple[str, Finding]]:
     for name, switch in _LIMITS.items():
         value = planned.values.get(name) if planned.is_on(switch) else None
         if value is not None and (invalid := _wrong(name, value, _ros(subject))):
@@ -134,7 +134,7 @@ def _is_wider(name: str, said: float, allowed: float) -> bool:
     return beyond > TOLERANCE * max(abs(allowed), 0.01)
 
 
-def _ros(subject: Subject) -> int | None:
+def _ros(subject: Context) -> int | None:
     """The ROS of the SRDF's package, else of the robot's."""
     places = (subject.srdf.path if subject.srdf else "", subject.source.path)
     manifests = (manifest_of(subject.resolver, place) for place in places if place)

@@ -7,7 +7,7 @@ from itertools import islice
 
 from urdfkit.core.words import few
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.rules import Finding, Findings, Location, Related, Subject
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.moveit.config import controller_entries
 from urdfkit.ros.moveit.srdf import Srdf
@@ -25,7 +25,7 @@ _ACTIONS = {
 }
 
 
-def unfit_controllers(subject: Subject, srdf: Srdf) -> Findings:
+def unfit_controllers(subject: Context, srdf: Srdf) -> Findings:
     """The controllers of MoveIt 2 that are not there, or that take other trajectories."""
     manifest = manifest_of(subject.resolver, srdf.path)
     if manifest is None or manifest.ros != 2:
@@ -120,7 +120,7 @@ def _is_open(controller: Controller) -> bool:
     return any(mark in joint for joint in _commanded(controller) for mark in "$<{")
 
 
-def _defined(subject: Subject, srdf: Srdf) -> Iterator[Controller]:
+def _defined(subject: Context, srdf: Srdf) -> Iterator[Controller]:
     """The controllers of ROS 2 in the YAML files of the workspace of the robot and of the SRDF."""
     resolver = subject.resolver
     tops = {resolver.packages.workspace(path) for path in (subject.source.path, srdf.path)}

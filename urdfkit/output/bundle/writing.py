@@ -7,13 +7,12 @@ import shutil
 import zipfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from tempfile import mkdtemp
 
-from urdfkit.core import atomic
+from urdfkit.core import atomic, temporary
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UnwritableFile, UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
 from urdfkit.output.bundle import MANIFEST, Bundle
@@ -41,7 +40,7 @@ class TargetError(Record):
 
 
 def bundle(
-    robot: Subject | str | os.PathLike[str],
+    robot: Context | str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
     consumer: str = "any",
@@ -63,14 +62,14 @@ def bundle(
     """
     if consumer not in CONSUMERS:
         raise UrdfkitError(f"no program '{consumer}'{did_you_mean(consumer, CONSUMERS)}")
-    subject = robot if isinstance(robot, Subject) else read(robot)
+    subject = robot if isinstance(robot, Context) else read(robot)
     made = Bundle(subject, CONSUMERS[consumer])
-    with _staged(made.files(), os.path.abspath(out), force=force) as directory:
+    with staged(made.files(), os.path.abspath(out), force=force) as directory:
         rejected = tuple(_errors(made, directory, subject, CONSUMERS[consumer].target))
     return made, rejected
 
 
-def _errors(made: Bundle, directory: str, subject: Subject, target: str) -> Iterator[TargetError]:
+def _errors(made: Bundle, directory: str, subject: Context, target: str) -> Iterator[TargetError]:
     if not target:
         return
     places = {element.path: element.span for element in subject.document.root.walk()}
@@ -82,7 +81,9 @@ def _errors(made: Bundle, directory: str, subject: Subject, target: str) -> Iter
 
 
 @contextmanager
-def _staged(files: Iterable[BundledFile], out: str, *, force: bool) -> Iterator[str]:
+def staged(
+    files: Iterable[BundledFile], out: str, *, force: bool, mark: str = MANIFEST
+) -> Iterator[str]:
     """A new directory with the files of a bundle, which becomes ``out`` at the end.
 
     Nothing is left of it after an error.
@@ -91,34 +92,49 @@ def _staged(files: Iterable[BundledFile], out: str, *, force: bool) -> Iterator[
         files: of the bundle.
         out: a directory, or a file that ends in ``.zip``.
         force: replace what is there, if it is a zip or a bundle.
+        mark: the file that tells such a directory from others.
 
     Raises:
         UnwritableFile: something is there, or cannot be written.
     """
-    _require_free(out, force=force)
-    home, name = os.path.split(out)
-    atomic.make_directory(home)
-    with _as_unwritable(out):
-        temporary = mkdtemp(prefix=f".{name}.", dir=home)
-    try:
-        made = os.path.join(temporary, "bundle")
-        with _as_unwritable(out):
-            _write(files, made)
+    atomic.make_directory(os.path.dirname(out))
+    with _as_unwritable(out), temporary.workshop(out) as workshop:
+        made, old = os.path.join(workshop, "bundle"), os.path.join(workshop, "old")
+        _put_back(old, out)  # after a kill
+        _empty(workshop)
+        _require_free(out, mark, force=force)
+        _write(files, made)
         yield made
-        with _as_unwritable(out):
+        try:
             if _is_zip(out):
-                made = _zipped(made, os.path.join(temporary, "bundle.zip"))
+                made = _zipped(made, os.path.join(workshop, "bundle.zip"))
             elif os.path.isdir(out):
-                os.replace(out, os.path.join(temporary, "old"))
+                os.replace(out, old)
             os.replace(made, out)
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
+        finally:
+            _put_back(old, out)
+
+
+def _put_back(old: str, out: str) -> None:
+    """What was about to be replaced, and was not."""
+    if os.path.isdir(old) and not os.path.lexists(out):
+        os.replace(old, out)
+
+
+def _empty(directory: str) -> None:
+    for entry in list(os.scandir(directory)):
+        if entry.is_dir(follow_symlinks=False):
+            shutil.rmtree(entry.path)
+        else:
+            os.unlink(entry.path)
 
 
 @contextmanager
 def _as_unwritable(out: str) -> Iterator[None]:
     try:
         yield
+    except BlockingIOError as error:
+        raise UnwritableFile(f"{out}: cannot be written: another process is writing it") from error
     except OSError as error:
         raise UnwritableFile(f"{out}: cannot be written: {error.strerror or error}") from error
 
@@ -127,10 +143,10 @@ def _is_zip(out: str) -> bool:
     return out.lower().endswith(".zip")
 
 
-def _require_free(out: str, *, force: bool) -> None:
+def _require_free(out: str, mark: str, *, force: bool) -> None:
     if not os.path.lexists(out) or (os.path.isdir(out) and not os.listdir(out)):
         return
-    is_bundle = os.path.isfile(os.path.join(out, MANIFEST)) and not os.path.islink(out)
+    is_bundle = os.path.isfile(os.path.join(out, mark)) and not os.path.islink(out)
     if os.path.isdir(out) and (_is_zip(out) or not is_bundle):
         raise UnwritableFile(f"{out}: is a directory that is no bundle; pass another one")
     if not os.path.isdir(out) and not _is_zip(out):

@@ -14,10 +14,11 @@ from typing import Any
 
 from urdfkit import __version__
 from urdfkit.core import disk
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import finite
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.loading import subject_of
@@ -36,10 +37,10 @@ from urdfkit.workspace.resolve import Resolver
 #: Of the document; a change that could break a reader counts it up.
 VERSION = 1
 
-Document = dict[str, Any]
+ReportDocument = dict[str, Any]
 
-#: The parts that are computed from the robot, each by a function of its Subject.
-_PARTS: dict[str, Callable[[Subject], object]] = {
+#: The parts that are computed from the robot, each by a function of its Context.
+_PARTS: dict[str, Callable[[Context], object]] = {
     "robot": tables.robot,
     "links": tables.links,
     "joints": tables.joints,
@@ -59,8 +60,8 @@ class ReportInput(Record):
         diagnostics: what ``urdfkit check`` finds.
     """
 
-    document: Document
-    subject: Subject
+    document: ReportDocument
+    subject: Context
     diagnostics: tuple[Diagnostic, ...]
 
 
@@ -69,7 +70,7 @@ def describe(
     options: Options = Options(),
     *,
     quick: bool = False,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> ReportInput:
     """Everything that a report says of a robot.
 
@@ -95,16 +96,14 @@ def describe(
     return reported if quick else completed(reported, progress)
 
 
-def completed(
-    reported: ReportInput, progress: Callable[[int, int], None] | None = None
-) -> ReportInput:
+def completed(reported: ReportInput, progress: Progress | None = None) -> ReportInput:
     """The same with what takes a while.
 
     Args:
         reported: a robot that was described quickly.
         progress: called with the number of steps done and of all.
     """
-    long: dict[str, Callable[[Subject], object]] = {
+    long: dict[str, Callable[[Context], object]] = {
         "statics": physics.statics,
         "standing": physics.standing,
         "collisions": partial(physics.collisions, progress=progress),
@@ -119,10 +118,10 @@ def completed(
 
 
 def _computed(
-    subject: Subject, wanted: Mapping[str, Callable[[Subject], object]]
-) -> tuple[Document, dict[str, str]]:
+    subject: Context, wanted: Mapping[str, Callable[[Context], object]]
+) -> tuple[ReportDocument, dict[str, str]]:
     """Parts of a document, and why some of them cannot be had."""
-    parts: Document = {}
+    parts: ReportDocument = {}
     missing: dict[str, str] = {}
     for name, part in wanted.items():
         try:
@@ -132,7 +131,7 @@ def _computed(
     return parts, missing
 
 
-def _document(subject: Subject, report: Report) -> Document:
+def _document(subject: Context, report: Report) -> ReportDocument:
     parts, missing = _computed(subject, _PARTS)
     if parts["gazebo"]:
         parts["gazebo"]["rejected"] = [
@@ -162,11 +161,11 @@ def _document(subject: Subject, report: Report) -> Document:
         **parts,
         "missing": missing,
     }
-    found: Document = _portable(finite(document), subject)
+    found: ReportDocument = _portable(finite(document), subject)
     return found
 
 
-def _portable(value: Any, subject: Subject) -> Any:
+def _portable(value: Any, subject: Context) -> Any:
     """Plain values without the directories of the machine that they were made on.
 
     Paths in the workspace of the robot begin at the workspace.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
@@ -12,17 +11,16 @@ from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.stability import standing as standing_of
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.core.progress import Progress
+    from urdfkit.lint.context import Context
 
 #: Poses that statics and collisions sample; the commands of their own take more.
 POSES, SAMPLES = 200, 1000
 #: Torques in N·m, and forces in N, under this are rounding.
 NOISE = 1e-9
 
-Progress = Callable[[int, int], None]
 
-
-def statics(subject: Subject) -> Row:
+def statics(subject: Context) -> Row:
     """The gravity load of each joint in its worst pose, the most loaded joint first.
 
     Raises:
@@ -56,7 +54,7 @@ def _round(torque: float) -> float:
     return 0.0 if abs(torque) < NOISE else torque
 
 
-def standing(subject: Subject) -> Row:
+def standing(subject: Context) -> Row:
     """Whether the robot stands, all joints at zero: what ``urdfkit statics`` says.
 
     Raises:
@@ -67,7 +65,7 @@ def standing(subject: Subject) -> Row:
     return standing_of(subject).facts()
 
 
-def collisions(subject: Subject, progress: Progress | None = None) -> Row:
+def collisions(subject: Context, progress: Progress | None = None) -> Row:
     """Which links can collide with which, as sampling shows it.
 
     Args:

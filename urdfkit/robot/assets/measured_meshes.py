@@ -12,8 +12,7 @@ from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.robot.model import Body, Shape
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
+    from urdfkit.core.progress import Progress
     from urdfkit.mesh.measure_cache import Store
     from urdfkit.robot.assets.mesh_defects import MeshDefect
     from urdfkit.robot.assets.mesh_files import MeshFiles
@@ -36,7 +35,7 @@ class MeasuredMeshes:
         model: RobotModel,
         files: MeshFiles,
         store: Store,
-        progress: Callable[[int, int], None] | None = None,
+        progress: Progress | None = None,
     ) -> None:
         self.model = model
         self._files = files
@@ -74,7 +73,7 @@ class MeasuredMeshes:
         """Every use of a mesh that can be measured, in the order of the document."""
         return [use for use, _ in self._every_use if isinstance(use, MeshUse)]
 
-    @cached_property
+    @property
     def unmeasured(self) -> list[tuple[MeshReference, str]]:
         """The others whose files have no defect, with a predicate on the file."""
         return [(mesh, why) for mesh, why in self._every_use if isinstance(mesh, MeshReference)]

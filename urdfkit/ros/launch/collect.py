@@ -14,6 +14,7 @@ from urdfkit.ros.launch.contents import (
     MAX_INCLUDED,
     PARAMETERS,
     FileUse,
+    IncludedFile,
     Launch,
     LaunchedDescription,
     PackageUse,
@@ -61,6 +62,7 @@ class Collector:
         self.started_by_included: list[StartedProgram] = []
         self.unread: list[str] = []
         self.has_scopes = False
+        self.includes: list[IncludedFile] = []
         self.names_parameters = False
         self.included = included
 
@@ -160,6 +162,7 @@ class Collector:
             one._replace(is_sure=one.is_sure and is_sure)
             for one in (*inner.started, *inner.started_by_included)
         )
+        self.includes += (one._replace(is_sure=one.is_sure and is_sure) for one in inner.includes)
         self.descriptions += inner.descriptions
         self.files += (one for one in inner.files if one.purpose == PARAMETERS and one.exists)
         self.names_parameters = self.names_parameters or inner.names_parameters
@@ -175,6 +178,7 @@ class Collector:
             tuple(self.unread),
             self.has_scopes,
             self.names_parameters,
+            tuple(self.includes),
         )
 
 

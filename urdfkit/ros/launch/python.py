@@ -10,7 +10,7 @@ from itertools import pairwise
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import PARAMETERS, Parameters, StartedProgram
+from urdfkit.ros.launch.contents import PARAMETERS, IncludedFile, Parameters, StartedProgram
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import JOINED, Values, argument, called
@@ -200,10 +200,14 @@ class _Reader:
         self.collector.problems += self.configurations.include(call, path)
         passed = self.configurations.given(call)
         holds = self._condition(call)
+        is_sure = holds is True and not self._has_groups
         if holds is not False and (passed is None or not is_there):
             self.collector.unread.append(path)
+        if path and holds is not False:
+            seen = self.configurations.seen(call)
+            included = IncludedFile(path, seen, self.values.span(call), self.frame, is_sure)
+            self.collector.includes.append(included)
         if is_there and passed is not None and holds is not False:
-            is_sure = holds is True and not self._has_groups
             self.collector.follow(path, self.source, passed, self._frame(call), is_sure=is_sure)
 
     def _condition(self, action: ast.Call) -> bool | None:
