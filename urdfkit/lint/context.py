@@ -105,7 +105,7 @@ class Subject(DescriptionFile):
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self._is_srdf:
+        if self._is_srdf or self.is_list_of_joints:
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
@@ -124,6 +124,15 @@ class Subject(DescriptionFile):
         children = self.document.root.children
         return not any(child.tag == "link" for child in children) and any(
             child.tag in SRDF_TAGS for child in children
+        )
+
+    @property
+    def is_list_of_joints(self) -> bool:
+        """True for joints without links, parents and children: the settings of another program."""
+        joints = self.document.root.children
+        return bool(joints) and all(
+            joint.tag == "joint" and not (joint.child("parent") or joint.child("child"))
+            for joint in joints
         )
 
     @cached_property
@@ -235,7 +244,9 @@ class Subject(DescriptionFile):
             return None
         from urdfkit.ros.moveit.srdf import find
 
-        return find(self.source.path, self.tree, self.resolver, trust=self.trust)
+        return find(
+            self.source.path, self.tree, self.resolver, trust=self.trust, arguments=self.arguments
+        )
 
     @cached_property
     def other_variant(self) -> str:
