@@ -15,12 +15,12 @@ from tests.output.test_overview import of
 from urdfkit import Source, check
 from urdfkit.checks.dynamics import dyn003_gravity_exceeds_effort as dyn003
 from urdfkit.cli.statics import render
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.physics import gravity
 from urdfkit.physics.dynamics.statics import statics
 from urdfkit.physics.gravity import gravity_loads
 from urdfkit.physics.gravity_model import GravityModel
-from urdfkit.robot.joint_loads import largest
+from urdfkit.robot.joint_loads import effort, largest
 
 lengths = st.floats(-1, 1).map(lambda value: round(value, 3))
 vectors = st.tuples(lengths, lengths, lengths)
@@ -32,8 +32,12 @@ def words(vector: tuple[float, float, float]) -> str:
     return " ".join(map(str, vector))
 
 
+def efforts(robot: Context) -> dict[str, float | None]:
+    return {name: effort(joint) for name, joint in robot.model.joints_by_name.items()}
+
+
 @st.composite
-def trees(draw: st.DrawFn, *, mimics: bool) -> Subject:
+def trees(draw: st.DrawFn, *, mimics: bool) -> Context:
     """A tree of up to seven links; some joints may mimic others."""
     count = draw(st.integers(2, 7))
     text = ""
@@ -58,7 +62,7 @@ def trees(draw: st.DrawFn, *, mimics: bool) -> Subject:
 
 
 @given(trees(mimics=True), st.floats(-3, 3))
-def test_torques_are_those_of_pinocchio(robot: Subject, place: float) -> None:
+def test_torques_are_those_of_pinocchio(robot: Context, place: float) -> None:
     pose = {
         name: place * (number + 1) / 7 for number, name in enumerate(robot.model.joints_by_name)
     }
@@ -71,12 +75,12 @@ def test_torques_are_those_of_pinocchio(robot: Subject, place: float) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(trees(mimics=False), st.integers(0, 10**6))
-def test_no_pose_is_worse_and_the_bound_holds(robot: Subject, seed: int) -> None:
+def test_no_pose_is_worse_and_the_bound_holds(robot: Context, seed: int) -> None:
     """Of 200 drawn poses none is worse than what the search finds, which the bound is not below."""
     model = GravityModel(robot.tree)
     bound = largest(robot.tree)
     drawn = [model.torques(pose) for pose in model.starts(200, seed)]
-    for load in gravity_loads(model, robot.model.joints_by_name, model.starts(20, 0), pose={}):
+    for load in gravity_loads(model, efforts(robot), model.starts(20, 0), pose={}):
         torques = [abs(torque[load.joint]) for torque in drawn[1:]]  # zero may be beyond limits
         assert max(torques) <= load.worst * (1 + 1e-6) + 1e-9
         assert load.worst <= bound[load.joint] * (1 + 1e-9) + 1e-9
@@ -88,10 +92,10 @@ def test_no_pose_is_worse_and_the_bound_holds(robot: Subject, seed: int) -> None
 
 @settings(max_examples=30, deadline=None)
 @given(trees(mimics=True))
-def test_the_bound_holds_for_joints_that_others_mimic(robot: Subject) -> None:
+def test_the_bound_holds_for_joints_that_others_mimic(robot: Context) -> None:
     model = GravityModel(robot.tree)
     bound = largest(robot.tree)
-    for load in gravity_loads(model, robot.model.joints_by_name, model.starts(20, 0), pose={}):
+    for load in gravity_loads(model, efforts(robot), model.starts(20, 0), pose={}):
         assert load.worst <= bound[load.joint] * (1 + 1e-9) + 1e-9
 
 
@@ -121,12 +125,11 @@ def test_more_joints_than_are_searched_have_their_load_at_zero(
     text = "".join(body.format(n) for n in range(4))
     subject = of(text + "".join(joint.format(n, n + 1) for n in range(3)))
     model = GravityModel(subject.tree)
-    joints = subject.model.joints_by_name
     starts = model.starts(3, seed=0)
-    searched = gravity_loads(model, joints, starts, pose={})
+    searched = gravity_loads(model, efforts(subject), starts, pose={})
     assert max(load.worst for load in searched) == pytest.approx(3 * 9.81)  # 1 and 2 m away
     monkeypatch.setattr(gravity, "MAX_SEARCHED", 2)
-    loads = gravity_loads(model, joints, starts, pose={})
+    loads = gravity_loads(model, efforts(subject), starts, pose={})
     assert [(load.worst, load.pose) for load in loads] == [(0, {})] * 3  # the chain is upright
     found = statics(subject.dynamics)
     assert not found.searched

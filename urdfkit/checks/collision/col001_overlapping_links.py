@@ -31,7 +31,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import TargetFacts, facts_of
 
@@ -65,7 +65,7 @@ _PART = 0.6
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     contacts = subject.collisions.contacts
     reported = set()
     for pair in contacts.pairs:
@@ -98,7 +98,7 @@ def check(subject: Subject) -> Findings:
                 yield from _of_hulls(subject, overlap, simulators)
 
 
-def _of_hulls(subject: Subject, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:
+def _of_hulls(subject: Context, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:
     colliding = [
         one
         for one in simulators

@@ -15,12 +15,13 @@ Sources:
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from math import isfinite
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.context import Unavailable
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
-from urdfkit.robot.joint_loads import overloadable
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.robot.joint_loads import effort, overloadable
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
@@ -29,6 +30,7 @@ from urdfkit.ros.gazebo.values import is_true, text_of
 
 if TYPE_CHECKING:
     from urdfkit.physics.gravity import Load
+    from urdfkit.physics.gravity_model import GravityModel
 
 BAD = robot_xml(
     link_xml("base"),
@@ -53,18 +55,18 @@ _SAMPLES = 20
     needs=(Need.MODEL,),
     help="raise the effort to what the motor has, or correct the masses (urdfkit statics)",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     overloaded = overloadable(subject.tree)
     if not overloaded or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return
     if _flies(subject.model):
         return
-    from urdfkit.physics.gravity import gravity_loads, is_searched
+    from urdfkit.physics.gravity import is_searched
     from urdfkit.physics.gravity_model import GravityModel
 
     model = GravityModel(subject.tree, weightless=_weightless(subject))
     joints = {joint.name: joint for joint in overloaded}
-    loads = gravity_loads(model, joints, model.starts(_SAMPLES, seed=0), pose={})
+    loads = _loads(model, tuple((name, effort(joint)) for name, joint in joints.items()))
     for load in loads:
         if load.is_exceeded and isfinite(load.worst):
             yield _finding(joints[load.joint], load)
@@ -72,12 +74,19 @@ def check(subject: Subject) -> Findings:
         raise Unavailable(f"the worst pose of {len(loads)} joints is not searched, only zero")
 
 
+@lru_cache(maxsize=16)  # editors and fixes check a robot again and again, its masses unchanged
+def _loads(model: GravityModel, efforts: tuple[tuple[str, float | None], ...]) -> list[Load]:
+    from urdfkit.physics.gravity import gravity_loads
+
+    return gravity_loads(model, dict(efforts), model.starts(_SAMPLES, seed=0), pose={})
+
+
 def _flies(model: RobotModel) -> bool:
     """True if the names of joints tell of rotors that carry the robot."""
     return sum(bool(re.search(_ROTOR, joint.name.lower())) for joint in model.joints) >= _ROTORS
 
 
-def _weightless(subject: Subject) -> set[str]:
+def _weightless(subject: Context) -> set[str]:
     """Names of the links without gravity; the flag of one holds for all that are merged with it."""
     flagged = {
         block.get("reference")

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.physics.gravity import Load, gravity_loads, is_searched
 from urdfkit.physics.gravity_model import GravityModel
+from urdfkit.robot.joint_loads import effort
 
 if TYPE_CHECKING:
     from urdfkit.core.progress import Progress
@@ -64,10 +65,11 @@ def statics(
         progress: called with the number of joints done and of all.
     """
     by_name = robot.tree.model.joints_by_name
-    wanted = by_name if joints is None else {n: by_name[n] for n in joints if n in by_name}
+    wanted = by_name if joints is None else [name for name in joints if name in by_name]
+    efforts = {name: effort(by_name[name]) for name in wanted}
     model = GravityModel(robot.tree, robot.payload)
     starts = model.starts(samples, seed)
-    found = gravity_loads(model, wanted, starts, pose or {}, progress)
+    found = gravity_loads(model, efforts, starts, pose or {}, progress)
     mass = robot.mass_properties().mass
     searched = is_searched(len(found))
     return Statics(tuple(found), len(starts), mass, dict(robot.payload), searched)
