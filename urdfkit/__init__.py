@@ -19,6 +19,7 @@ __all__ = [
     "Call",
     "Comparison",
     "Confidence",
+    "Context",
     "Diagnostic",
     "Dynamics",
     "Edit",
@@ -33,7 +34,6 @@ __all__ = [
     "Severity",
     "Source",
     "Span",
-    "Subject",
     "Tolerances",
     "UnreadableRobot",
     "UrdfkitError",
@@ -65,7 +65,7 @@ TYPE_CHECKING = False  # type checkers take it for True; importing typing costs 
 
 if TYPE_CHECKING:
     from urdfkit.errors import UnreadableRobot, UrdfkitError
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.lint.engine import check
     from urdfkit.lint.fix import fix
     from urdfkit.lint.fix_session import Fixes
@@ -123,7 +123,7 @@ _HOMES = {
     "lint.rule_index": "all_rules find_rule",
     "lint.rules": "Rule",
     "text.source": "Source Span",
-    "lint.context": "Subject",
+    "lint.context": "Context",
 }
 
 

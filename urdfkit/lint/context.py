@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "MAX_BODIES",
+    "Context",
     "NotApplicable",
     "Reading",
     "RunState",
@@ -65,7 +66,7 @@ class RunState(Record):
     chosen: frozenset[str] | None = None
 
 
-class Subject(DescriptionFile):
+class Context(DescriptionFile):
     """What rules know of one description: the file as it was read, the robot in it, its files.
 
     Attributes:
@@ -100,7 +101,7 @@ class Subject(DescriptionFile):
         self.run = RunState()
         self.launched: tuple[Launched, ...] = ()
         self.unchecked: tuple[UncheckedValues, ...] = ()
-        self._other_robots: dict[tuple[object, ...], Subject] = {}
+        self._other_robots: dict[tuple[object, ...], Context] = {}
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
@@ -240,11 +241,11 @@ class Subject(DescriptionFile):
 
         return other_variant(self, self.srdf)
 
-    def other_robot(self, path: str, arguments: Mapping[str, str]) -> Subject:
+    def other_robot(self, path: str, arguments: Mapping[str, str]) -> Context:
         """Another description, read in the same way; the same one each time."""
         key = (path, *sorted(arguments.items()))
         if key not in self._other_robots:
-            self._other_robots[key] = Subject(
+            self._other_robots[key] = Context(
                 self.resolver.read(path),
                 self.resolver,
                 arguments,
@@ -337,3 +338,7 @@ class Subject(DescriptionFile):
         from urdfkit.robot.assets.triangles import Meshes
 
         return Meshes(self.files, self._progress)
+
+
+#: The former name.
+Subject = Context

@@ -35,7 +35,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.values import is_true
 from urdfkit.ros.targets import TargetFacts, facts_of
@@ -70,7 +70,7 @@ _PART = 0.6
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     contacts = subject.collisions.contacts
     colliding = set(_self_colliding(subject))
     reported = set()
@@ -107,7 +107,7 @@ def check(subject: Subject) -> Findings:
                 yield from _of_hulls(subject, overlap, simulators)
 
 
-def _self_colliding(subject: Subject) -> Iterator[str]:
+def _self_colliding(subject: Context) -> Iterator[str]:
     """The links that collide with others of their robot in Gazebo; those with a joint never do."""
     for block in subject.model.gazebo:
         flags = (one for one in block.children if one.tag in ("selfCollide", "self_collide"))
@@ -116,7 +116,7 @@ def _self_colliding(subject: Subject) -> Iterator[str]:
             yield from [reference] if reference else subject.model.links_by_name
 
 
-def _of_hulls(subject: Subject, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:
+def _of_hulls(subject: Context, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:
     colliding = [
         one
         for one in simulators

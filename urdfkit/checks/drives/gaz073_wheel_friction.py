@@ -31,7 +31,7 @@ from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.ros.gazebo.values import leading, text_of, value
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.robot.model import RobotModel
 
 #: Coefficients below which a wheel has no grip, and from which a caster has.
@@ -67,7 +67,7 @@ _ROLLERS = ("mecanum", "omni", "swerve")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     driven = dict.fromkeys(_driven(subject))
     for link in driven:
         low = [one for one in _friction(subject.model, link) if one.value < LITTLE]
@@ -83,7 +83,7 @@ def check(subject: Subject) -> Findings:
     yield from _casters(subject, set(driven))
 
 
-def _driven(subject: Subject) -> Iterator[str]:
+def _driven(subject: Context) -> Iterator[str]:
     """The links of the wheels that drive plugins and drive controllers turn."""
     for use in subject.plugins:
         if drive_of(use) and not any(one in use.filename for one in _ROLLERS):
@@ -118,7 +118,7 @@ def _friction(model: RobotModel, link: str) -> list[Placed[float]]:
     return list(found.values())
 
 
-def _casters(subject: Subject, driven: set[str]) -> Findings:
+def _casters(subject: Context, driven: set[str]) -> Findings:
     """What is fixed to the body, touches the ground beside driven wheels, and does not slide."""
     standing = stand(subject, meshes=False) if driven and subject.tree.is_sound else None
     if standing is None or driven.isdisjoint(standing.links):

@@ -29,7 +29,7 @@ from urdfkit.ros.gazebo.views import frame_of, planar_scan, tilt
 
 if TYPE_CHECKING:
     from urdfkit.core.spatial import Transform
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.robot.tree import KinematicTree
     from urdfkit.ros.gazebo.sensors import Sensor
 
@@ -58,7 +58,7 @@ GOOD = BAD.replace("0 0.3 0", "0 0 0.3")
 
 
 @rule(Severity.WARNING, help="level the <origin> of its joint, or the <pose> of the sensor")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if not subject.tree.is_sound or not _rolls(subject.tree):
         return
     fixed = {link.name for link, _ in rigid_bodies(subject.tree)[0].links}

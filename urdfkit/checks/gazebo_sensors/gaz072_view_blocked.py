@@ -31,7 +31,7 @@ from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.views import frame_of, image_rays, is_camera, planar_scan
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.robot.model import Body
     from urdfkit.robot.ray_casting import Scan
     from urdfkit.ros.gazebo.sensors import Sensor
@@ -63,7 +63,7 @@ GOOD = BAD.replace("0 0 0.05", "0 0 0.25")
 
 
 @rule(Severity.WARNING, help="raise or turn the sensor, or scan the angles that are free")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if not subject.tree.is_sound:
         return
     for sensor in sensors(subject.model):
@@ -76,7 +76,7 @@ def check(subject: Subject) -> Findings:
             yield from _of_camera(subject, sensor, frame)
 
 
-def _of_lidar(subject: Subject, sensor: Sensor, frame: Transform, scan: Scan) -> Findings:
+def _of_lidar(subject: Context, sensor: Sensor, frame: Transform, scan: Scan) -> Findings:
     sees_inside = not sensor.type.startswith("gpu")
     directions = scan.directions
     blocked: dict[str, set[int]] = {}
@@ -102,7 +102,7 @@ def _of_lidar(subject: Subject, sensor: Sensor, frame: Transform, scan: Scan) ->
         )._replace(severity=None if part >= MANY else Severity.INFO)
 
 
-def _of_camera(subject: Subject, sensor: Sensor, frame: Transform) -> Findings:
+def _of_camera(subject: Context, sensor: Sensor, frame: Transform) -> Findings:
     rays = image_rays(sensor)
     clip = sensor.number("camera/clip/near")
     low = clip.value if clip else _CLIP
@@ -123,7 +123,7 @@ def _of_camera(subject: Subject, sensor: Sensor, frame: Transform) -> Findings:
 
 
 def _finding(
-    subject: Subject, sensor: Sensor, message: str, blocked: dict[str, set[int]]
+    subject: Context, sensor: Sensor, message: str, blocked: dict[str, set[int]]
 ) -> Finding:
     worst = sorted(blocked, key=lambda name: -len(blocked[name]))[:3]
     links = subject.model.links_by_name
@@ -135,7 +135,7 @@ def _finding(
 
 
 def _bodies(
-    subject: Subject, frame: Transform, *, visuals: bool
+    subject: Context, frame: Transform, *, visuals: bool
 ) -> Iterator[tuple[str, Body, Transform]]:
     """The shapes of all links, each with the frame of its link in that of the sensor."""
     inverse = frame.inverse
@@ -145,7 +145,7 @@ def _bodies(
                 yield name, body, inverse @ subject.tree.frames[name]
 
 
-def _box(subject: Subject, body: Body, at: Transform) -> Primitive | None:
+def _box(subject: Context, body: Body, at: Transform) -> Primitive | None:
     """The box around a mesh in the frame of a sensor; None if it was not measured."""
     measures = subject.measures(body.shape) if body.shape and body.shape.filename else ""
     if body.shape is None or isinstance(measures, str):
@@ -166,7 +166,7 @@ def _crosses(box: Primitive) -> bool:
 
 
 def _on_mesh(
-    subject: Subject,
+    subject: Context,
     body: Body,
     at: Transform,
     directions: list[Vector],

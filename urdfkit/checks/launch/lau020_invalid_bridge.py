@@ -21,7 +21,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.launch.bridges import (
@@ -49,7 +49,7 @@ GOOD = BAD.replace("gz.msgs.Pose", "gz.msgs.IMU")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     topics = [
         (topic, started.frame)
         for started in (*subject.launch.started, *subject.launch.included)
@@ -103,7 +103,7 @@ def _lacking(topic: BridgedTopic) -> str:
     return "ROS" if not topic.ros_type else "Gazebo"
 
 
-def _unpublished(subject: Subject, topics: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
+def _unpublished(subject: Context, topics: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
     """The topics on which no sensor publishes, where one waits for a bridge in vain."""
     messages = data("bridge")["sensors"]
     passed = {_plain(topic.topic) for topic, _ in topics}
@@ -124,7 +124,7 @@ def _unpublished(subject: Subject, topics: list[tuple[BridgedTopic, CallFrame | 
         )
 
 
-def _published(subject: Subject) -> Iterator[tuple[Sensor, str]]:
+def _published(subject: Context) -> Iterator[tuple[Sensor, str]]:
     """The sensors of the robots that are described, with the topics that they name."""
     for description in subject.launch.descriptions:
         robot = subject.other_robot(description.path, description.arguments)

@@ -16,7 +16,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
@@ -52,7 +52,7 @@ _JOINT_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     launch = subject.launch
     started = (*launch.started, *launch.included)
     if not _is_whole(launch) or not all(one.is_sure for one in started):
@@ -70,7 +70,7 @@ def _is_whole(launch: Launch) -> bool:
     return all(packages) and all(files)
 
 
-def _without_joint_states(subject: Subject, started: tuple[StartedProgram, ...]) -> Findings:
+def _without_joint_states(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
     spawned = [(word, one) for one in started for word in controllers(one)]
     types = {name: one.type for name, one in defined_controllers(subject).items() if one.ros == 2}
     known = [types.get((word.text or "").strip("/"), "") for word, _ in spawned]

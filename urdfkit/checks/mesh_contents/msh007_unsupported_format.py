@@ -33,7 +33,7 @@ from __future__ import annotations
 import os
 
 from urdfkit.core import disk
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import ASCII_STL, BY_SUFFIX, MAX_BYTES, OBJ
 from urdfkit.mesh.io.obj import objects
 from urdfkit.mesh.samples import PLATE
@@ -54,7 +54,7 @@ _NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
 @rule(
     Severity.ERROR, needs=(Need.MODEL, Need.FILES), help="export it as STL, COLLADA (.dae) or OBJ"
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for mesh in subject.files.meshes:
         facts, path = mesh.facts, mesh.located.path
         if facts is None or path is None or facts.defect:
@@ -78,7 +78,7 @@ def check(subject: Subject) -> Findings:
             yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
 
 
-def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Findings:
+def _not_for_target(subject: Context, mesh: MeshReference, form: str) -> Findings:
     """A format that a target does not load, of a mesh that it wants."""
     for target in map(facts_of, subject.given_targets):
         is_wanted = mesh.role == "collision" or subject.loads_visuals
@@ -103,7 +103,7 @@ def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Finding
             )
 
 
-def _not_in_rviz(subject: Subject, mesh: MeshReference) -> Findings:
+def _not_in_rviz(subject: Context, mesh: MeshReference) -> Findings:
     if subject.targets.any_of(("ros2",)):
         yield Finding(
             mesh.at,

@@ -30,7 +30,7 @@ from __future__ import annotations
 import posixpath
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
@@ -48,7 +48,7 @@ _WRITTEN_ABSOLUTE = r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.FILES), help="refer to it as package://PACKAGE/...")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for mesh in subject.files.meshes:
         path = mesh.located.path or mesh.located.outside
         if path is None:
@@ -84,7 +84,7 @@ def _is_absolute(mesh: MeshReference) -> bool:
     )
 
 
-def _left(subject: Subject, mesh: MeshReference, path: str) -> str | None:
+def _left(subject: Context, mesh: MeshReference, path: str) -> str | None:
     """The package that a reference starts in and leaves."""
     located = mesh.located
     if ".." not in located.relative:

@@ -22,7 +22,7 @@ import re
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.context import Unavailable
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, reported, rule
 from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import xacro_xml
@@ -41,7 +41,7 @@ _NAME = r"^package '([^']+)'"
     needs=(),
     help="name its directory with --package NAME=DIR, or add the package to the workspace",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     problems = subject.problems("XAC011")
     for problem, finding in zip(problems, reported(subject, "XAC011"), strict=True):
         (name,) = re.findall(_NAME, problem.message)
@@ -62,7 +62,7 @@ def check(subject: Subject) -> Findings:
             yield _of_meshes(subject, name, meshes)
 
 
-def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Finding:
+def _of_meshes(subject: Context, name: str, meshes: list[MeshReference]) -> Finding:
     """One finding for all meshes of a package."""
     first = meshes[0]
     count = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
@@ -79,12 +79,12 @@ def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
     )
 
 
-def _severity(subject: Subject, name: str, at: Span) -> Severity | None:
+def _severity(subject: Context, name: str, at: Span) -> Severity | None:
     is_known = is_known_dependency(name, at.source.path, subject.resolver)
     return Severity.WARNING if is_known else None
 
 
-def _launched(subject: Subject) -> Findings:
+def _launched(subject: Context) -> Findings:
     path, resolver = subject.source.path, subject.resolver
     manifest, known = manifest_of(resolver, path), resolver.packages.known(path)
     for package in subject.launch.packages:

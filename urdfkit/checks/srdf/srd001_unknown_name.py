@@ -33,7 +33,7 @@ from __future__ import annotations
 
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
@@ -58,7 +58,7 @@ _LIKE = 0.66
     help="fix the name, or generate the SRDF for this robot",
     reports_missing=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return
@@ -91,7 +91,7 @@ def _is_free_flyer(attribute: Attribute) -> bool:
     return attribute.value == "root_joint" and len(value.split()) == 7
 
 
-def _not_in_group(subject: Subject, srdf: Srdf) -> Findings:
+def _not_in_group(subject: Context, srdf: Srdf) -> Findings:
     for state in srdf.states:
         group = state.get("group") or ""
         links = srdf.links_of(group)

@@ -16,7 +16,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -46,7 +46,7 @@ _DEEP = 1e-4
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
     help="update it: urdfkit collisions ROBOT --srdf FILE",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return
@@ -65,7 +65,7 @@ def check(subject: Subject) -> Findings:
             )
 
 
-def _not_adjacent(subject: Subject, srdf: Srdf) -> Findings:
+def _not_adjacent(subject: Context, srdf: Srdf) -> Findings:
     adjacency = Adjacency(subject.tree)
     for pair in srdf.root.all("disable_collisions"):
         first, second = pair.get("link1") or "", pair.get("link2") or ""

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
@@ -48,7 +48,7 @@ _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for planned in planned_limits(subject):
         if joint := subject.model.joints_by_name.get(planned.joint):
             invalid = dict(_invalid(planned, subject))
@@ -72,7 +72,7 @@ def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]
             )
 
 
-def _invalid(planned: PlannedLimit, subject: Subject) -> Iterator[tuple[str, Finding]]:
+def _invalid(planned: PlannedLimit, subject: Context) -> Iterator[tuple[str, Finding]]:
     for name, switch in _LIMITS.items():
         value = planned.values.get(name) if planned.is_on(switch) else None
         if value is not None and (invalid := _wrong(name, value, _ros(subject))):
@@ -99,7 +99,7 @@ def _is_wider(name: str, said: float, allowed: float) -> bool:
     return beyond > TOLERANCE * max(abs(allowed), 0.01)
 
 
-def _ros(subject: Subject) -> int | None:
+def _ros(subject: Context) -> int | None:
     """The ROS of the SRDF's package, else of the robot's."""
     places = (subject.srdf.path if subject.srdf else "", subject.source.path)
     manifests = (manifest_of(subject.resolver, place) for place in places if place)

@@ -9,7 +9,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.text.grammar import owner
 
 BAD = '<robot name="cart">\n</robot>\n'
@@ -17,7 +17,7 @@ GOOD = '<robot name="cart">\n  <link name="base"/>\n</robot>\n'
 
 
 @rule(Severity.ERROR, help='add a link, as <link name="base_link"/>', reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     root = subject.document.root
     if root.tag != "robot" or root.child("link") or subject.is_part:
         return

@@ -26,7 +26,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml
 from urdfkit.ros.catalog.plugins import Plugin, all_plugins
 from urdfkit.ros.catalog.sensors import types
@@ -87,7 +87,7 @@ _CONFIGURED = b"SERVER_CONFIG_PATH"
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     files = {one.span.source.path: one.span.source for one in subject.launch.includes}
     if any(_CONFIGURED in one.data for one in (subject.source, *files.values())):
         return
@@ -116,7 +116,7 @@ def check(subject: Subject) -> Findings:
                 )
 
 
-def _without_factory(subject: Subject, opened: OpenedWorld) -> Findings:
+def _without_factory(subject: Context, opened: OpenedWorld) -> Findings:
     """Gazebo Classic, if it cannot spawn what a node of this launch file wants to spawn."""
     plugins = opened.world.plugins if opened.world is not None else []
     files = {*opened.started.libraries, *(plugin.get("filename") for plugin in plugins)}
@@ -131,7 +131,7 @@ def _without_factory(subject: Subject, opened: OpenedWorld) -> Findings:
         )
 
 
-def _needed(subject: Subject) -> list[tuple[Plugin, Sensor]]:
+def _needed(subject: Context) -> list[tuple[Plugin, Sensor]]:
     """The systems that sensors of the robots need, each with the first of these sensors."""
     found: dict[str, tuple[Plugin, Sensor]] = {}
     systems = [one for one in all_plugins() if one.generation == GZ and "world" in one.kinds]
@@ -145,7 +145,7 @@ def _needed(subject: Subject) -> list[tuple[Plugin, Sensor]]:
     return list(found.values())
 
 
-def _without_defaults(subject: Subject, opened: OpenedWorld, loaded: frozenset[str]) -> Findings:
+def _without_defaults(subject: Context, opened: OpenedWorld, loaded: frozenset[str]) -> Findings:
     """The systems of the server's configuration that a world with plugins lacks."""
     world = opened.world
     if world is None or not own_systems(world) or world.adds_defaults():
@@ -164,7 +164,7 @@ def _without_defaults(subject: Subject, opened: OpenedWorld, loaded: frozenset[s
             )
 
 
-def _wanted(subject: Subject, opened: OpenedWorld) -> Iterator[str]:
+def _wanted(subject: Context, opened: OpenedWorld) -> Iterator[str]:
     if any(True for _ in robots(subject)):
         yield "Physics"
     if any(map(spawner_of, (*subject.launch.started, *subject.launch.included))):

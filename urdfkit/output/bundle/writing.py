@@ -12,7 +12,7 @@ from urdfkit.core import atomic, temporary
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UnwritableFile, UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
 from urdfkit.output.bundle import MANIFEST, Bundle
@@ -40,7 +40,7 @@ class TargetError(Record):
 
 
 def bundle(
-    robot: Subject | str | os.PathLike[str],
+    robot: Context | str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
     consumer: str = "any",
@@ -62,14 +62,14 @@ def bundle(
     """
     if consumer not in CONSUMERS:
         raise UrdfkitError(f"no program '{consumer}'{did_you_mean(consumer, CONSUMERS)}")
-    subject = robot if isinstance(robot, Subject) else read(robot)
+    subject = robot if isinstance(robot, Context) else read(robot)
     made = Bundle(subject, CONSUMERS[consumer])
     with staged(made.files(), os.path.abspath(out), force=force) as directory:
         rejected = tuple(_errors(made, directory, subject, CONSUMERS[consumer].target))
     return made, rejected
 
 
-def _errors(made: Bundle, directory: str, subject: Subject, target: str) -> Iterator[TargetError]:
+def _errors(made: Bundle, directory: str, subject: Context, target: str) -> Iterator[TargetError]:
     if not target:
         return
     places = {element.path: element.span for element in subject.document.root.walk()}

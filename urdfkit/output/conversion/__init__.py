@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import MissingLibrary
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ BASES = ("auto", "fixed", "free")
 
 
 def convert(
-    robot: Subject | str | os.PathLike[str],
+    robot: Context | str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
     base: str = "auto",
@@ -43,5 +43,5 @@ def convert(
         raise MissingLibrary(
             f"to convert a robot needs {error.name}: pip install 'urdfkit[simulate]'"
         ) from error
-    subject = robot if isinstance(robot, Subject) else read(robot)
+    subject = robot if isinstance(robot, Context) else read(robot)
     return write(subject, os.path.abspath(out), base=base, force=force)

@@ -9,7 +9,7 @@ from typing import Any
 import mujoco
 
 from urdfkit.core.spatial import Rotation, Transform, from_rpy, multiply
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.output.conversion.mjcf import COLLISIONS, MjcfRobot, quaternion
 from urdfkit.robot.model import Joint
 from urdfkit.robot.values import number, numbers
@@ -35,7 +35,7 @@ _IMU = (
 _FORCE_TORQUE = (("force", _SENSOR.mjSENS_FORCE), ("torque", _SENSOR.mjSENS_TORQUE))
 
 
-def add_devices(made: MjcfRobot, robot: Subject) -> None:
+def add_devices(made: MjcfRobot, robot: Context) -> None:
     """Add friction, actuators, sensors, cameras and exclusions to a robot."""
     _frictions(made, robot)
     _actuators(made, robot)
@@ -44,7 +44,7 @@ def add_devices(made: MjcfRobot, robot: Subject) -> None:
     _exclusions(made, robot)
 
 
-def _frictions(made: MjcfRobot, robot: Subject) -> None:
+def _frictions(made: MjcfRobot, robot: Context) -> None:
     """Gazebo's coefficients of friction; MuJoCo has one for both directions."""
     for block in robot.model.gazebo:
         body = made.bodies.get(block.get("reference") or "")
@@ -64,7 +64,7 @@ def _frictions(made: MjcfRobot, robot: Subject) -> None:
                 made.losses.lose(other, "MuJoCo has one coefficient for both directions")
 
 
-def _actuators(made: MjcfRobot, robot: Subject) -> None:
+def _actuators(made: MjcfRobot, robot: Context) -> None:
     """One for each joint that does not follow another; motors where nothing says how it moves."""
     commands = dict(_commands(robot))
     for joint in robot.model.joints:
@@ -99,7 +99,7 @@ def _actuator(made: MjcfRobot, joint: Joint, kind: str) -> None:
             actuator.ctrllimited, actuator.ctrlrange = True, (-effort, effort)
 
 
-def _commands(robot: Subject) -> Iterator[tuple[str, tuple[str, Element]]]:
+def _commands(robot: Context) -> Iterator[tuple[str, tuple[str, Element]]]:
     """What commands each joint, and the element that says so; the last one counts."""
     for element, transmission in driven_joints(robot.model):
         name = element.get("name") or ""
@@ -115,7 +115,7 @@ def _commands(robot: Subject) -> Iterator[tuple[str, tuple[str, Element]]]:
                     break
 
 
-def _sensor(made: MjcfRobot, robot: Subject, sensor: Sensor) -> None:
+def _sensor(made: MjcfRobot, robot: Context, sensor: Sensor) -> None:
     body = made.bodies.get(sensor.reference)
     if sensor.type in ("imu", "imu_sensor") and body is not None:
         _measured(made, sensor, body, _pose(sensor.at), _IMU)
@@ -176,7 +176,7 @@ def _pose(sensor: Element) -> Transform:
     return Transform(from_rpy(*rpy), (x, y, z))
 
 
-def _exclusions(made: MjcfRobot, robot: Subject) -> None:
+def _exclusions(made: MjcfRobot, robot: Context) -> None:
     """Pairs of links that the SRDF disables, and those with a joint between them.
 
     MuJoCo leaves out the latter itself, but not where the parent is welded to the world.

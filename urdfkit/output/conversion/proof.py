@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 
 from urdfkit.core.record import Record
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.dynamics.robot import Dynamics
 from urdfkit.robot.kinematics import laws, positions
@@ -52,7 +52,7 @@ class Proof(Record):
         )
 
 
-def prove(model: Any, robot: Subject) -> Proof:
+def prove(model: Any, robot: Context) -> Proof:
     """Compare a compiled model of MuJoCo with a robot.
 
     Args:
@@ -86,7 +86,7 @@ class _Coordinates:
     Planar and floating joints stay at zero.
     """
 
-    def __init__(self, model: Any, robot: Subject, dynamics: Dynamics) -> None:
+    def __init__(self, model: Any, robot: Context, dynamics: Dynamics) -> None:
         self._model = model
         joints = robot.model.joints_by_name
         self._limits = {name: joints[name].limit for name in dynamics.columns if name in joints}
@@ -113,7 +113,7 @@ class _Coordinates:
             found[name] = random.uniform(lower, upper) if lower < upper else lower
         return found
 
-    def set(self, data: Any, robot: Subject, pose: Mapping[str, float]) -> None:
+    def set(self, data: Any, robot: Context, pose: Mapping[str, float]) -> None:
         """Put the model into a pose."""
         for name, position in positions(robot.tree, pose).items():
             if name in self._q:
@@ -148,7 +148,7 @@ def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
     return worst
 
 
-def _masses(model: Any, robot: Subject) -> float:
+def _masses(model: Any, robot: Context) -> float:
     """The largest difference of the mass of a link, in kg."""
     bodies = ((link, model.body(link.name)) for link in robot.model.links if link.name != "world")
     return max((abs(float(body.mass[0]) - link.mass) for link, body in bodies), default=0.0)

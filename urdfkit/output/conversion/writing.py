@@ -16,7 +16,7 @@ from urdfkit import __version__
 from urdfkit.core import atomic
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.meshes import BundledFile
@@ -93,7 +93,7 @@ class Conversion(Record):
         yield from parts.items()
 
 
-def write(robot: Subject, out: str, *, base: str, force: bool) -> Conversion:
+def write(robot: Context, out: str, *, base: str, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
     if not robot.tree.is_sound:
         raise UrdfkitError(
@@ -121,7 +121,7 @@ def write(robot: Subject, out: str, *, base: str, force: bool) -> Conversion:
     return found
 
 
-def _floats(robot: Subject) -> bool:
+def _floats(robot: Context) -> bool:
     """True for what stands on wheels or feet, and not on its base."""
     fixed = {link.name for link, _ in rigid_bodies(robot.tree)[0].links}
     return not fixed.issuperset(standing(robot).links)
@@ -134,7 +134,7 @@ def _assets(bundle: Bundle) -> Iterator[BundledFile]:
             yield file
 
 
-def _written(made: MjcfRobot, path: str, robot: Subject) -> Any:
+def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
     """The file, as MuJoCo loads it."""
     try:
         made.spec.compile()
@@ -152,7 +152,7 @@ def _write_all_digits() -> None:
     ctypes.CDLL(library)._mjPRIVATE__set_xml_precision(15)
 
 
-def _explained(text: str, robot: Subject) -> UrdfkitError:
+def _explained(text: str, robot: Context) -> UrdfkitError:
     """An error of MuJoCo's compiler, at the link or joint that it names."""
     what = " ".join(text.split()).removeprefix("Error: ")
     named = _ELEMENT.search(what)
