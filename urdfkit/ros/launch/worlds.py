@@ -84,7 +84,7 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
     generation = data("worlds")["programs"].get(f"{started.package}/{started.executable}", "")
     texts = [word.text for word in started.words]
     if generation == GZ:
-        path = (started.parameters or {}).get("world_sdf_file")
+        path = started.parameters.values.get("world_sdf_file")
         return _started(GZ, ["-s", "-r", path], started.span, started) if path else None
     known = [text for text in texts if text is not None]
     if len(known) < len(texts):
