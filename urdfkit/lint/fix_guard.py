@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check_with, subjects
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Report, Skipped
@@ -32,7 +32,7 @@ FindingKey = tuple[str, str, str]
 Place = tuple[str, int, int, str]
 
 #: Reads the robots of a report, in its order.
-Robots = Callable[[], Iterable[Subject | None]]
+Robots = Callable[[], Iterable[Context | None]]
 
 #: What takes long to compute. The rules that need it have no fix.
 SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
@@ -94,7 +94,7 @@ def _is_at(diagnostic: Diagnostic, paths: Collection[str]) -> bool:
     )
 
 
-def _revealed(before: Subject, after: Subject) -> frozenset[str]:
+def _revealed(before: Context, after: Context) -> frozenset[str]:
     """The paths of the elements that a document has only after a fix.
 
     An element with a new name in the place of one with the old is the same one.
@@ -163,7 +163,7 @@ class Checker:
 
     def robots(
         self, texts: Mapping[str, bytes], files: Iterable[str] | None = None
-    ) -> Iterator[Subject | None]:
+    ) -> Iterator[Context | None]:
         """The robots of a check, in its order."""
         return subjects(self._with_texts(texts), self._files if files is None else files)
 
@@ -271,7 +271,7 @@ class RegressionGuard:
         return self._found[files]
 
 
-def _tags(subject: Subject, files: set[str]) -> dict[str, list[tuple[int, int]]]:
+def _tags(subject: Context, files: set[str]) -> dict[str, list[tuple[int, int]]]:
     """First and last byte of the start tags that a robot uses of some files, in their order."""
     if subject.reading.document is None:
         return {}

@@ -17,7 +17,7 @@ from typing import IO
 
 from urdfkit.core.record import Record
 from urdfkit.core.regular_file import opened
-from urdfkit.core.temporary import scratch
+from urdfkit.core.temporary import remove_abandoned, scratch
 from urdfkit.errors import UnreadableFile
 from urdfkit.text.source import why_unreadable
 from urdfkit.workspace.directories import walk
@@ -98,6 +98,7 @@ class Extraction:
         self._until_exit = ExitStack()
 
     def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
+        remove_abandoned()  # a scan that was killed may have nothing left to do
         return self
 
     def __exit__(self, *error: object) -> None:

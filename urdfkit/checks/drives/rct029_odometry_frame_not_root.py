@@ -23,7 +23,7 @@ from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.ros.controllers import Controller
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.text.located_yaml import Value
@@ -48,7 +48,7 @@ _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for use in subject.plugins:
         yield from _of_plugin(use, subject)
     if subject.is_part or len(subject.tree.roots) != 1:
@@ -60,7 +60,7 @@ def check(subject: Subject) -> Findings:
                     yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
+def _of_plugin(use: PluginUse, subject: Context) -> Findings:
     frames = _sent_frames(use)
     if frames is None:
         return
@@ -93,7 +93,7 @@ def _sent_frames(use: PluginUse) -> tuple[str, str] | None:
     return (child, use.value(parent) or "odom") if child and parent and is_sent else None
 
 
-def _of_controller(controller: Controller, frame: Value, subject: Subject) -> Findings:
+def _of_controller(controller: Controller, frame: Value, subject: Context) -> Findings:
     root, name = subject.tree.roots[0].name, frame.text.strip("/")
     links = subject.model.links_by_name
     if name == root:

@@ -27,7 +27,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from math import pi, radians
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint, Placed, RobotModel
 from urdfkit.robot.samples import arm_xml
@@ -69,7 +69,7 @@ _SLOW = 10.0
 
 
 @rule(Severity.WARNING, help="write it in radians, or radians per second")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _limits(subject.model)
     yield from _rotations(subject.document.root)
     yield from _speeds(subject.model)

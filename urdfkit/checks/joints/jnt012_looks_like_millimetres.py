@@ -22,7 +22,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import length
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.joints import bounds, related, several
 from urdfkit.robot.model import Body, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
@@ -54,7 +54,7 @@ _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "fiel
 
 
 @rule(Severity.WARNING, help="divide by 1000: lengths are metres")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _origins(subject.model)
     yield from _limits(subject.model)
     yield from _shapes(subject.model)

@@ -13,7 +13,7 @@ from urdfkit import __version__
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.output.bundle.meshes import BundledFile, MeshNames, bundled
 from urdfkit.output.bundle.package import package_files
@@ -69,7 +69,7 @@ class Bundle:
         UrdfkitError: the robot names files that are not there.
     """
 
-    def __init__(self, robot: Subject, consumer: Consumer) -> None:
+    def __init__(self, robot: Context, consumer: Consumer) -> None:
         self._robot = robot
         self._consumer = consumer
         self._paths = _found(robot)
@@ -172,7 +172,7 @@ class Bundle:
         return os.path.basename(path) if relative.startswith("../") else relative
 
 
-def _found(robot: Subject) -> dict[int, str]:
+def _found(robot: Context) -> dict[int, str]:
     """The files that a robot names, by the ``id`` of the reference: its text may mean two files.
 
     Raises:

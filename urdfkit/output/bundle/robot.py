@@ -8,7 +8,7 @@ from xml.sax.saxutils import quoteattr
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.model import Placed, RobotModel
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
@@ -72,7 +72,7 @@ def references(model: RobotModel) -> list[Placed[str]]:
 
 
 def rewritten(
-    robot: Subject, new_name: Callable[[Placed[str]], str], *, for_mujoco: bool
+    robot: Context, new_name: Callable[[Placed[str]], str], *, for_mujoco: bool
 ) -> BundledRobot:
     """The expanded robot with other names of files.
 
