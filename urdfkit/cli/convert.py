@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 @with_examples(
     "convert",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf",
-    "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf --base free --format json",
+    "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --base free",
 )
 @one_robot
 @click.option("--to", type=click.Choice(["mjcf"]), required=True, help="Format to write.")

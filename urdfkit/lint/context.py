@@ -106,7 +106,7 @@ class Context(DescriptionFile):
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self._is_srdf:
+        if self._is_srdf or self.is_list_of_joints:
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
@@ -125,6 +125,15 @@ class Context(DescriptionFile):
         children = self.document.root.children
         return not any(child.tag == "link" for child in children) and any(
             child.tag in SRDF_TAGS for child in children
+        )
+
+    @property
+    def is_list_of_joints(self) -> bool:
+        """True for joints without links, parents and children: the settings of another program."""
+        joints = self.document.root.children
+        return bool(joints) and all(
+            joint.tag == "joint" and not (joint.child("parent") or joint.child("child"))
+            for joint in joints
         )
 
     @cached_property
@@ -230,7 +239,9 @@ class Context(DescriptionFile):
             return None
         from urdfkit.ros.moveit.srdf import find
 
-        return find(self.source.path, self.tree, self.resolver, trust=self.trust)
+        return find(
+            self.source.path, self.tree, self.resolver, trust=self.trust, arguments=self.arguments
+        )
 
     @cached_property
     def other_variant(self) -> str:
