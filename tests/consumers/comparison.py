@@ -19,7 +19,7 @@ from xml.etree import ElementTree
 from tests.conftest import MODELS, ROOT, manifest
 from tests.update_corpus_findings import arguments_of
 from urdfkit.lint import engine, rule_index
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.description_file import Unavailable
 from urdfkit.lint.options import Options
 from urdfkit.lint.runner import run_rules
@@ -128,7 +128,7 @@ def verdict(name: str, path: Path, arguments: dict[str, str]) -> Verdict | None:
     return Verdict(robot, refusal, cause, told, tuple(sorted(errors - OF_HANDLING)))
 
 
-def with_absolute_paths(subject: Subject) -> bytes:
+def with_absolute_paths(subject: Context) -> bytes:
     """The expanded URDF, with the places of the meshes that are there."""
     text = re.sub(rb"^\s*<\?xml.*?\?>", b"", subject.text)
     robot = ElementTree.fromstring(text)

@@ -26,7 +26,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import few, listed
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, Conversion
@@ -53,7 +53,7 @@ _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
     reports_missing=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     is_for_mujoco = "mujoco" in subject.given_targets
     if is_for_mujoco and not subject.is_part and not subject.mujoco.least_mass:
         yield from _in_mujoco(subject)
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Findings:
         yield from _in_gazebo(subject)
 
 
-def _in_gazebo(subject: Subject) -> Findings:
+def _in_gazebo(subject: Context) -> Findings:
     if subject.masses.total == 0:
         yield from _without_any_mass(subject)
     elif not subject.is_part:  # what a part lacks, the whole may have
@@ -70,7 +70,7 @@ def _in_gazebo(subject: Subject) -> Findings:
     yield from _on_massless_frames(subject)
 
 
-def _in_mujoco(subject: Subject) -> Findings:
+def _in_mujoco(subject: Context) -> Findings:
     """What joints move without a mass, and what they move with one that nobody wrote."""
     for body in subject.masses.bodies:
         if body.joint is None:
@@ -96,7 +96,7 @@ def _in_mujoco(subject: Subject) -> Findings:
             )
 
 
-def _without_any_mass(subject: Subject) -> Findings:
+def _without_any_mass(subject: Context) -> Findings:
     links = subject.model.links
     if links and not subject.is_part:
         count = f"none of the {len(links)} links has a mass"
@@ -110,7 +110,7 @@ def _without_any_mass(subject: Subject) -> Findings:
         )
 
 
-def _without_mass(subject: Subject) -> Findings:
+def _without_mass(subject: Context) -> Findings:
     if subject.masses.total < 0:
         return
     for body in subject.gazebo.massless:
@@ -122,7 +122,7 @@ def _without_mass(subject: Subject) -> Findings:
                 yield finding
 
 
-def _finding(body: RigidBody, subject: Subject) -> Finding | None:
+def _finding(body: RigidBody, subject: Context) -> Finding | None:
     """None where only frames without shape and mass are dropped."""
     name, links = body.top.name, subject.model.links_by_name
     dropped = subject.tree.below(name)
@@ -143,7 +143,7 @@ def _finding(body: RigidBody, subject: Subject) -> Finding | None:
     )
 
 
-def _of_tiny_mass(subject: Subject) -> Findings:
+def _of_tiny_mass(subject: Context) -> Findings:
     old = subject.targets.among(_OLD_GAZEBO)
     for body in subject.masses.bodies:
         if body.joint is None or not 0 < body.mass <= NO_MASS:
@@ -160,7 +160,7 @@ def _of_tiny_mass(subject: Subject) -> Findings:
         )
 
 
-def _on_massless_frames(subject: Subject) -> Findings:
+def _on_massless_frames(subject: Context) -> Findings:
     old = subject.targets.among(_OLD_GAZEBO)
     for body in Conversion(subject.tree, OLD).stranded:
         joint = body.joint

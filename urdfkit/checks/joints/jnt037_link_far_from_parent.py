@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.spatial import Transform
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
@@ -37,7 +37,7 @@ _HELD = ("fixed", "revolute", "continuous")
     Severity.WARNING,
     help="check the decimal point; the origin is measured from the parent link, in m",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     far = list(_far(subject))
     bodies = rigid_bodies(subject.tree) if far else ()
     body_of = {link.name: body for body in bodies for link, _ in body.links}
@@ -51,7 +51,7 @@ def check(subject: Subject) -> Findings:
             )
 
 
-def _far(subject: Subject) -> Iterator[tuple[Joint, Link, Link, tuple[float, float]]]:
+def _far(subject: Context) -> Iterator[tuple[Joint, Link, Link, tuple[float, float]]]:
     """The joints whose links are far from each other, with parent, child, gap and longest edge."""
     links = subject.model.links_by_name
     for joint in subject.model.joints:
@@ -65,7 +65,7 @@ def _far(subject: Subject) -> Iterator[tuple[Joint, Link, Link, tuple[float, flo
             yield joint, parent, child, gap
 
 
-def _gap(subject: Subject, here: Link, there: Link, frame: Transform) -> tuple[float, float] | None:
+def _gap(subject: Context, here: Link, there: Link, frame: Transform) -> tuple[float, float] | None:
     """The gap between two links and the length of the longer one, in m; None if there is none.
 
     Args:
@@ -84,7 +84,7 @@ def _gap(subject: Subject, here: Link, there: Link, frame: Transform) -> tuple[f
 
 
 def _is_bridged(
-    subject: Subject, parent: Link, child: Link, body_of: Mapping[str, RigidBody]
+    subject: Context, parent: Link, child: Link, body_of: Mapping[str, RigidBody]
 ) -> bool:
     """True if a link that is merged with one of two links is near the other, or may be.
 
@@ -113,5 +113,5 @@ def _is_bridged(
     return False
 
 
-def _solid(subject: Subject, link: Link) -> LinkSolid | None:
+def _solid(subject: Context, link: Link) -> LinkSolid | None:
     return solid(link.visuals, subject.mesh_solid) or solid(link.collisions, subject.mesh_solid)

@@ -28,7 +28,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import counted
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import BOX, box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.assets.mesh_uses import MeshUse
@@ -51,7 +51,7 @@ _LEAST_VOLUME = 1e-15
     needs=(Need.MODEL, Need.MESHES),
     help="urdfkit mesh repair FILE, or urdfkit mesh hull FILE",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     defects = subject.measured.defects
     fatal = ("mujoco",) if "mujoco" in subject.given_targets else ()
     severity = Severity.ERROR if fatal else Severity.WARNING
