@@ -15,6 +15,7 @@ import random
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
 import time
 from collections.abc import Callable
@@ -34,23 +35,44 @@ class Case(NamedTuple):
         words: of its command line, in a directory with ``inputs``.
         inputs: files and directories of ``models/``.
         is_state: True for a file that is whole whatever it holds, and holds other things each time.
+        first: a command line that has ended before.
+        together: a directory whose files change together or not at all.
     """
 
     words: str
     inputs: tuple[str, ...]
     is_state: Callable[[str], bool] = lambda name: False
+    first: str = ""
+    together: str = ""
 
 
 BAD = ("gazebo_pkg",)
+ARM = "good/two_link_arm/urdf/two_link_arm.urdf"
+MESH = "good/two_link_arm/meshes/forearm.stl"
 CASES = {
     "fix": Case("fix gazebo_pkg --unsafe-fixes --no-cache", BAD),
     "format": Case("format gazebo_pkg --width 60", BAD),
     "check --fix": Case("check gazebo_pkg --fix --exit-zero", BAD),
     "report": Case("report good/gripper.urdf --quick -o report.html", ("good",)),
     "mesh": Case("mesh hull good/a.stl -o hull.obj", ("good",)),
+    "mesh convert": Case(f"mesh convert {MESH} -o made/a.obj", ("good",)),
+    "mesh collision": Case(f"mesh collision {ARM} --write", ("good",)),
+    "bundle": Case(f"bundle {ARM} -o made", ("good",), together="made"),
+    "bundle --force": Case(
+        f"bundle {ARM} -o made --for ros --force",
+        ("good",),
+        first=f"bundle {ARM} -o made",
+        together="made",
+    ),
+    "bundle zip": Case(
+        f"bundle {ARM} -o made.zip --for ros --force", ("good",), first=f"bundle {ARM} -o made.zip"
+    ),
     "baseline": Case("check gazebo_pkg --baseline known.json --write-baseline", BAD),
     "cache": Case("check gazebo_pkg --exit-zero", BAD, lambda name: name.startswith("cache/")),
     "scan": Case("scan good -o out", ("good",), lambda name: name.startswith("out/")),
+    "scan of an archive": Case(
+        "scan good.tar -o out", ("good",), lambda name: name.startswith("out/")
+    ),
 }
 
 
@@ -79,7 +101,7 @@ def run(number: int, seed: int, cases: dict[str, Case] = CASES) -> tuple[dict[st
                 directory = _prepared(case, Path(scratch, name))
                 killed[name] += _kill(case, directory, random.uniform(0, seconds))
                 found = _torn(case, before, after, _files(directory))
-                _start(case, directory).wait()
+                _start(case.words, directory).wait()
                 found += _differing(case, after, _files(directory))
                 faults += [f"{name}: {one}" for one in found]
     return killed, faults
@@ -101,6 +123,10 @@ def _prepared(case: Case, directory: Path) -> Path:
     )
     if (directory / "good").exists():
         (directory / "good" / "a.stl").write_text(f"solid a\n{tetrahedron}\nendsolid a\n")
+        with tarfile.open(directory / "good.tar", "w") as archive:
+            archive.add(MODELS / "good", "good")
+    if case.first:
+        _start(case.first, directory).wait()
     return directory
 
 
@@ -108,17 +134,17 @@ def _whole(case: Case, directory: Path) -> tuple[Files, Files, float]:
     """The files before and after a run that nobody kills, and its seconds."""
     before = _files(_prepared(case, directory))
     start = time.monotonic()
-    _start(case, directory).wait()
+    _start(case.words, directory).wait()
     return before, _files(directory), time.monotonic() - start
 
 
-def _start(case: Case, directory: Path) -> subprocess.Popen[bytes]:
+def _start(words: str, directory: Path) -> subprocess.Popen[bytes]:
     # Temporary directories, too, lie where they are looked for.
     (directory / "tmp").mkdir(exist_ok=True)
     more = {"URDFKIT_CACHE_DIR": str(directory / "cache"), "TMPDIR": str(directory / "tmp")}
     quiet = subprocess.DEVNULL
     return subprocess.Popen(
-        [*PROGRAM, *case.words.split()],
+        [*PROGRAM, *words.split()],
         cwd=directory,
         env={**os.environ, **more},
         stdin=quiet,
@@ -130,7 +156,7 @@ def _start(case: Case, directory: Path) -> subprocess.Popen[bytes]:
 
 def _kill(case: Case, directory: Path, seconds: float) -> int:
     """Kill a command and all that it has started; 0 if it was faster."""
-    process = _start(case, directory)
+    process = _start(case.words, directory)
     try:
         process.wait(seconds)
     except subprocess.TimeoutExpired:
@@ -148,13 +174,22 @@ def _files(directory: Path) -> Files:
     }
 
 
+def _part(files: Files, directory: str) -> Files:
+    return {name: data for name, data in files.items() if name.startswith(f"{directory}/")}
+
+
 def _is_temporary(name: str) -> bool:
-    return name.startswith("tmp/") or os.path.basename(name).startswith(".urdfkit-")
+    """True for what is written under other names first, and for what is put aside meanwhile."""
+    return name.startswith("tmp/") or "/.urdfkit-" in f"/{name}"
 
 
 def _torn(case: Case, before: Files, after: Files, now: Files) -> list[str]:
     """The files that are neither as before nor as after."""
-    faults = [f"{name} is lost" for name in before if name not in now]
+    aside = {data for name, data in now.items() if _is_temporary(name)}
+    faults = [f"{name} is lost" for name in before if name not in now and before[name] not in aside]
+    if case.together:
+        found, *whole = (_part(files, case.together) for files in (now, before, after))
+        faults += [f"{case.together} is half of it"] if found and found not in whole else []
     for name, data in now.items():
         if _is_temporary(name) or case.is_state(name):
             continue

@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 from fuzz.harnesses import HARNESSES, ROOT, Harness
 from fuzz.mutations import MAX_SIZE, mutate
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import NotEnoughMemory, UrdfkitError
 
 #: Of the processor, that one input may take.
 SECONDS = 5.0
@@ -54,9 +54,9 @@ def execute(harness: Harness, data: bytes) -> Defect | None:
     signal.setitimer(signal.ITIMER_PROF, SECONDS)
     try:
         harness.run(data)
-    except UrdfkitError:
-        return None
     except (Exception, Hang) as error:
+        if isinstance(error, UrdfkitError) and not isinstance(error, NotEnoughMemory):
+            return None
         places = [
             frame
             for frame in traceback.extract_tb(error.__traceback__)

@@ -68,7 +68,6 @@ PARTS = [
     (Masses, "inertias", ("INE", "XAC014", "GEO", "DYN", "TRE")),
     (Subject, "masses", ("INE", "XAC014", "DYN", "TRE", "GEO")),
     (Subject, "files", ("MSH", "GEO", "PKG", "INE", "COL", "DYN", "XAC011", "XAC014")),
-    (Subject, "visual_collision_pairs", ("GEO",)),
     (Subject, "deviations", ("URD", "XAC002")),
     (Subject, "plugins", ("GAZ", "RCT")),
     (Subject, "ignores", ()),

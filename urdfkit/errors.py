@@ -7,6 +7,10 @@ class UrdfkitError(Exception):
     """The job cannot be done: the command line prints the message and exits with 2."""
 
 
+class NotEnoughMemory(UrdfkitError):
+    """The process has no memory left, or may take no more."""
+
+
 class Cancelled(UrdfkitError):
     """Nobody waits for the result any more."""
 

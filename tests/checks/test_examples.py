@@ -34,6 +34,8 @@ PARTS = {
 #: What rules of a family, or a rule, look at where it is to be had, and do without otherwise.
 OPTIONAL = {family: {"files", "measured"} for family in ("INE", "GEO", "MSH")}
 OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "measured", "xacro"}}
+#: Of the robots that a launch file starts.
+OPTIONAL |= {"WLD": {"document", "model", "plugins", "tree"}}
 
 #: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
 OUR_OWN = {"CFG001", "CFG002", "CFG003", "MSH024"}

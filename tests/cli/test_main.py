@@ -2,6 +2,7 @@
 
 import errno
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,6 +15,7 @@ import urdfkit
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import checking, main, output
 from urdfkit.core.libraries import missing_for_meshes
+from urdfkit.lint import rule_index
 
 GOOD = str(MODELS / "good" / "gripper.urdf")
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no such thing on Windows")
@@ -81,9 +83,9 @@ def test_what_each_command_does_is_told_on_one_line_of_80_columns(
 ) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     assert main([*group, "--help"]) == 0
-    commands = capsys.readouterr().out.partition("Commands:")[2].splitlines()
-    assert len(commands) > 5
-    assert [line for line in commands if line.endswith("...")] == []
+    _, *lines = capsys.readouterr().out.splitlines()
+    assert [line for line in lines if line.endswith("...")] == []
+    assert max(map(len, lines)) <= 80
 
 
 @pytest.mark.parametrize("command", [[], ["check"], ["explain"], ["rules"]])
@@ -341,8 +343,9 @@ def test_a_file_name_that_is_no_text(tmp_path: Path) -> None:
     [
         (OSError(errno.ENOSPC, "No space left on device"), "error: No space left on device\n"),
         (MemoryError(), "error: not enough memory\n"),
+        (OSError(errno.ENOMEM, "Cannot allocate memory"), "error: not enough memory\n"),
     ],
-    ids=["disk", "memory"],
+    ids=["disk", "memory", "system"],
 )
 def test_a_machine_that_is_full_is_no_bug(
     error: Exception,
@@ -356,6 +359,20 @@ def test_a_machine_that_is_full_is_no_bug(
     monkeypatch.setattr(checking, "check_with", fail)
     assert main(["check", GOOD]) == 2
     assert capsys.readouterr().err == message
+
+
+def test_a_rule_that_lacks_memory_is_no_bug(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail(*_: object) -> None:
+        try:
+            raise MemoryError
+        except MemoryError:
+            raise SystemError("error return without exception set") from None
+
+    monkeypatch.setattr(rule_index, "applicable", fail)
+    assert main(["check", GOOD, "--no-cache"]) == 2
+    assert re.fullmatch(r"error: \S+: not enough memory\n", capsys.readouterr().err)
 
 
 def test_expand_makes_the_directory_of_its_output_unless_a_file_is_in_the_way(

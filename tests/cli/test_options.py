@@ -130,10 +130,16 @@ def test_packages(tmp_path: Path) -> None:
             ["--statistics", "--format", "json", "--format", "text:t"],
             [("json", ""), ("statistics", "t")],
         ),
+        (["--info", "--format", "text:t"], [("full", "t")]),
+        (["--select", "INE008"], [("full", "")]),
     ],
 )
 def test_outputs(words: list[str], outputs: list[tuple[str, str]]) -> None:
-    assert options.outputs(values("a", *words)) == outputs
+    assert options.outputs(values("a", *words), "warning") == outputs
+
+
+def test_what_fails_on_infos_shows_them() -> None:
+    assert options.outputs(values("a"), "info") == [("full", "")]
 
 
 @pytest.mark.parametrize(
@@ -156,7 +162,8 @@ def test_outputs(words: list[str], outputs: list[tuple[str, str]]) -> None:
 def test_what_cannot_be_is_said(words: list[str], reason: str) -> None:
     found = values(*words)
     reasons = []
-    for read in (options.files, options.arguments, options.packages, options.outputs):
+    readers = (options.files, options.arguments, options.packages)
+    for read in (*readers, lambda found: options.outputs(found, "warning")):
         try:
             read(found)
         except UsageError as error:

@@ -25,6 +25,7 @@ import signal, sys, time
 import urdfkit.cli.mesh.hull as command
 from urdfkit.cli import main
 from urdfkit.core import atomic, limits
+from urdfkit.errors import MissingLibrary
 def work(mesh):
     {}
 command.hull = work
@@ -66,10 +67,42 @@ def test_what_was_reached_is_reported() -> None:
     assert ": 3 of 12 done, in urdfkit.cli.mesh.hull" in end(work, "--timeout", "1.5")[2]
 
 
-def test_memory_beyond_the_limit_is_one_line() -> None:
-    code, out, error = end("bytearray(3 * 2**30)", "--memory", "2")
+#: What follows when no more memory can be had.
+FULL = """import mmap; taken = []
+    try:
+        while True:
+            taken.append(mmap.mmap(-1, 2**26))
+    except OSError:
+        pass
+    """
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        "bytearray(3 * 2**30)",
+        FULL + "raise ImportError('failed to map segment from shared object')",
+        FULL + "raise RuntimeError('cannot start new thread')",
+        FULL + "raise MissingLibrary('Pinocchio is not installed') from ImportError('no room')",
+    ],
+    ids=["itself", "import", "thread", "library"],
+)
+@pytest.mark.skipif(sys.platform != "linux", reason="the others have no such limit")
+def test_memory_beyond_the_limit_is_one_line(work: str) -> None:
+    code, out, error = end(work, "--memory", "2")
     assert (code, out) == (2, "")
     assert error == "error: not enough memory; --memory raises the limit\n"
+
+
+def test_a_library_that_is_missing_is_named_with_a_limit_far_away() -> None:
+    _, _, error = end("raise MissingLibrary('it is not there') from ImportError('none')")
+    assert error == "error: it is not there\n"
+
+
+def test_a_library_that_ends_the_process_is_one_line() -> None:
+    code, out, error = end("import os; os._exit(1)")
+    assert (code, out) == (2, "")
+    assert error == "error: a library ended the process; perhaps memory ran out\n"
 
 
 #: Writes a file in two parts, with something between them.

@@ -11,7 +11,7 @@ import pytest
 
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import progress
-from urdfkit.cli.progress import Progress, on_terminal
+from urdfkit.cli.progress import ProgressBar, on_terminal
 from urdfkit.mesh.samples import box, stl
 
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no pseudo-terminal on Windows")
@@ -25,7 +25,7 @@ class Clock:
 
 def test_it_appears_after_a_second_and_is_wiped(monkeypatch: pytest.MonkeyPatch) -> None:
     clock, stream = Clock(monkeypatch), io.StringIO()
-    bar = Progress(stream)
+    bar = ProgressBar(stream)
     clock.now += 0.9
     bar(1, 4)
     bar.clear()
@@ -45,7 +45,7 @@ def test_a_terminal_that_is_gone_does_not_stop_the_check(monkeypatch: pytest.Mon
         def write(self, text: str) -> int:
             raise OSError(5, "Input/output error")
 
-    bar = Progress(Gone())
+    bar = ProgressBar(Gone())
     clock.now += 2
     bar(1, 2)
     bar.clear()
@@ -137,7 +137,7 @@ def test_one_file_tells_of_its_meshes(command: str, tmp_path: Path) -> None:
 def test_it_appears_though_the_first_thing_takes_long(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(progress, "DELAY", 0.05)
     stream = io.StringIO()
-    bar = Progress(stream, "things")
+    bar = ProgressBar(stream, "things")
     bar(0, 2)
     assert stream.getvalue() == ""
     deadline = time.monotonic() + 5
@@ -150,7 +150,7 @@ def test_it_appears_though_the_first_thing_takes_long(monkeypatch: pytest.Monkey
 def test_no_line_is_drawn_after_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(progress, "DELAY", 0.05)
     stream = io.StringIO()
-    bar = Progress(stream)
+    bar = ProgressBar(stream)
     bar(1, 2)
     bar.clear()
     time.sleep(0.1)

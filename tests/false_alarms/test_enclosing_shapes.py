@@ -80,3 +80,15 @@ def test_a_shape_without_a_size_is_none(size: str, count: int) -> None:
         joint("head", "antenna", "continuous"),
     )
     assert len(messages("COL004", "".join(parts))) == count
+
+
+def test_a_shape_of_a_micrometre_is_no_matter() -> None:
+    """DAVE's sonars: a collision that Gazebo wants, and that is to touch nothing."""
+    robot = "".join(
+        (
+            f'<link name="hand">{visual(PALM) + collision(PALM)}</link>',
+            f'<link name="sonar">{collision(cylinder(1e-6, 1e-6))}</link>',
+            joint("hand", "sonar", "revolute", "0 0 0", revolute(0, 0.1, "1 0 0")),
+        )
+    )
+    assert messages("COL004", robot) == []

@@ -40,3 +40,16 @@ def test_the_flag_of_a_merged_link_holds_for_the_body() -> None:
     )
     text = pendulum("13.7") + label + OFF.format("label", "gravity", "false", "gravity")
     assert messages("DYN003", text) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "count"), [("rotor{}", 0), ("motor_rotor_{}_joint", 0), ("w{}", 1)]
+)
+def test_no_root_of_a_robot_that_flies_is_held(name: str, count: int) -> None:
+    """jsk_aerial_robot's Dragon: its rotors carry the links, not its joints."""
+    rotors = "".join(
+        link(f"blade{n}") + f'<joint name="{name.format(n)}" type="continuous">'
+        f'<parent link="bob"/><child link="blade{n}"/></joint>'
+        for n in (1, 2)
+    )
+    assert len(messages("DYN003", pendulum("13.7") + rotors)) == count

@@ -134,10 +134,34 @@ MICROMETRE = shape("collision", '<cylinder radius="0.000001" length="0.000001"/>
         (link("finger", BALL_SHAPE, TOO_LARGE), Severity.WARNING),
         (link("finger", BALL_SHAPE, STABLE), Severity.INFO),
         (link("finger", BALL_SHAPE, STABLE.replace("stabilize", "be")), Severity.WARNING),
-        (link("finger", MICROMETRE, inertial(0.001, (2e-12,) * 3)), Severity.INFO),
     ],
 )
 def test_a_tensor_that_is_too_large_on_purpose(finger: str, severity: Severity) -> None:
-    """PAL's hands have a comment; the optical frames of UUV Simulator measure a micrometre."""
+    """PAL's hands have a comment."""
     (found,) = reported("INE006", finger)
     assert found.severity is severity
+
+
+def test_a_frame_that_measures_a_micrometre() -> None:
+    """The optical frames of UUV Simulator."""
+    assert messages("INE006", link("eye", MICROMETRE, inertial(0.001, (2e-12,) * 3))) == []
+
+
+@pytest.mark.parametrize(("moment", "count"), [(6e-4, 0), (0.1, 1)])
+def test_a_shape_that_marks_a_place_says_nothing_of_the_size(moment: float, count: int) -> None:
+    """jsk_aerial_robot's battery of 0.4 kg: the unit of its mesh is wrong, not its tensor."""
+    ball = shape("collision", '<sphere radius="0.00007"/>')
+    battery = link("battery", ball, inertial(0.41, (moment / 2, 0, 0, moment, 0, moment)))
+    assert len(messages("INE006", battery)) == count
+
+
+@pytest.mark.parametrize(("mass", "count"), [("10", 0), ("0.001", 1)])
+def test_masses_that_are_lost_in_the_body(mass: str, count: int) -> None:
+    """jsk_aerial_robot's rotor arms of 1 g and 0.1 g, fixed to the frame."""
+    light = (1e-6, 0, 0, 1e-6, 0, 1e-6)
+    sides = "".join(
+        link(f"{side}_arm", inertial(value, light)) + joint("base", f"{side}_arm", xyz=f"0 {y} 0")
+        for side, value, y in (("left", 0.001, 0.2), ("right", 0.0001, -0.2))
+    )
+    base = link("base", inertial(float(mass), (0.1, 0, 0, 0.1, 0, 0.1)))
+    assert len(reported("INE012", base + sides)) == count

@@ -35,3 +35,33 @@ def test_nul_bytes_are_one_finding(count: int, what: str) -> None:
     assert found.message == f"{what} not allowed in XML"
     assert (found.span.line, found.span.column) == (4, 1)
     assert found.help.startswith("remove")
+
+
+@pytest.mark.parametrize(("text", "severity"), [("## link", "info"), ("0 0 1", "warning")])
+def test_a_comment_in_the_style_of_another_language(text: str, severity: str) -> None:
+    (found,) = reported("URD017", ROBOT.format(text).encode())
+    assert found.severity.value == severity
+
+
+@pytest.mark.parametrize(("name", "count"), [("mesh.xacro", 0), ("", 1)])
+def test_a_first_value_that_a_missing_include_may_use(name: str, count: int) -> None:
+    """DAVE's vehicles: the macros between the two are in a package that is not there."""
+    include = f'<xacro:include filename="{name}"/>' if name else ""
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:property name="mesh" value="a.dae"/>'
+        f'{include}<xacro:property name="mesh" value="b.dae"/><link name="${{mesh}}"/></robot>'
+    )
+    assert len(reported("XAC008", text.encode(), "robot.xacro")) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("calibration.xacro", 0), ("", 1)])
+def test_a_block_that_a_missing_include_may_define(name: str, count: int) -> None:
+    """hector_models: the calibration of the lidar is in a package that is not there."""
+    include = f'<xacro:include filename="{name}"/>' if name else ""
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'{include}<link name="a"/><xacro:insert_block name="calibration"/></robot>'
+    )
+    found = [one.message for one in reported("XAC001", text.encode(), "robot.xacro")]
+    assert sum("block 'calibration'" in message for message in found) == count

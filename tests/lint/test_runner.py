@@ -217,7 +217,7 @@ def test_the_help_of_the_rule_stands_in(judged) -> None:
 
 
 @pytest.mark.parametrize(
-    ("targets", "severity", "suffering"),
+    ("targets", "severity", "affected"),
     [
         ((), Severity.WARNING, ()),
         (("ros2",), Severity.WARNING, ()),
@@ -225,11 +225,11 @@ def test_the_help_of_the_rule_stands_in(judged) -> None:
         (("ros2", "kdl", "mujoco", "drake"), Severity.ERROR, ("mujoco", "drake")),
     ],
 )
-def test_the_worst_severity_of_a_target_wins(judged, targets, severity, suffering) -> None:
+def test_the_worst_severity_of_a_target_wins(judged, targets, severity, affected) -> None:
     by_target = {"mujoco": Severity.ERROR, "drake": Severity.ERROR, "kdl": Severity.INFO}
     weighed = rule(of_links(lambda name, at: Finding(at, name)), by_target=by_target)
     verdict = judged(weighed, one=subject(targets=Targets(targets)))
-    assert {(d.severity, d.targets) for d in verdict.diagnostics} == {(severity, suffering)}
+    assert {(d.severity, d.targets) for d in verdict.diagnostics} == {(severity, affected)}
     assert verdict.targets == Targets(targets)
 
 

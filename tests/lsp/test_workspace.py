@@ -212,3 +212,18 @@ def test_a_robot_that_lacks_arguments_has_those_of_a_launch_file(tmp_path: Path)
     codes = {found.code for found in here.workspace.check(str(path)).diagnostics[str(path)]}
     assert "NAM001" in codes
     assert "XAC010" not in codes
+
+
+def test_each_set_of_arguments_is_checked_when_a_file_is_saved(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>arms</name></package>")
+    for side in ("left", "right"):
+        (tmp_path / f"{side}.launch").write_text(
+            '<launch><param name="robot_description" '
+            f'command="$(find xacro)/xacro $(find arms)/arm.xacro side:={side}"/></launch>'
+        )
+    text = XACRO.format('<link name="$(arg side)"/><link name="right"/>')
+    path = tmp_path / "arm.xacro"
+    path.write_text(text)
+    here = Edited(path, text)
+    assert "NAM001" not in codes(here.workspace.check(str(path)), path)
+    assert "NAM001" in codes(here.workspace.check(str(path), thorough=True), path)

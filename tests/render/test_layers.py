@@ -1,4 +1,4 @@
-"""Layers over a robot: where signs stand, and that they tell the truth."""
+"""Layers over a robot: where overlays stand, and that they tell the truth."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ SOLID = (
 )
 
 
-def signs(layer: str, subject, given=None) -> list[SceneItem]:
+def overlays(layer: str, subject, given=None) -> list[SceneItem]:
     scene = explained(build(subject, given), subject, [layer], given)
-    return [item for item in scene.items if item.role == layer or item.material.sign]
+    return [item for item in scene.items if item.role == layer or item.material.overlay]
 
 
 def test_the_box_of_inertia_is_the_box_that_has_it() -> None:
     x, y, z = 0.2, 0.3, 0.6  # 12 kg of it: I = m/12 (b^2 + c^2)
     tensor = SOLID.format(y * y + z * z, x * x + z * z, x * x + y * y)
     subject = robot(f'<link name="a">{tensor}</link>')
-    (item,) = signs("inertia", subject)
+    (item,) = overlays("inertia", subject)
     turned_back = item.vertices - np.array((0.1, 0, 0))
     c, s = np.cos(-0.5), np.sin(-0.5)
     own = turned_back @ np.array(((c, -s, 0), (s, c, 0), (0, 0, 1))).T
@@ -49,7 +49,7 @@ def test_a_box_of_inertia_larger_than_the_robot_is_told_and_not_drawn() -> None:
     frames = [f'<link name="frame{n}">{light.format(0.01)}</link>' for n in range(6)]
     subject = robot(base, *frames, f'<link name="good">{light.format(1e-4)}</link>')
     scene = explained(build(subject), subject, ["inertia"])
-    assert {item.link for item in scene.items if item.material.sign} == {"base", "good"}
+    assert {item.link for item in scene.items if item.material.overlay} == {"base", "good"}
     assert [label.text for label in scene.labels] == [
         *(f"frame{n}: inertia of 2.45 m" for n in range(3)),
         "and of 3 more, too large to be drawn",
@@ -58,13 +58,13 @@ def test_a_box_of_inertia_larger_than_the_robot_is_told_and_not_drawn() -> None:
 
 def test_a_tensor_that_no_matter_has_is_drawn_flat_not_refused() -> None:
     subject = robot(f'<link name="a">{SOLID.format(1, 1, 5)}</link>')
-    (item,) = signs("inertia", subject)
+    (item,) = overlays("inertia", subject)
     assert np.isfinite(item.vertices).all()
 
 
 def test_frames_point_where_the_axes_do() -> None:
     subject = robot(link("a", '<box size="1 1 1"/>'))
-    x, y, z = signs("frames", subject)
+    x, y, z = overlays("frames", subject)
     for axis, item in enumerate((x, y, z)):
         tip = item.vertices[np.argmax(item.vertices[:, axis])]
         assert np.argmax(item.material.rgba[:3]) == axis
@@ -83,7 +83,7 @@ def test_the_sector_of_a_joint_spans_its_range() -> None:
         link("b", '<box size="1 1 1"/>'),
         joints=JOINT.format("revolute", -pi / 4, pi / 2),
     )
-    _, sector, hand = signs("joints", subject, {"j": pi / 4})
+    _, sector, hand = overlays("joints", subject, {"j": pi / 4})
 
     def angles(item: SceneItem) -> np.ndarray:
         rim = item.vertices[1:]
@@ -101,7 +101,7 @@ def test_the_rail_of_a_slide_is_as_long_as_its_way() -> None:
         link("b", '<box size="1 1 1"/>'),
         joints=JOINT.format("prismatic", -0.5, 1.5),
     )
-    _, rail, ball = signs("joints", subject, {"j": 0.25})
+    _, rail, ball = overlays("joints", subject, {"j": 0.25})
     assert (rail.vertices[:, 2].min(), rail.vertices[:, 2].max()) == pytest.approx((0.5, 2.5))
     assert (ball.vertices[:, 2].min() + ball.vertices[:, 2].max()) / 2 == pytest.approx(1.25)
 

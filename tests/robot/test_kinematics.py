@@ -16,7 +16,6 @@ from urdfkit.lint.loading import load, read
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot.kinematics import (
     MimicLaw,
-    UnknownLink,
     direction,
     frames,
     laws,
@@ -24,7 +23,7 @@ from urdfkit.robot.kinematics import (
     positions,
     transform,
 )
-from urdfkit.robot.model import RobotModel
+from urdfkit.robot.model import RobotModel, UnknownLink
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml

@@ -61,11 +61,11 @@ def test_no_build_file(tmp_path: Path) -> None:
 
 def test_the_remedy(tmp_path: Path) -> None:
     (tmp_path / "setup.py").write_text("")
-    assert InstallRules(str(tmp_path), "arm").remedy("urdf") == (
+    assert InstallRules(str(tmp_path), "arm").advice("urdf") == (
         "add the files of urdf to data_files in setup.py"
     )
     (tmp_path / "CMakeLists.txt").write_text("")
-    assert InstallRules(str(tmp_path), "arm").remedy("urdf") == (
+    assert InstallRules(str(tmp_path), "arm").advice("urdf") == (
         "write install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})"
     )
 

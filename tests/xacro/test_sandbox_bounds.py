@@ -11,9 +11,10 @@ import xacro
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro import sandbox as module
+from urdfkit.xacro.bounds import TooLarge, UnsafeExpression, extent
 from urdfkit.xacro.budget import Budget, deadline
 from urdfkit.xacro.dom_builder import parse
-from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression, _within_bounds, extent
+from urdfkit.xacro.sandbox import Sandbox, _within_bounds
 
 
 def sandbox() -> Sandbox:

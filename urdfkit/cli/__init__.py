@@ -69,14 +69,16 @@ def _guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
         _reject_files_as_options(words)
         return run(words)
     except UrdfkitError as error:
-        return fail(2, str(error))
+        return fail(2, _no_memory() if _is_import_in_vain(error) else str(error))
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:
         return 2  # of standard error; of standard output it is none
     except Exception as error:
-        if isinstance(error, MemoryError) or getattr(error, "errno", None) == ENOSPC:
-            return fail(2, getattr(error, "strerror", "") or _no_memory())
+        if getattr(error, "errno", None) == ENOSPC:
+            return fail(2, os.strerror(ENOSPC))
+        if _lacks_memory(error):
+            return fail(2, _no_memory())
         if os.environ.get("URDFKIT_DEBUG") == "1":
             import traceback
 
@@ -121,6 +123,20 @@ def _run(words: list[str]) -> int:
     from urdfkit.cli.checking import run_check
 
     return run_check(values)
+
+
+def _is_import_in_vain(error: UrdfkitError) -> bool:
+    """True for a library that is there, and has no room."""
+    cause: BaseException | None = error
+    while cause is not None and type(cause) is not ImportError:
+        cause = cause.__cause__
+    return cause is not None and _lacks_memory(error)
+
+
+def _lacks_memory(error: Exception) -> bool:
+    from urdfkit.core import limits
+
+    return limits.lacks_memory(error)
 
 
 def _no_memory() -> str:

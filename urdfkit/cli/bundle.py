@@ -12,7 +12,7 @@ from urdfkit.cli import output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.progress import shown as progress
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.mesh.io.facts import counted
+from urdfkit.core.words import counted
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import TargetError

@@ -24,9 +24,12 @@ from urdfkit.workspace.resolve import Resolver
 if TYPE_CHECKING:
     from collections import Counter
 
-    from urdfkit.cli.progress import Progress
+    from urdfkit.cli.progress import ProgressBar
     from urdfkit.lint.baseline import Fingerprint
     from urdfkit.lint.fix_session import Fixes
+
+#: Formats that say what would be fixed.
+_FOR_PEOPLE = ("text", "full")
 
 
 def run_check(values: Mapping[str, Any]) -> int:
@@ -35,8 +38,8 @@ def run_check(values: Mapping[str, Any]) -> int:
     Args:
         values: of the options and files, by key.
     """
-    outputs = options.outputs(values)
     chosen = choices(values)
+    outputs = options.outputs(values, fail_on(values, chosen).value)
     if values["show_files"]:
         output.write(_files(values, chosen))
         return 0
@@ -53,7 +56,7 @@ def run_check(values: Mapping[str, Any]) -> int:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
     else:
         report = _check(values, chosen)
-        if any(name == "text" for name, _ in outputs) and _has_fixes(report):
+        if any(name in _FOR_PEOPLE for name, _ in outputs) and _has_fixes(report):
             report = _with_fixable(report, values, chosen)
     report = _with_baseline(report, known, values)
     _show_crashes(report)
@@ -246,7 +249,7 @@ def _with_baseline(
     return baseline.apply_baseline(report, known, directory)
 
 
-def _progress(files: Sequence[str]) -> Progress | None:
+def _progress(files: Sequence[str]) -> ProgressBar | None:
     """Of the robots; of a single one, of its mesh files, for nothing else takes that long."""
     if sys.stderr is None or not sys.stderr.isatty():
         return None  # which spares the import

@@ -33,6 +33,11 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Command], Command]
     return decorated
 
 
+def in_formats(*names: str) -> Callable[[Command], Command]:
+    """Give a command the option ``--format``, as ``form``; the first format is the default."""
+    return click.option("--format", "form", type=click.Choice(names), default=names[0])
+
+
 TRUST = click.option(
     "--trust", is_flag=True, help="Let the model run any expression and read any file."
 )
@@ -48,6 +53,12 @@ VARIANT = click.option(
 )
 TARGET = click.option(
     "--target", multiple=True, metavar="NAMES", help="Target program. [default: detected]"
+)
+RULES = click.option(
+    "--rules",
+    multiple=True,
+    metavar="NAMES",
+    help="Rule packages to load: installed names, or modules.",
 )
 
 #: Gives a command that computes the limits of its process; they hold from here on.

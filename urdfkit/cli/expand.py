@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -14,12 +15,20 @@ from urdfkit.cli.decorators import with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
-from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
     from urdfkit.text.diagnostic import Problem
     from urdfkit.xacro import Xacro
+
+#: An option of the ``xacro`` command that changes nothing here.
+_IGNORED = partial(
+    click.option,
+    expose_value=False,
+    show_default=False,
+    help="Accepted for compatibility with xacro.",
+)
 
 
 @with_examples(
@@ -42,15 +51,9 @@ if TYPE_CHECKING:
     help="Directory that relative paths start from.",
 )
 @click.option("-q", "quiet", is_flag=True, help="Do not print warnings.")
-@click.option(
-    "-v",
-    "verbose",
-    count=True,
-    show_default=False,
-    help="Accepted for compatibility with xacro.",
-)
+@_IGNORED("-v", count=True)
 @click.option("--verbosity", type=int, metavar="LEVEL", help="0 is the same as -q, as in xacro.")
-@click.option("-i", "--inorder", is_flag=True, help="Accepted for compatibility with xacro.")
+@_IGNORED("-i", "--inorder", is_flag=True)
 def command(
     asked: dict[str, Any],
     target: str | None,
@@ -58,9 +61,7 @@ def command(
     map_file: str | None,
     root_dir: str,
     quiet: bool,
-    verbose: int,
     verbosity: int | None,
-    inorder: bool,
 ) -> int:
     """Expand a xacro file, as the xacro command does, without ROS.
 
@@ -116,7 +117,7 @@ def _print_notes(xacro: Xacro, *, quiet: bool) -> None:
         for step in reversed(steps):
             print(f"  in {step.kind} {step.name}, called at {step.span}", file=sys.stderr)
         for related in problem.related:
-            print(f"  {_note(related)}", file=sys.stderr)
+            print(f"  {related.span}: {related.message}", file=sys.stderr)
         if problem.help:
             print(f"  help: {problem.help}", file=sys.stderr)
 
@@ -130,10 +131,6 @@ def _errors(xacro: Xacro) -> Iterator[Problem]:
         if is_error and key not in reported:
             reported.add(key)
             yield problem
-
-
-def _note(related: Related) -> str:
-    return f"{related.span}: {related.message}"
 
 
 def _write_map(xacro: Xacro, file: str) -> None:

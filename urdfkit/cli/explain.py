@@ -8,7 +8,8 @@ from textwrap import fill, indent
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import RULES, with_examples
+from urdfkit.core.words import listed
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.rule_index import FAMILIES, find_rule, note
 from urdfkit.lint.rules import Need, Rule
@@ -32,12 +33,7 @@ _HARD = "\0"
 
 @with_examples("explain", "urdfkit explain MSH001")
 @click.argument("words", nargs=-1, required=True, metavar="RULE...")
-@click.option(
-    "--rules",
-    multiple=True,
-    metavar="NAMES",
-    help="Rule packages to load: installed names, or modules.",
-)
+@RULES
 def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
     """Explain a rule: what it reports, why, and how to fix it.
 
@@ -75,8 +71,8 @@ def render(rule: Rule) -> str:
     if rule.preview:
         parts.append("Preview: runs with --preview, or if it is selected by its code or name.")
     if rule.options:
-        listed = ", ".join(f"{name} = {value:g}" for name, value in rule.options.items())
-        parts.append(_fill(f"Options in [rules.{rule.code}] of the configuration: {listed}"))
+        defaults = ", ".join(f"{name} = {value:g}" for name, value in rule.options.items())
+        parts.append(_fill(f"Options in [rules.{rule.code}] of the configuration: {defaults}"))
     if rule.help:
         parts.append(_fill(f"Help: {rule.help}"))
     for title, example in _robots(rule).items():
@@ -99,8 +95,7 @@ def severities(rule: Rule) -> str:
     for severity in Severity:
         names = [name for name, one in rule.severities.items() if one is severity]
         if names and severity is not rule.severity:
-            listed = " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
-            parts.append(f"{severity.value} for {listed}")
+            parts.append(f"{severity.value} for {listed(names)}")
     return ", ".join(parts)
 
 

@@ -11,6 +11,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
 from urdfkit.cli.checking import apply_fixes, choices, fail_on
 from urdfkit.cli.decorators import examples
+from urdfkit.core.words import counted, few
 from urdfkit.lint.fix_session import Fixes
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import shown
@@ -123,19 +124,13 @@ def _why(reason: str, diagnostic: Diagnostic) -> str:
 
 
 def _row(text: str, found: Iterable[Diagnostic]) -> str:
-    lines = sorted({one.span.line for one in found})
-    numbers = ", ".join(map(str, lines[:_MAX_LINES]))
-    more = f" and {len(lines) - _MAX_LINES} more" if len(lines) > _MAX_LINES else ""
-    row = f"{text}: line{'s' * (len(lines) > 1)} {numbers}{more}"
+    lines = [str(line) for line in sorted({one.span.line for one in found})]
+    row = f"{text}: line{'s' * (len(lines) > 1)} {few(lines, _MAX_LINES)}"
     return f"  {wrap(row, output.width() - 2, indent=6)}"
 
 
 def _total(fixes: Fixes, verb: str) -> str:
     unsafe = sum(left.reason == "unsafe" for left in fixes.left)
-    text = f"{len(fixes.applied)} {verb} in {_count(len(fixes.files), 'file')}, "
+    text = f"{len(fixes.applied)} {verb} in {counted(len(fixes.files), 'file')}, "
     text += f"{len(fixes.left)} left"
     return text + (f", {unsafe} of them with an unsafe fix" if unsafe else "")
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}{'s' * (number != 1)}"

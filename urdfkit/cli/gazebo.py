@@ -8,22 +8,21 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import in_formats, with_examples
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.core.strict_json import dumped
 from urdfkit.lint.runner import run_rules
-from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
+from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, SimulatedJoint, SimulatedLink
 from urdfkit.ros.gazebo.rejection import CODES, Rejection, rejections
 from urdfkit.text.document import Element
 from urdfkit.text.source import shown
-from urdfkit.text.terminal import printable, wrap
+from urdfkit.text.terminal import printable
 
 VERSION = 1
 
 
 @with_examples("gazebo", "urdfkit gazebo robot.urdf.xacro")
 @one_robot
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@in_formats("text", "json")
 @click.option("--old", is_flag=True, help="Convert as sdformat did before 9.10.1 and 12.7.2.")
 def command(asked: dict[str, Any], form: str, old: bool) -> int:
     """Show the robot after Gazebo's conversion from URDF to SDF.
@@ -37,10 +36,8 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
     subject = robot(asked)
     conversion = Conversion(subject.tree, OLD if old else NEW)
     rejected = rejections(run_rules(subject, sorted(CODES)).diagnostics, conversion)
-    if form == "json":
-        output.write(dumped(as_json(conversion, rejected)))
-    else:
-        output.page((*_rejection(rejected), *render(conversion)))
+    lines = (*_rejection(rejected), *render(conversion))
+    output.json_or_page(form, as_json(conversion, rejected), lines)
     return 0
 
 
@@ -51,7 +48,7 @@ def _rejection(rejected: list[Rejection]) -> Iterator[str]:
         for one in (one for one in rejected if one.reader == reader):
             code = f" ({one.code})" if one.code else ""
             text = f"  {shown(one.span.source.path)}:{one.span.line}: {one.message}{code}"
-            yield from wrap(printable(text), output.width(), indent=4).split("\n")
+            yield from output.wrapped(printable(text), indent=4)
         yield ""
     if rejected:
         yield "Without these errors:"
@@ -116,42 +113,45 @@ def as_json(conversion: Conversion, rejected: list[Rejection]) -> dict[str, Any]
     return {
         "version": VERSION,
         "converter": conversion.converter.name,
-        "rejected": [
-            {
-                "by": one.reader,
-                "code": one.code,
-                "message": one.message,
-                "file": shown(one.span.source.path),
-                "line": one.span.line,
-            }
-            for one in rejected
-        ],
-        "links": [
-            {
-                "name": link.name,
-                "merged": [part.name for part, _ in link.body.links[1:]],
-                "mass": link.properties.mass,
-                "center": list(link.properties.center),
-                "inertia": link.properties.tensor._asdict(),
-                "collisions": [name for name, _ in link.collisions],
-                "visuals": [name for name, _ in link.visuals],
-            }
-            for link in conversion.links
-        ],
-        "joints": [
-            {
-                "name": joint.joint.name,
-                "urdf": joint.joint.kind,
-                "sdf": joint.type,
-                "parent": joint.parent,
-                "child": joint.child,
-            }
-            for joint in conversion.joints
-        ],
+        "rejected": [_rejection_as_json(one) for one in rejected],
+        "links": [_link_as_json(link) for link in conversion.links],
+        "joints": [_joint_as_json(joint) for joint in conversion.joints],
         "added": {
             "links": [link.get("name") for link in conversion.added_links],
             "joints": [joint.get("name") for joint in conversion.added_joints],
         },
         "merged": conversion.merged,
         "dropped": conversion.dropped,
+    }
+
+
+def _rejection_as_json(one: Rejection) -> dict[str, Any]:
+    return {
+        "by": one.reader,
+        "code": one.code,
+        "message": one.message,
+        "file": shown(one.span.source.path),
+        "line": one.span.line,
+    }
+
+
+def _link_as_json(link: SimulatedLink) -> dict[str, Any]:
+    return {
+        "name": link.name,
+        "merged": [part.name for part, _ in link.body.links[1:]],
+        "mass": link.properties.mass,
+        "center": list(link.properties.center),
+        "inertia": link.properties.tensor._asdict(),
+        "collisions": [name for name, _ in link.collisions],
+        "visuals": [name for name, _ in link.visuals],
+    }
+
+
+def _joint_as_json(joint: SimulatedJoint) -> dict[str, Any]:
+    return {
+        "name": joint.joint.name,
+        "urdf": joint.joint.kind,
+        "sdf": joint.type,
+        "parent": joint.parent,
+        "child": joint.child,
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 
 import click
 
@@ -10,44 +11,34 @@ from urdfkit import __version__
 from urdfkit.cli.lazy import LazyGroup
 from urdfkit.cli.options import UsageError
 
-#: ``urdfkit.cli.<name>`` has each of them as ``command``, a click.Command that returns the
-#: exit code.
-COMMANDS = (
-    "check",
-    "scan",
-    "fix",
-    "format",
-    "expand",
-    "trace",
-    "explain",
-    "rules",
-    "info",
-    "tree",
-    "kinematics",
-    "mass",
-    "statics",
-    "collisions",
-    "gazebo",
-    "inertia",
-    "mesh",
-    "bundle",
-    "migrate",
-    "render",
-    "diff",
-    "report",
-    "view",
-    "init",
-    "doctor",
-    "clean",
-    "lsp",
-)
+#: The commands as help lists them. ``urdfkit.cli.<name>`` has each of them as ``command``, a
+#: click.Command that returns the exit code.
+SECTIONS = {
+    "Check and fix": ("check", "fix", "format", "migrate", "scan"),
+    "Expand xacro": ("expand", "trace"),
+    "Inspect a robot": (
+        "info",
+        "tree",
+        "kinematics",
+        "mass",
+        "inertia",
+        "statics",
+        "collisions",
+        "gazebo",
+        "diff",
+    ),
+    "Show a robot": ("render", "view", "report"),
+    "Mesh files and copies": ("mesh", "bundle"),
+    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "lsp"),
+}
+COMMANDS = tuple(chain.from_iterable(SECTIONS.values()))
 
 
 @click.group(
     "urdfkit",
     cls=LazyGroup,
     package="urdfkit.cli",
-    names=COMMANDS,
+    sections=SECTIONS,
     context_settings={"help_option_names": ["-h", "--help"], "show_default": True},
 )
 @click.version_option(__version__, "-V", "--version", message="urdfkit %(version)s")

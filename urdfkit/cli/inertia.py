@@ -9,9 +9,8 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, progress
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.core.strict_json import dumped
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.inertials.densities import DENSITIES
 from urdfkit.robot.inertials.shape_mass import SOURCES
@@ -48,7 +47,7 @@ VERSION = 1
 @click.option("--lump", is_flag=True, help="Treat links connected by fixed joints as one body.")
 @click.option("--write", is_flag=True, help="Write the suggested values into the source files.")
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@in_formats("text", "json")
 @one_robot
 @limited
 def command(
@@ -89,10 +88,7 @@ def command(
     chosen = [one for one in proposals if links or one.is_doubtful]
     if write or diff:
         return _write(chosen, is_diff=diff)
-    if form == "json":
-        output.write(dumped(as_json(proposals)))
-    else:
-        output.page([*table(proposals), *proposed(chosen)])
+    output.json_or_page(form, as_json(proposals), [*table(proposals), *proposed(chosen)])
     return 0
 
 

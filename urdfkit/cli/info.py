@@ -8,14 +8,11 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-import click
-
 from urdfkit.cli import output, progress
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.core.strict_json import dumped
-from urdfkit.mesh.io.facts import counted
+from urdfkit.core.words import counted
 from urdfkit.output.overview import Overview, Shapes, Structure, summarise
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.ros.gazebo.sensors import Sensor
@@ -36,7 +33,7 @@ _LABEL = 12
 )
 @one_robot
 @posed
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@in_formats("text", "json")
 @limited
 def command(asked: dict[str, Any], form: str) -> int:
     """Show a summary of a robot on one page.
@@ -49,10 +46,7 @@ def command(asked: dict[str, Any], form: str) -> int:
     with progress.shown("mesh files") as bar:
         subject = robot(asked, bar)
         found = summarise(subject, positions(subject, asked))
-    if form == "json":
-        output.write(dumped(as_json(found)))
-    else:
-        output.page(render(found))
+    output.json_or_page(form, as_json(found), render(found))
     return 0
 
 

@@ -10,6 +10,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import with_examples
 from urdfkit.core import atomic
+from urdfkit.core.words import counted
 from urdfkit.errors import UnwritableFile
 from urdfkit.lint.argument_values import found_values
 from urdfkit.lint.config import Config
@@ -47,8 +48,7 @@ def command(directory: str, only_print: bool) -> int:
         raise UnwritableFile(f"{path}: configures it already; --print shows what would be written")
     path = os.path.join(directory, _FILE)
     atomic.write(path, output.encode(text))
-    count = len(found.robots)
-    output.write(f"{path}: {count} {'robot' if count == 1 else 'robots'}\n")
+    output.write(f"{path}: {counted(len(found.robots), 'robot')}\n")
     return 0
 
 

@@ -9,15 +9,12 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.spatial import Transform, to_rpy
-from urdfkit.core.strict_json import dumped
-from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Subject
 from urdfkit.robot.kinematics import frames, transform
-from urdfkit.text.terminal import wrap
 
 VERSION = 1
 
@@ -37,7 +34,7 @@ _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 )
 @click.option("--jacobian", metavar="LINK", help="Jacobian of the origin of a link.")
 @click.option("--mass-matrix", is_flag=True, help="The joint-space mass matrix.")
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@in_formats("text", "json")
 @limited
 def command(
     asked: dict[str, Any],
@@ -63,10 +60,8 @@ def command(
         found["from"], found["to"] = ends
     if jacobian or mass_matrix:
         found |= _dynamics(subject, given, jacobian, mass_matrix)
-    if form == "json":
-        output.write(dumped(as_json(found, subject.tree.root_of)))
-    else:
-        output.page(render(found, subject.tree.root_of))
+    roots = subject.tree.root_of
+    output.json_or_page(form, as_json(found, roots), render(found, roots))
     return 0
 
 
@@ -78,10 +73,7 @@ def _dynamics(
     Raises:
         UrdfkitError: it is not installed, or cannot be asked this.
     """
-    try:
-        dynamics = subject.dynamics
-    except Unavailable as reason:
-        raise UrdfkitError(str(reason)) from reason
+    dynamics = subject.dynamics
     found: dict[str, Any] = {"columns": list(dynamics.columns)}
     if link:
         found["link"] = link
@@ -125,7 +117,7 @@ def _frames(
         trees.setdefault(root_of[name], []).append(name)
     for root, names in trees.items():
         head = f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
-        yield from wrap(head, output.width(), indent=2).split("\n")
+        yield from output.wrapped(head)
         yield from output.two_columns((name, _placed(found[name])) for name in names)
 
 
@@ -148,7 +140,7 @@ def _matrix(rows: Sequence[Sequence[float]], names: Sequence[str]) -> Iterator[s
     for start in range(0, len(names), count):
         if len(names) > count:
             columns = names[start : start + count]
-            yield from wrap(f"columns {', '.join(columns)}", output.width(), indent=2).split("\n")
+            yield from output.wrapped(f"columns {', '.join(columns)}")
         cut = (_numbers(row[start : start + count]) for row in rows)
         yield from output.two_columns(zip(names, cut, strict=True))
 

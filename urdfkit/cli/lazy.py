@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
+from itertools import chain
 from typing import Any
 
 import click
@@ -34,20 +35,40 @@ class LazyGroup(click.Group):
 
     Args:
         package: that has a module for each command, with a ``command`` in it.
-        names: of the commands, in the order in which they are listed.
+        sections: names of commands by the heading of help that lists them.
         extra: of urdfkit, that the commands need.
     """
 
     def __init__(
-        self, *args: Any, package: str, names: Sequence[str], extra: str = "", **more: Any
+        self,
+        *args: Any,
+        package: str,
+        sections: Mapping[str, Sequence[str]],
+        extra: str = "",
+        **more: Any,
     ) -> None:
         super().__init__(*args, **more)
         self.package = package
-        self.names = tuple(names)
+        self.sections = sections
+        self.names = tuple(chain.from_iterable(sections.values()))
         self.extra = extra
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self.names)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        longest = max(map(len, self.names))
+        limit = formatter.width - 6 - longest
+        for heading, names in self.sections.items():
+            commands = {name: self.get_command(ctx, name) for name in names}
+            with formatter.section(heading):
+                formatter.write_dl(
+                    [
+                        (name.ljust(longest), command.get_short_help_str(limit))
+                        for name, command in commands.items()
+                        if command
+                    ]
+                )
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

@@ -7,10 +7,8 @@ import io
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-import click
-
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
@@ -19,7 +17,6 @@ from urdfkit.core.strict_json import dumped
 from urdfkit.output.mass_table import MassRow, MassTable, mass_properties
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.text.markdown import escape, table
-from urdfkit.text.terminal import wrap
 
 VERSION = 1
 
@@ -31,9 +28,7 @@ VERSION = 1
 )
 @one_robot
 @posed
-@click.option(
-    "--format", "form", type=click.Choice(["text", "json", "csv", "markdown"]), default="text"
-)
+@in_formats("text", "json", "csv", "markdown")
 @limited
 def command(asked: dict[str, Any], form: str) -> int:
     """Show the mass properties of every link and of the whole robot.
@@ -104,7 +99,7 @@ def _unknown(found: MassTable) -> Iterator[str]:
     if reasons:
         yield ""
     for reason, names in reasons.items():
-        yield from wrap(f"{', '.join(names)}: {reason}", output.width(), indent=2).split("\n")
+        yield from output.wrapped(f"{', '.join(names)}: {reason}")
 
 
 def _axes(axes: Rotation) -> str:

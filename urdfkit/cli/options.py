@@ -93,6 +93,7 @@ CHECK = (
         "NAMES",
         many=True,
     ),
+    Option("--info", "Show infos, too, and all that is known of each finding (--format full)."),
     Option("--show-files", "List the robots to check and the files left out; check nothing."),
     Option("--exit-zero", "Exit with 0 even if there are findings."),
     Option("--fix", "Apply safe fixes in place, and report the remaining findings."),
@@ -276,7 +277,15 @@ def warn(text: str) -> None:
         print(f"warning: {printable(text)}", file=sys.stderr)
 
 
-def outputs(values: Mapping[str, Any]) -> list[tuple[str, str]]:
+def _text(values: Mapping[str, Any], fail_on: str) -> str:
+    """The format of the text for people."""
+    if values["statistics"]:
+        return "statistics"
+    # Whoever names rules, or fails on infos, wants to see what they report.
+    return "full" if values["info"] or values["select"] or fail_on == "info" else "text"
+
+
+def outputs(values: Mapping[str, Any], fail_on: str) -> list[tuple[str, str]]:
     """The formats, each with the file it is for; an empty name is standard output."""
     found: list[tuple[str, str]] = []
     for word in values["format"] or ("text",):
@@ -289,6 +298,5 @@ def outputs(values: Mapping[str, Any]) -> list[tuple[str, str]]:
         if file in (other for _, other in found):
             where = file or "standard output"
             raise UsageError(f"two formats write to {where}; give one of them a file, as NAME:FILE")
-        # Statistics take the place of the text for people; JSON has the counts anyway.
-        found.append(("statistics" if name == "text" and values["statistics"] else name, file))
+        found.append((_text(values, fail_on) if name == "text" else name, file))
     return found

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UnwritableFile
-from urdfkit.text.terminal import columns, printable
+from urdfkit.text.terminal import columns, printable, wrap
 
 #: How units are written where the terminal has no letters for them, such as kg m^2.
 _ASCII = str.maketrans({"·": " ", "²": "^2", "³": "^3"})
@@ -122,6 +122,11 @@ def two_columns(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
             yield f"  {reported}".rstrip()
 
 
+def wrapped(text: str, indent: int = 2) -> list[str]:
+    """A text in lines no wider than the terminal, the second and later ones indented."""
+    return wrap(text, width(), indent=indent).split("\n")
+
+
 def labelled(label: str, text: str) -> list[str]:
     """A text behind a word, in lines no wider than the terminal."""
     lines = indented(text, first=f"  {label:<10} ", rest=" " * 13)
@@ -149,6 +154,26 @@ def page(lines: Iterable[str]) -> None:
         UnwritableFile: standard output is closed, or its disk is full.
     """
     write("".join(f"{printable(line)}\n" for line in lines))
+
+
+def note(text: str) -> None:
+    """Say on standard error what is not part of the result."""
+    if sys.stderr is not None:
+        print(f"note: {printable(text)}", file=sys.stderr)
+
+
+def json_or_page(form: str, document: object, lines: Iterable[str]) -> None:
+    """Write what a command found: as JSON if that is its format, or as lines for people.
+
+    Raises:
+        UnwritableFile: standard output is closed, or its disk is full.
+    """
+    if form == "json":
+        from urdfkit.core.strict_json import dumped
+
+        write(dumped(document))
+    else:
+        page(lines)
 
 
 def encode(text: str) -> bytes:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 #: Seconds in which a process that is stopped may remove what it has half written.
 _LAST_SECONDS = 2.0
+#: What a process tells last that ends by itself.
+_END = b"end\n"
 #: A line of a traceback of faulthandler.
 _FRAME = re.compile(r'File "([^"]*)", line \d+ in (\S+)')
 
@@ -38,16 +40,18 @@ def run_apart(run: Callable[[], int], leave: Callable[[int], NoReturn]) -> int:
         leave: ends that process with an exit code.
     """
     lifeline, ours = os.pipe()
-    reports, told = os.pipe()
+    reports, reporting = os.pipe()
     process = os.fork()
     if process == 0:
         os.close(ours)
         os.close(reports)
         _depend_on(lifeline)
-        limits.answer_to(told)
-        leave(run())
+        limits.answer_to(reporting)
+        code = run()
+        os.write(reporting, _END)
+        leave(code)
     os.close(lifeline)
-    os.close(told)
+    os.close(reporting)
     signal.signal(signal.SIGTERM, _stop)
     try:
         said = _read(reports)
@@ -103,7 +107,9 @@ def _code(status: int, said: str) -> int:
         limit = re.findall(r"^limit (.*)$", said, re.MULTILINE)[-1]
         return fail(2, f"not done after {limit}{where}; --timeout raises the limit")
     if os.WIFEXITED(status):
-        return os.WEXITSTATUS(status)
+        if said.endswith(_END.decode()):
+            return os.WEXITSTATUS(status)
+        return fail(2, f"a library ended the process{where}; perhaps memory ran out")
     number = os.WTERMSIG(status)
     name = signal.Signals(number).name
     if number == signal.SIGKILL:

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from typing import Any
 
 import click
 
-from urdfkit.cli import options
+from urdfkit.cli import options, output
 from urdfkit.cli.decorators import with_options
 from urdfkit.lint.context import Subject
 from urdfkit.physics.poses import outside_limits, pose
-from urdfkit.text.terminal import printable
 
 #: Gives a command the options ``--joint`` and ``--pose``, as ``joint`` and ``pose``.
 posed = with_options(
@@ -47,5 +45,5 @@ def positions(subject: Subject, asked: Mapping[str, Any]) -> dict[str, float]:
         given[key] = value
     found = pose(subject, given, asked["pose"])
     for sentence in outside_limits(subject.tree, found):
-        print(f"note: {printable(sentence)}", file=sys.stderr)
+        output.note(sentence)
     return found

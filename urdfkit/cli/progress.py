@@ -11,16 +11,18 @@ from typing import TYPE_CHECKING
 from urdfkit.core import limits
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
     from threading import Timer
     from typing import TextIO
+
+    from urdfkit.core.progress import Progress
 
 #: Seconds before anything is shown: most checks are over by then.
 DELAY = 1.0
 _WIDTH = 30
 
 
-class Progress:
+class ProgressBar:
     """A line on standard error that is drawn over and over, and wiped in the end.
 
     Args:
@@ -86,15 +88,15 @@ class Progress:
             pass  # the terminal is gone; the check matters more
 
 
-def on_terminal(things: str = "", *, rated: bool = False) -> Progress | None:
+def on_terminal(things: str = "", *, rated: bool = False) -> ProgressBar | None:
     """Progress on standard error; None where no person looks at it, or no line can be wiped."""
     if sys.stderr is None or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
         return None
-    return Progress(sys.stderr, things, rated=rated)
+    return ProgressBar(sys.stderr, things, rated=rated)
 
 
 @contextmanager
-def shown(things: str = "", *, rated: bool = False) -> Iterator[Callable[[int, int], None] | None]:
+def shown(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]:
     """Progress on standard error while a job lasts, if a person looks at it."""
     bar = on_terminal(things, rated=rated)
     try:

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import os
-import sys
-import tempfile
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit.cli import options, progress
+from urdfkit.cli import options, output, progress
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import check_options, last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
+from urdfkit.core.temporary import scratch
 from urdfkit.errors import UrdfkitError
-from urdfkit.text.terminal import printable
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
@@ -157,7 +155,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
+    with scratch() as directory:
         scenes = []
         chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
@@ -230,12 +228,11 @@ def _print_notes(scene: Scene) -> None:
     from urdfkit import render
 
     for mesh in scene.missing[:_NAMED]:
-        text = f"drawn as a striped box: the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
-        print(printable(f"note: {text} ({mesh.reason})"), file=sys.stderr)
+        which = f"the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
+        output.note(f"drawn as a striped box: {which} ({mesh.reason})")
     if others := scene.missing[_NAMED:]:
-        print(f"note: drawn as striped boxes: {len(others)} meshes more", file=sys.stderr)
+        output.note(f"drawn as striped boxes: {len(others)} meshes more")
     for note in scene.notes:
-        print(printable(f"note: {note}"), file=sys.stderr)
+        output.note(note)
     if letters := render.unwritable(label.text for label in scene.labels):
-        text = f"no font here has {letters}; install one, such as fonts-noto-cjk"
-        print(printable(f"note: {text}"), file=sys.stderr)
+        output.note(f"no font here has {letters}; install one, such as fonts-noto-cjk")

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from typing import TYPE_CHECKING, Any, cast
 
 import click
 
-from urdfkit.cli import options, stdin
+from urdfkit.cli import options, output, stdin
 from urdfkit.cli.decorators import (
     CONFIG,
     ISOLATED,
@@ -22,6 +21,7 @@ from urdfkit.cli.decorators import (
     with_options,
 )
 from urdfkit.core.record import Record
+from urdfkit.core.words import counted, few
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
 from urdfkit.lint.argument_sets import unknown_arguments
@@ -30,13 +30,12 @@ from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
-from urdfkit.mesh.io.facts import counted
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
-from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.text.diagnostic import Problem
 
 #: Robots of a directory that an error names.
@@ -112,9 +111,7 @@ def _robots_in(directory: str) -> str:
         found = discover(directory, Config(), Resolver()).robots
     except UnreadableFile:
         return "pass a robot file"
-    paths = [shown(robot.file) for robot in found]
-    more = f" and {len(paths) - _NAMED} more" if len(paths) > _NAMED else ""
-    return f"pass one of its robots: {', '.join(paths[:_NAMED])}{more}"
+    return f"pass one of its robots: {few([shown(robot.file) for robot in found], _NAMED)}"
 
 
 class ReadOptions(Record):
@@ -147,7 +144,7 @@ def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
     return ReadOptions(entry.arguments, packages, asked["trust"] or config.trust)
 
 
-def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None = None) -> Subject:
+def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Subject:
     """The robot that a command line names.
 
     Args:
@@ -171,15 +168,17 @@ def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None 
     except UnreadableRobot as error:
         raise first_of(error, file) from error
     if not subject.model.links and subject.document.root.tag != "robot":
-        raise UnreadableRobot(
-            f"{file}: the root element is <{subject.document.root.tag}>, not <robot>"
-        )
+        root = subject.document.root
+        hint = ""
+        if root.tag == "sdf" and root.child("world"):
+            hint = "; a world is checked with the package that starts it: urdfkit check PACKAGE"
+        raise UnreadableRobot(f"{file}: the root element is <{root.tag}>, not <robot>{hint}")
     for one in subject.launched:
         values = " ".join(f"{name}:={value}" for name, value in one.arguments.items())
-        print(printable(f"note: read with {values} of {shown(one.launch)}"), file=sys.stderr)
+        output.note(f"read with {values} of {shown(one.launch)}")
     for name, suggested in unknown_arguments(subject, options.arguments(asked)).items():
         hint = f"; did you mean '{suggested}'?" if suggested else ""
-        print(printable(f"note: the robot has no argument '{name}'{hint}"), file=sys.stderr)
+        output.note(f"the robot has no argument '{name}'{hint}")
     return subject
 
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import RULES, with_examples
 from urdfkit.lint.rule_index import all_rules
 from urdfkit.lint.rule_packages import add, installed
 from urdfkit.lint.rules import Rule
@@ -22,12 +22,7 @@ from urdfkit.lint.rules import Rule
     default="text",
     help="Text table, or JSON with full explanations.",
 )
-@click.option(
-    "--rules",
-    multiple=True,
-    metavar="NAMES",
-    help="Rule packages to load: installed names, or modules.",
-)
+@RULES
 def command(kind: str, rules: tuple[str, ...]) -> int:
     """List all rules: those of urdfkit and those of other packages.
 

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.core.strict_json import dumped
-from urdfkit.core.suggest import did_you_mean
-from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Subject
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.stability import VERDICTS, Stability, Standing, standing
 from urdfkit.robot.values import number
-from urdfkit.text.terminal import wrap
 
 if TYPE_CHECKING:
     from urdfkit.physics.dynamics.statics import Statics
@@ -56,7 +52,7 @@ MAX_SAMPLES = 1_000_000
 @click.option(
     "--visuals", is_flag=True, help="Use the visual where a contact link has no collision."
 )
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@in_formats("text", "json")
 @limited
 def command(
     asked: dict[str, Any],
@@ -79,13 +75,11 @@ def command(
     given = positions(subject, asked)
     carried = _payload(subject, payload)
     loads = _statics(subject, given, carried, samples, seed)
-    contacts = [_known(subject, link) for link in contact] or None
+    contacts = [subject.model.require_link(link).name for link in contact] or None
     stands = standing(subject, given, contacts, payload=carried, visuals=visuals)
-    if form == "json":
-        output.write(dumped(as_json(loads, stands)))
-    else:
-        lines = render(loads, subject.model, posed=bool(given))
-        output.page((*lines, "", *_wrapped(describe(stands))))
+    lines = [*render(loads, subject.model, posed=bool(given)), ""]
+    lines += (line for text in describe(stands) for line in output.wrapped(text))
+    output.json_or_page(form, as_json(loads, stands), lines)
     return 0
 
 
@@ -96,15 +90,9 @@ def _payload(subject: Subject, words: tuple[str, ...]) -> dict[str, float]:
         value = number(mass.removesuffix("kg"))
         if not at or value is None or value < 0:
             raise options.UsageError(f"--payload {word}: expected KG@LINK: a mass in kg and a link")
-        found[_known(subject, link)] = found.get(link, 0.0) + value
+        subject.model.require_link(link)
+        found[link] = found.get(link, 0.0) + value
     return found
-
-
-def _known(subject: Subject, link: str) -> str:
-    if link not in subject.model.links_by_name:
-        hint = did_you_mean(link, subject.model.links_by_name)
-        raise UrdfkitError(f"no link '{link}'{hint}")
-    return link
 
 
 def _statics(
@@ -114,10 +102,7 @@ def _statics(
     samples: int,
     seed: int,
 ) -> Statics:
-    try:
-        bare = subject.dynamics
-    except Unavailable as reason:
-        raise UrdfkitError(str(reason)) from reason
+    bare = subject.dynamics
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.physics.dynamics.statics import statics
 
@@ -150,16 +135,11 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     if weakest is not None and weakest.worst > NOISE:
         pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]
         yield ""
-        yield from _wrapped([f"highest load: {weakest.joint}, at {', '.join(pose) or 'zero'}"])
+        yield from output.wrapped(f"highest load: {weakest.joint}, at {', '.join(pose) or 'zero'}")
     for load in found.loads:
         if load.is_exceeded:
             unit = effort_unit(model.joints_by_name[load.joint])
             yield f"{load.joint} exceeds its effort limit: needs >= {load.worst:.4g} {unit}"
-
-
-def _wrapped(lines: Iterable[str]) -> Iterator[str]:
-    for line in lines:
-        yield from wrap(line, output.width(), indent=2).split("\n")
 
 
 def describe(stands: Standing) -> Iterator[str]:

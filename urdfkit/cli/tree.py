@@ -5,10 +5,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-import click
-
 from urdfkit.cli import output
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import in_formats, with_examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.output.diagrams import FORMATS, text
 
@@ -17,7 +15,7 @@ from urdfkit.output.diagrams import FORMATS, text
     "tree", "urdfkit tree robot.urdf.xacro", "urdfkit tree robot.urdf.xacro --format svg > tree.svg"
 )
 @one_robot
-@click.option("--format", "form", type=click.Choice(FORMATS), default="text")
+@in_formats(*FORMATS)
 def command(asked: dict[str, Any], form: str) -> int:
     """Draw the kinematic tree of a robot.
 

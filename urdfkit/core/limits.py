@@ -5,10 +5,15 @@ A process that another one waits for (`urdfkit.cli.own_process`) tells it where 
 
 from __future__ import annotations
 
+from errno import ENOMEM
+
 TYPE_CHECKING = False
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from urdfkit.core.progress import Progress
+
+#: Bytes: what a library may have asked for in vain, in one piece, when something fails.
+_MARGIN = 128 * 2**20
 
 #: To the process that waits for this one; -1 if none does.
 _channel = -1
@@ -40,7 +45,7 @@ def begin_time(seconds: float) -> None:
     if is_answering():
         import faulthandler
 
-        _tell(f"limit {seconds:g} s")
+        _report(f"limit {seconds:g} s")
         faulthandler.dump_traceback_later(seconds, exit=True, file=_channel)
         _limit_processor_time(seconds)
 
@@ -76,13 +81,41 @@ def limit_memory(size: int) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (size, most))
 
 
-def noting(progress: Callable[[int, int], None] | None) -> Callable[[int, int], None] | None:
+def lacks_memory(error: BaseException) -> bool:
+    """True if an error, whatever it is called, comes from a lack of memory.
+
+    Near the limit of a process, imports, threads and libraries fail in ways of their own.
+    """
+    cause: BaseException | None = error
+    while cause is not None:
+        if isinstance(cause, MemoryError) or getattr(cause, "errno", None) == ENOMEM:
+            return True
+        cause = cause.__cause__ or cause.__context__
+    return _room() < _MARGIN
+
+
+def _room() -> float:
+    """Bytes between the most address space that this process has had and its limit."""
+    try:
+        import resource
+
+        most = resource.getrlimit(resource.RLIMIT_AS)[0]
+        if most != resource.RLIM_INFINITY:
+            with open("/proc/self/status", "rb") as file:
+                (peak,) = (line.split()[1] for line in file if line.startswith(b"VmPeak:"))
+            return most - int(peak) * 1024
+    except (ImportError, OSError, ValueError):  # not Linux
+        pass
+    return float("inf")
+
+
+def noting(progress: Progress | None) -> Progress | None:
     """Progress that the process that waits for this one learns of, too."""
     if not is_answering():
         return progress
 
     def noted(done: int, total: int) -> None:
-        _tell(f"done {done} of {total}" if total else f"done {done}")
+        _report(f"done {done} of {total}" if total else f"done {done}")
         if progress:
             progress(done, total)
 
@@ -100,7 +133,7 @@ def _limit_processor_time(seconds: float) -> None:
         resource.setrlimit(resource.RLIMIT_CPU, (allowed, most))
 
 
-def _tell(text: str) -> None:
+def _report(text: str) -> None:
     import os
 
     try:

@@ -1,8 +1,18 @@
-"""Several names in a sentence."""
+"""Numbers of things, and several names, in a sentence."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+
+
+def counted(number: int, thing: str) -> str:
+    """``1 triangle``, ``12 triangles``."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"
+
+
+def more_like_this(number: int) -> str:
+    """The end of a message about several findings: ``(and 3 more like this)``; empty for none."""
+    return f" (and {number} more like this)" if number else ""
 
 
 def few(names: Sequence[str], most: int) -> str:

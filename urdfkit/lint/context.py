@@ -14,8 +14,7 @@ from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
+    from urdfkit.core.progress import Progress
     from urdfkit.lint.report import Launched, UncheckedValues
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
     from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
     from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.assets.triangles import Meshes
-    from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
     from urdfkit.robot.inertials.masses import Masses
     from urdfkit.robot.model import Body, Joint, RobotModel, Shape
     from urdfkit.robot.shapes import MeshSolid
@@ -92,7 +90,7 @@ class Subject(DescriptionFile):
         frame: CallFrame | None = None,
         parameters: tuple[FileUse, ...] = (),
         cache: bool = False,
-        progress: Callable[[int, int], None] | None = None,
+        progress: Progress | None = None,
     ) -> None:
         super().__init__(source, resolver, arguments, trust=trust, frame=frame)
         self.parameters = parameters
@@ -272,13 +270,6 @@ class Subject(DescriptionFile):
         from urdfkit.robot.inertials.masses import Masses
 
         return Masses(self.model, self.tree, self.mesh_solid)
-
-    @cached_property
-    def visual_collision_pairs(self) -> VisualCollisionPairs:
-        """The collisions of each link with its visuals."""
-        from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
-
-        return VisualCollisionPairs(self.model, self.mesh_solid, self.files.has_ambiguous_axes)
 
     def mesh_solid(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.file_kinds import is_launch, is_xacro
@@ -25,8 +26,8 @@ if TYPE_CHECKING:
 _TOO_EARLY = "XAC020"
 
 
-class Unavailable(Exception):
-    """A part that a rule needs is not to be had for this description; the text says why."""
+class Unavailable(UrdfkitError):
+    """A part that a rule or command needs is not to be had of this robot; the text says why."""
 
 
 class NotApplicable(Unavailable):

@@ -16,17 +16,14 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import subjects
-from urdfkit.lint.fix_guard import (
-    Checker,
-    real_path,
-)
+from urdfkit.lint.fix_guard import Checker, real_path
 from urdfkit.lint.fix_session import Fixes, FixSession, UnappliedFix
 from urdfkit.lint.options import Options, choose, external_codes
 from urdfkit.lint.report import Fixable, Report
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 
 if TYPE_CHECKING:
-    from urdfkit.robot.assets.placeholder_meshes import GeneratedMesh, NotGenerated
+    from urdfkit.robot.assets.placeholder_meshes import GeneratedMesh, GeneratedMeshes, NotGenerated
 
 
 def fix(
@@ -107,28 +104,7 @@ def _with_meshes(
     Raises:
         UrdfkitError: what makes meshes is not installed.
     """
-    try:
-        from urdfkit.robot.assets.placeholder_meshes import (
-            GeneratedMesh,
-            NotGenerated,
-            generate_missing,
-        )
-    except ImportError as error:
-        text = f"generating meshes needs {error.name}: pip install 'urdfkit[meshes]'"
-        raise UrdfkitError(text) from error
-    found: dict[str, GeneratedMesh | NotGenerated] = {}
-    for robot in filter(None, subjects(options, files)):
-        if robot.reading.document is None:
-            continue
-        ours = Ownership([robot.source.path], robot.resolver)
-        generated = generate_missing(robot)
-        for undone in generated.undone:
-            found[disk.real(undone.path)] = undone
-        for made in generated.made:
-            is_outside = not (force or ours.owns(made.path))
-            not_written = NotGenerated(made.path, made.references, made.defect, OUTSIDE)
-            found[disk.real(made.path)] = not_written if is_outside else made
-    meshes = tuple(one for one in found.values() if isinstance(one, GeneratedMesh))
+    meshes, not_generated = _generated_meshes(files, options, force=force)
     replaced = {reference.at.span for one in meshes for reference in one.references}
     places = {(real_path(span.source), *span[1:]) for span in replaced}
     left = tuple(
@@ -137,8 +113,29 @@ def _with_meshes(
         if not rule_index.get(one.diagnostic.code).about_files
         or (real_path(one.diagnostic.span.source), *one.diagnostic.span[1:]) not in places
     )
-    not_generated = tuple(one for one in found.values() if isinstance(one, NotGenerated))
     return fixes._replace(left=left, meshes=meshes, not_generated=not_generated)
+
+
+def _generated_meshes(
+    files: Iterable[str | os.PathLike[str]], options: Options, *, force: bool
+) -> GeneratedMeshes:
+    """Meshes for the files of all robots; of a file that several name, that of the last."""
+    try:
+        from urdfkit.robot.assets import placeholder_meshes
+    except ImportError as error:
+        text = f"generating meshes needs {error.name}: pip install 'urdfkit[meshes]'"
+        raise UrdfkitError(text) from error
+    found: dict[str, GeneratedMesh | NotGenerated] = {}
+    for robot in filter(None, subjects(options, files)):
+        if robot.reading.document is None:
+            continue
+        ours = Ownership([robot.source.path], robot.resolver)
+        generated, not_generated = placeholder_meshes.generate_missing(robot)
+        found |= {disk.real(one.path): one for one in not_generated}
+        for one in generated:
+            may_write = force or ours.owns(one.path)
+            found[disk.real(one.path)] = one if may_write else one.not_written(OUTSIDE)
+    return placeholder_meshes.GeneratedMeshes.of(list(found.values()))
 
 
 def fixable(report: Report, options: Options, files: Iterable[str | os.PathLike[str]]) -> Fixable:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from urdfkit.text.document import Element
 
 #: A finding in any round: its code, its file and its message, since places move.
-Key = tuple[str, str, str]
+FindingKey = tuple[str, str, str]
 
 #: An edit, known in every robot that includes its file: real path, first and last byte, new text.
 Place = tuple[str, int, int, str]
@@ -191,7 +191,7 @@ class RegressionGuard:
 
     def conflicts(
         self, chosen: Iterable[Diagnostic], texts: Mapping[str, bytes], report: Report
-    ) -> set[Key]:
+    ) -> set[FindingKey]:
         """The findings whose fix edits what another robot uses without asking for the edit.
 
         Args:
@@ -210,7 +210,7 @@ class RegressionGuard:
             robots = chain(robots, self._checker.robots(texts, others))
             codes = {one.code for one in chosen}
             proposals += self._checker.proposals(texts, others, codes)
-        found: set[Key] = set()
+        found: set[FindingKey] = set()
         for subject, proposed in zip(robots, proposals, strict=True):
             asked = set(map(place_of, proposed))
             missing = {key: set(places) - asked for key, places in edits.items()}
@@ -286,7 +286,7 @@ def _is_used(place: Place, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
     )
 
 
-def key_of(diagnostic: Diagnostic) -> Key:
+def key_of(diagnostic: Diagnostic) -> FindingKey:
     """Identifies a finding in any round."""
     return (diagnostic.code, real_path(diagnostic.span.source), diagnostic.message)
 

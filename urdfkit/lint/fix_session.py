@@ -10,7 +10,7 @@ from urdfkit.core.record import Record
 from urdfkit.lint import rule_index
 from urdfkit.lint.fix_guard import (
     Checker,
-    Key,
+    FindingKey,
     RegressionGuard,
     Robots,
     ineffective,
@@ -113,7 +113,7 @@ class FixSession:
         self._protected: dict[Source, str] = {}
         self._originals: dict[str, Rewrite] = {}
         self._texts: dict[str, bytes] = {}
-        self._dropped: dict[Key, str] = {}
+        self._dropped: dict[FindingKey, str] = {}
         self._applied: list[Diagnostic] = []
 
     def reasons(self, report: Report) -> tuple[UnappliedFix, ...]:

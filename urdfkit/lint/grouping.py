@@ -6,8 +6,9 @@ editor marks every place, and a baseline must know the thirty-first as new.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
+from urdfkit.core.words import more_like_this
 from urdfkit.text.diagnostic import Diagnostic, Fix, Related
 
 #: Findings that are alike and still shown one by one.
@@ -20,24 +21,27 @@ _ACROSS_FILES = frozenset(("XAC011",))
 
 def grouped(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     """Findings, with those of a file that are alike in the place of the first of them."""
-    groups: dict[object, list[Diagnostic]] = {}
+    return tuple(_as_one(group) if len(group) > 1 else group[0] for group in groups(diagnostics))
+
+
+def groups(diagnostics: Sequence[Diagnostic]) -> Iterator[list[Diagnostic]]:
+    """The findings that are shown as one, in the order of the first of each."""
+    alike: dict[object, list[Diagnostic]] = {}
     for number, one in enumerate(diagnostics):
         key: object = number
         if one.group_key:
             path = "" if one.code in _ACROSS_FILES else one.span.source.path
             key = (one.code, one.severity, one.group_key, path, one.variants)
-        groups.setdefault(key, []).append(one)
-    found: list[Diagnostic] = []
-    for group in groups.values():
+        alike.setdefault(key, []).append(one)
+    for group in alike.values():
         most = 1 if group[0].code in _ACROSS_FILES else MAX_SINGLE
-        found += [_as_one(group)] if len(group) > most else group
-    return tuple(found)
+        yield from [group] if len(group) > most else ([one] for one in group)
 
 
 def _as_one(group: list[Diagnostic]) -> Diagnostic:
     first, *others = group
     return first._replace(
-        message=f"{first.message} (and {len(others)} more like this)",
+        message=first.message + more_like_this(len(others)),
         related=first.related + tuple(_note(other, first) for other in others[:MAX_NOTES]),
         fix=_together([one.fix for one in group]),
     )
@@ -57,5 +61,5 @@ def _together(fixes: list[Fix | None]) -> Fix | None:
     if not known or len(known) < len(fixes):
         return None
     edits = dict.fromkeys(edit for fix in known for edit in fix.edits)  # two may share a fix
-    title = f"{known[0].title} (and {len(known) - 1} more like this)"
+    title = known[0].title + more_like_this(len(known) - 1)
     return Fix(title, tuple(edits), all(fix.safe for fix in known))

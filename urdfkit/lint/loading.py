@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableRobot
@@ -15,6 +15,7 @@ from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.robot.model import RobotModel
     from urdfkit.text.diagnostic import Problem
     from urdfkit.xacro import Xacro
@@ -27,7 +28,7 @@ def read(
     packages: Mapping[str, str] | None = None,
     trust: bool = False,
     cache: bool = True,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Subject:
     """A URDF or xacro file with all that can be computed of it, each part when it is asked for.
 
@@ -61,7 +62,7 @@ def subject_of(
     *,
     trust: bool = False,
     cache: bool = False,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Subject:
     """The one robot of a file, with values for arguments that it lacks as ``check`` finds them.
 

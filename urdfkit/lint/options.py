@@ -11,6 +11,7 @@ from urdfkit.lint.config import Config
 from urdfkit.text.diagnostic import Confidence
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.lint.rules import Need
 
 
@@ -59,7 +60,7 @@ class Options(Record):
     cache: bool = True
     only_errors: frozenset[Need] = frozenset()
     texts: Mapping[str, bytes] = {}
-    progress: Callable[[int, int], None] | None = None
+    progress: Progress | None = None
     is_cancelled: Callable[[], bool] | None = None
 
     def given(self, **named: Any) -> Options:

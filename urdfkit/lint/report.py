@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from urdfkit.core import limits
 from urdfkit.core.record import Record
+from urdfkit.errors import NotEnoughMemory
 from urdfkit.lint.finding_store import StoredFindings
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
+from urdfkit.text.source import shown
 
 if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
@@ -48,7 +51,13 @@ class Crashed(Record):
 
 
 def crash(code: str, path: str, error: Exception) -> Crashed:
-    """What a failure that is being handled says; the code is empty where it is no rule's."""
+    """What a failure that is being handled says; the code is empty where it is no rule's.
+
+    Raises:
+        NotEnoughMemory: it fails for nothing else.
+    """
+    if limits.lacks_memory(error):
+        raise NotEnoughMemory(f"{shown(path)}: not enough memory") from error
     from traceback import format_exc  # 9 ms
 
     return Crashed(code, path, f"{type(error).__name__}: {error}", format_exc())

@@ -44,6 +44,7 @@ FAMILIES = {
     "SRD": "SRDF",
     "TRE": "kinematic tree",
     "URD": "URDF elements and attributes",
+    "WLD": "worlds of Gazebo",
     "XAC": "xacro",
     "XML": "XML",
 }

@@ -180,11 +180,11 @@ class Rule(Record):
 
         A rule without a severity of its own for any of them keeps its general one.
         """
-        suffering = {name: self.by_target[name] for name in targets if name in self.by_target}
-        if not suffering:
+        affected = {name: self.by_target[name] for name in targets if name in self.by_target}
+        if not affected:
             return self.severity, ()
-        worst = min(suffering.values(), key=lambda severity: severity.rank)
-        return worst, tuple(name for name, severity in suffering.items() if severity is worst)
+        worst = min(affected.values(), key=lambda severity: severity.rank)
+        return worst, tuple(name for name, severity in affected.items() if severity is worst)
 
     @property
     def severities(self) -> dict[str, Severity]:

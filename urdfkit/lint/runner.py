@@ -27,7 +27,7 @@ T = TypeVar("T")
 OWN_FAMILY = "checking"
 
 #: Families of rules that apply to launch files.
-LAUNCH_FAMILIES = frozenset(("checking", "launch", "package"))
+LAUNCH_FAMILIES = frozenset(("checking", "launch", "package", "worlds"))
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -349,11 +349,11 @@ def diagnose(
 
 
 def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnostic:
-    severity, suffering = rule.severity_for(targets)
+    severity, affected = rule.severity_for(targets)
     group.sort(key=lambda finding: ((finding.severity or severity).rank, -finding.weight))
     worst = group[0]
     if worst.severity is not None:
-        severity, suffering = worst.severity, worst.targets
+        severity, affected = worst.severity, worst.targets
     calls = tuple(Call(f.message, place(f)[1], _path(f)) for f in group)
     return Diagnostic(
         rule.code,
@@ -366,7 +366,7 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
         (*worst.related, *_in_data_files(group)),
         worst.help or rule.help,
         worst.fix,
-        suffering,
+        affected,
         worst.group_key,
     )
 

@@ -34,7 +34,7 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
     found = {name: found_values(name, reading.xacro, resolver) for name in names}
     known = "; ".join(f"{name}: {reported(one)}" for name, one in found.items() if one)
     quoted = ", ".join(f"'{name}'" for name in names)
-    why = f"it needs the {'argument' if len(names) == 1 else 'arguments'} {quoted}"
+    why = f"it needs the argument{'s' * (len(names) > 1)} {quoted}"
     why += f" (found for {known}, with which it does not expand)" if known else ""
     config = nearest(source.path)
     directory = os.path.dirname(config) if config else resolver.packages.workspace(source.path)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
+from urdfkit.core.words import few
 from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.ignore_comments import ignores
@@ -52,10 +53,8 @@ def _values(robot: OpenRobot, here: Cursor) -> Iterator[str]:
     values = list(dict.fromkeys(attribute.value for attribute in found))
     if not values:
         return
-    shown = [f"`{_code(value)}`" for value in values[:MAX_SHOWN]]
-    if len(values) > MAX_SHOWN:
-        shown.append(f"and {len(values) - MAX_SHOWN} more")
-    lines = [f"**{escape(written.name)}** = {', '.join(shown)}"]
+    shown = few([f"`{_code(value)}`" for value in values], MAX_SHOWN)
+    lines = [f"**{escape(written.name)}** = {shown}"]
     if len(found) > 1:
         lines[0] += f" in {len(found)} calls"
     lines += _origins(robot, found[0])

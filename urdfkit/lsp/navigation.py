@@ -7,9 +7,9 @@ import re
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page, cursor
-from urdfkit.lsp.mentions import mention_at, mentions
 from urdfkit.lsp.names import NameUse
 from urdfkit.lsp.open_robot import OpenRobot
+from urdfkit.lsp.references import package_references, reference_at
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -48,7 +48,7 @@ def references(robot: OpenRobot, page: Page, offset: int, *, definitions: bool) 
 
 def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
     """The name at a place, be it in a file that is none of the robot's own."""
-    found = mention_at(page.source, offset)
+    found = reference_at(page.source, offset)
     if found is None:
         return robot.names.at(page.source, offset)
     kind, span = found
@@ -64,7 +64,7 @@ def _elsewhere(robot: OpenRobot, name: NameUse, same: list[NameUse]) -> list[Spa
         return []
     values = robot.names.values(name)
     own = {*robot.sources, *(robot.before.sources if robot.before else ())}
-    found = mentions(values, robot.path, own, robot.resolver)
+    found = package_references(values, robot.path, own, robot.resolver)
     return [one.span for one in found if one.kind in kinds]
 
 

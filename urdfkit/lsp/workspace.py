@@ -13,6 +13,7 @@ from urdfkit.core import expansion_limits
 from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled, UrdfkitError
 from urdfkit.lint import rule_index
+from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.config import Config
 from urdfkit.lint.config import RobotEntry as EntryPoint
 from urdfkit.lint.config_reader import load
@@ -21,9 +22,9 @@ from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.fix import fix
 from urdfkit.lint.options import Options
+from urdfkit.lint.plan import Job
 from urdfkit.lint.rules import Need
 from urdfkit.lsp.open_robot import OpenRobot
-from urdfkit.ros.launch.robot_arguments import given
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.file_kinds import is_launch
@@ -129,19 +130,24 @@ class Workspace:
         return tuple(self._started(robot, config) for robot in robots[:MAX_ROBOTS])
 
     def _started(self, robot: EntryPoint, config: Config) -> EntryPoint:
-        """A robot; one that lacks arguments, with the first that a launch file gives it."""
+        """A robot; one that lacks arguments, with the first values that are found for them."""
         if robot.arguments or not robot.file.endswith(".xacro"):
             return robot
         resolver = self._resolver(config)
+
+        def read(job: Job) -> Subject:
+            return Subject(resolver.given(job.path), resolver, job.arguments)
+
         try:
-            subject = Subject(resolver.given(robot.file), resolver, config.arguments)
+            (job, _), *_ = as_launched(
+                Job(robot.file, "", dict(config.arguments), found=False), read
+            )
         except UrdfkitError:
             return robot
-        if names := subject.reading.arguments_to_pass:
-            for one in given(robot.file, names, resolver)[:1]:
-                self._launched[robot.file] = one.arguments
-                return robot._replace(arguments=one.arguments)
-        return robot
+        if not job.launched:
+            return robot
+        self._launched[robot.file] = job.arguments
+        return robot._replace(arguments=job.arguments)
 
     def robot(self, path: str) -> OpenRobot:
         """The first robot that a file is part of.
@@ -176,7 +182,8 @@ class Workspace:
 
         Args:
             path: of the file.
-            thorough: run the rules that open meshes or compute dynamics, too.
+            thorough: run the rules that open meshes or compute dynamics, too, and check a robot
+                that lacks arguments with each set of values that is found, not the first alone.
             is_cancelled: asked before each rule.
 
         Raises:
@@ -204,7 +211,7 @@ class Workspace:
         self, root: str, config: Config, thorough: bool, is_cancelled: Callable[[], bool] | None
     ) -> Iterable[Diagnostic]:
         options = Options(
-            arguments=self._launched.get(root) or {},
+            arguments={} if thorough else self._launched.get(root, {}),
             config=config,
             texts=self.texts,
             ignore=() if thorough else slow_rules(),

@@ -41,7 +41,7 @@ def measure(mesh: Mesh) -> Measures:
     pieces = pieces._replace(is_closed=pieces.is_closed & ~is_flat)
     # A screw that looks inwards changes nothing, least of all in a mesh that is open otherwise.
     least = SIGNIFICANT * float(np.abs(pieces.volumes).sum())
-    solid, looks_inwards = _solid(places, sound, low, high) if is_closed else (None, False)
+    solid, is_inverted = _solid(places, sound, low, high) if is_closed else (None, False)
     hull, points = _hull(places, low, high)
     return Measures(
         triangles=len(faces),
@@ -52,12 +52,12 @@ def measure(mesh: Mesh) -> Measures:
         solid=solid,
         hull=hull,
         points=tuple(vector(point) for point in points),
-        inside_out=looks_inwards,
+        inside_out=is_inverted,
         open_edges=int(open_edges.sum()),
         flipped_edges=int(flipped.sum()),
         degenerate=int((height <= FLAT * diagonal).sum()),
         bodies=len(pieces.volumes),
-        overlap=overlap(places, sound, pieces) if solid and not looks_inwards else 0.0,
+        overlap=overlap(places, sound, pieces) if solid and not is_inverted else 0.0,
         inverted_bodies=int(inside_out(places, sound, pieces, least).sum()),
         unit=mesh.unit,
         up_axis=mesh.up_axis,

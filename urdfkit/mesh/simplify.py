@@ -7,9 +7,9 @@ several ways are tried, what came out is measured, and the best is taken.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import inf
 
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.decimation import in_cells, with_fewer, within_tolerances
@@ -25,9 +25,6 @@ _FINEST_OF_ERROR, _COARSEST_OF_ERROR = 0.01, 2.0
 _MORE = (1.5, 2.5, 5)
 #: How much simpler than within a tolerance a mesh may be by quadrics, and steps to find that.
 _FEWER, _STEPS = 8.0, 5
-
-#: Called with the number of steps done, and of all.
-Progress = Callable[[int, int], None]
 
 
 class Unreachable(UrdfkitError):

@@ -7,16 +7,16 @@ for all joints above and below, one after another, at a cost that grows with the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from math import pi
 
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, rotate, times
 from urdfkit.physics.gravity_model import UP, GravityModel, rest, turned
-from urdfkit.robot.joint_loads import GRAVITY, effort
+from urdfkit.robot.joint_loads import GRAVITY
 from urdfkit.robot.kinematics import best_angle
-from urdfkit.robot.model import Joint
 
 #: Climbs for each joint, and sweeps of one.
 CLIMBS, SWEEPS = 24, 30
@@ -280,22 +280,23 @@ def is_searched(joints: int) -> bool:
 
 def gravity_loads(
     model: GravityModel,
-    joints: Mapping[str, Joint],
+    efforts: Mapping[str, float | None],
     starts: Sequence[Mapping[str, float]],
     pose: Mapping[str, float],
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> list[Load]:
     """The gravity loads of some joints, those first that use the largest part of their effort.
 
     Args:
         model: of the robot.
-        joints: that are judged, by name; those that cannot be set by one number are left out.
+        efforts: of the joints that are judged, in N·m or N, by name; None where the model does not
+            say. Joints that cannot be set by one number are left out.
         starts: poses; the first one is zero, and climbs begin in the worst ones.
         pose: in which the load is wanted, too.
         progress: called with the number of joints done and of all.
     """
     torques = [model.torques(start) for start in starts]
-    names = [name for name in model.moved if name in joints]
+    names = [name for name in model.moved if name in efforts]
     at_pose = model.torques(pose)
     budget = BUDGET // max(1, len(names))
     found: list[Load] = []
@@ -307,5 +308,5 @@ def gravity_loads(
             order = sorted(range(len(starts)), key=lambda n: -abs(torques[n][name]))
             largest, where = worst(model, name, [starts[n] for n in order[:CLIMBS]], budget)
         held = torques[0][name], at_pose[name]
-        found.append(Load(name, effort(joints[name]), *held, largest, where))
+        found.append(Load(name, efforts[name], *held, largest, where))
     return sorted(found, key=lambda load: (-(load.used or 0.0), -load.worst))

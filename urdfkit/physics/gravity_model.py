@@ -57,7 +57,7 @@ class MovingBody(Record):
 
 
 class GravityModel:
-    """The moving bodies of a robot.
+    """The moving bodies of a robot; two models of the same bodies are equal.
 
     Attributes:
         bodies: each after that which carries it.
@@ -90,6 +90,13 @@ class GravityModel:
             if body.law.leader:
                 self.moved.setdefault(body.law.leader, []).append(number)
         self.spans = {name: span(joints[name]) for name in self.moved}
+        self._key = (tuple(self.bodies), tuple(self.spans.items()))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, GravityModel) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash(self._key)
 
     def below(self, number: int) -> list[int]:
         """A body and those that it carries, parents before children."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
@@ -26,6 +26,8 @@ from urdfkit.robot.joints import bounds
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
+
+    from urdfkit.core.progress import Progress
 
 #: What an animation is saved as, by suffix.
 FORMATS = {".gif": "GIF", ".webp": "WEBP", ".png": "PNG", ".apng": "PNG"}
@@ -118,7 +120,7 @@ def sweep(
 def animated(
     shots: Sequence[Shot],
     *,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
     **drawing: Unpack[DrawingOptions],
 ) -> list[Image.Image]:
     """The images of an animation, on one floor.

@@ -6,12 +6,9 @@ from math import cos, isfinite, radians, sin, tan
 from typing import NamedTuple, TypedDict
 
 import numpy as np
-from numpy.typing import NDArray
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.render.arrays import Floats, Integers, bounds, turned
-
-Matrix = NDArray[np.float64]
 
 #: Azimuth (from +x towards +y) and elevation of the named views, in degrees.
 VIEWS = {
@@ -67,7 +64,7 @@ class Camera(NamedTuple):
         height = self.size[1]
         return height / self.extent if self.extent else height / 2 / tan(radians(self.field) / 2)
 
-    def to_view(self, rotation: Matrix, position: Matrix) -> tuple[Floats, Floats]:
+    def to_view(self, rotation: Floats, position: Floats) -> tuple[Floats, Floats]:
         """A frame of the world as rotation and position in the frame of the camera.
 
         There x goes to the right, y upwards and z towards the viewer.
@@ -185,7 +182,7 @@ def unfit(size: tuple[int, int]) -> str:
     return f"an image of {width}x{height} pixels: use a size from 16x16 to {most} million pixels"
 
 
-def _axes(view: str, azimuth: float | None, elevation: float | None) -> Matrix:
+def _axes(view: str, azimuth: float | None, elevation: float | None) -> Floats:
     """Right, up and backwards of a camera that looks at the middle from an angle."""
     if view not in VIEWS:
         raise NoSuchView(f"unknown view '{view}'; expected one of {', '.join(VIEWS)}")
@@ -199,7 +196,7 @@ def _axes(view: str, azimuth: float | None, elevation: float | None) -> Matrix:
     return np.array((right, np.cross(backwards, right), backwards))
 
 
-def _eye(seen: Floats, slope: float, aspect: float) -> Matrix:
+def _eye(seen: Floats, slope: float, aspect: float) -> Floats:
     """The nearest place from which points (n, 3) fit between the four planes of a frustum.
 
     Each pair of planes, left and right or upper and lower, gives the least depth and the offset
@@ -220,10 +217,10 @@ def _eye(seen: Floats, slope: float, aspect: float) -> Matrix:
     return eye
 
 
-def _tuple(vector: Matrix) -> tuple[float, float, float]:
+def _tuple(vector: Floats) -> tuple[float, float, float]:
     x, y, z = (float(part) for part in vector)
     return (x, y, z)
 
 
-def _rows(axes: Matrix) -> tuple[tuple[float, ...], ...]:
+def _rows(axes: Floats) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(float(part) for part in row) for row in axes)

@@ -8,11 +8,11 @@ the order of the bands, so the bytes are the same for any number of threads.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
 from typing import NamedTuple, TypedDict
 
 import numpy as np
 
+from urdfkit.core.progress import Progress
 from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface, fragments, surface
@@ -43,7 +43,7 @@ REACH = 0.12
 NEAR = 0.012
 
 
-_OPAQUE, _CLEAR, _SIGN = range(3)
+_OPAQUE, _CLEAR, _OVERLAY = range(3)
 
 
 class Quality(NamedTuple):
@@ -80,7 +80,7 @@ class _Band(NamedTuple):
 
     opaque: tuple[Fragments, FragmentSurface]
     clear: tuple[tuple[Fragments, FragmentSurface], ...]
-    signs: tuple[tuple[Fragments, FragmentSurface], ...]
+    overlays: tuple[tuple[Fragments, FragmentSurface], ...]
     dark: Floats
 
 
@@ -93,7 +93,7 @@ def draw(
     floor: bool = True,
     level: float | None = None,
     threads: int | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Bytes:
     """Draw a scene.
 
@@ -133,7 +133,7 @@ class _Drawing:
         self.kinds = [_kind(one) for one in materials]
         pieces = list(zip(everything.pieces, self.kinds, strict=True))
         solid = [piece for piece, kind in pieces if kind == _OPAQUE]
-        robot = [piece for piece, kind in pieces if kind != _SIGN]
+        robot = [piece for piece, kind in pieces if kind != _OVERLAY]
         casts = rows(everything.faces, self._kind(everything) == _OPAQUE)
         axes = np.asarray(camera.axes, dtype=np.float32).T
         world = turned(everything.points, axes) + np.asarray(camera.eye, dtype=np.float32)
@@ -145,8 +145,8 @@ class _Drawing:
             self.floor = ground(world, casts, solid, self.sun, camera, level, workers)
         self.screen, self.soup = self._projected(cut(everything, camera), (lowest + highest) / 2)
         kind = self._kind(self.soup)
-        self.opaque, self.clear, self.signs = (
-            np.flatnonzero(kind == one) for one in (_OPAQUE, _CLEAR, _SIGN)
+        self.opaque, self.clear, self.overlays = (
+            np.flatnonzero(kind == one) for one in (_OPAQUE, _CLEAR, _OVERLAY)
         )
         self.colours = SurfaceColours(materials, self.soup, self.screen, camera)
         self.offsets = rooks(quality.samples)
@@ -161,7 +161,7 @@ class _Drawing:
         is_whole = len(chosen) == len(everything.faces)
         return screen, everything if is_whole else chosen_triangles(everything, chosen)
 
-    def image(self, background: Background | None, progress: Callable[[int, int], None]) -> Bytes:
+    def image(self, background: Background | None, progress: Progress) -> Bytes:
         width, height = self.camera.size
         bands: dict[int, _Band] = {}
         count, steps = 3 * -(-height // BAND), itertools.count(1)
@@ -191,7 +191,7 @@ class _Drawing:
         return result
 
     def _kind(self, some: CameraTriangles) -> Integers:
-        """What each triangle is: opaque, seen through, or a sign, (m,)."""
+        """What each triangle is: opaque, seen through, or an overlay, (m,)."""
         result: Integers = np.array(self.kinds, dtype=np.int8)[some.item]
         return result
 
@@ -227,8 +227,8 @@ class _Drawing:
             depth[first:last], dark = self.floor.seen(self.camera, first, last)
         self._fill(*found, depth)
         clear = self._peeled(self.clear, grid, opaque)
-        signs = self._peeled(self.signs, grid, np.zeros_like(opaque))
-        return _Band(found, clear, signs, dark.reshape(-1))
+        overlays = self._peeled(self.overlays, grid, np.zeros_like(opaque))
+        return _Band(found, clear, overlays, dark.reshape(-1))
 
     def _peeled(
         self, numbers: Integers, grid: Grid, above: Keys
@@ -304,11 +304,12 @@ class _Drawing:
             alpha = np.ones_like(cover)
             behind = gradient(background, first, last, height)
             light.reshape(-1, width, 3)[:] += (free * (1 - dark)).reshape(-1, width, 1) * behind
-        for few, on in (*reversed(band.clear), *reversed(band.signs)):
-            opacity = self.colours.opacity(few, on, depth)
-            ones = np.ones(len(few.pixel), dtype=np.float32)
-            colours = self.colours.light(few, on, Illumination(ones, ones))
-            over, part = summed(few._replace(weight=few.weight * opacity), colours, start, count)
+        for layer, surfaces in (*reversed(band.clear), *reversed(band.overlays)):
+            opacity = self.colours.opacity(layer, surfaces, depth)
+            ones = np.ones(len(layer.pixel), dtype=np.float32)
+            colours = self.colours.light(layer, surfaces, Illumination(ones, ones))
+            weighted = layer._replace(weight=layer.weight * opacity)
+            over, part = summed(weighted, colours, start, count)
             light = over + light * (1 - part)[:, None]
             alpha = part + alpha * (1 - part)
         return encoded(light, alpha).reshape(last - first, width, 4)
@@ -322,6 +323,6 @@ class _Drawing:
 
 
 def _kind(material: SurfaceMaterial) -> int:
-    if material.sign:
-        return _SIGN
+    if material.overlay:
+        return _OVERLAY
     return _OPAQUE if material.rgba[3] > SOLID else _CLEAR

@@ -33,7 +33,7 @@ def marked(scene: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) ->
     """
     found = by_link(subject, diagnostics)
     items = tuple(
-        item if item.material.sign else _painted(item, found.get(item.link, ()))
+        item if item.material.overlay else _painted(item, found.get(item.link, ()))
         for item in scene.items
     )
     labels = tuple(

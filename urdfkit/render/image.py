@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PIL import Image, ImageColor
@@ -20,6 +20,8 @@ from urdfkit.render.scene import Scene
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from urdfkit.core.progress import Progress
+
 #: Grey between the views of a sheet.
 _GAP = 2
 
@@ -34,7 +36,7 @@ def render_image(
     *,
     size: tuple[int, int] = (1280, 720),
     camera_options: CameraOptions | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
     **drawing: Unpack[DrawingOptions],
 ) -> Image.Image:
     """Draw a robot.
@@ -72,9 +74,7 @@ def render_image(
     return whole.convert("RGB") if has_background else whole
 
 
-def _part(
-    progress: Callable[[int, int], None] | None, number: int, count: int
-) -> Callable[[int, int], None] | None:
+def _part(progress: Progress | None, number: int, count: int) -> Progress | None:
     """Progress of one view of several."""
     if progress is None:
         return None

@@ -114,7 +114,9 @@ def _names(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, fl
 
 def middle(scene: Scene, link: str) -> Vector:
     """The middle of what a link shows, in its frame; its origin if it shows nothing."""
-    shown = [item.vertices for item in scene.items if item.link == link and not item.material.sign]
+    shown = [
+        item.vertices for item in scene.items if item.link == link and not item.material.overlay
+    ]
     if not shown:
         return (0.0, 0.0, 0.0)
     points = np.concatenate(shown)
@@ -228,7 +230,7 @@ def _contacts(scene: Scene, subject: Subject, size: float, given: Mapping[str, f
         yield Label(f"{pair.first}, {pair.second}: {1000 * pair.depth:.3g} mm", root, point)
     for link, colour in colours.items():
         for item in shapes[link]:
-            yield item._replace(role="contacts", material=SurfaceMaterial(colour, sign=True))
+            yield item._replace(role="contacts", material=SurfaceMaterial(colour, overlay=True))
 
 
 def _between(scene: Scene, first: Sequence[SceneItem], second: Sequence[SceneItem]) -> Vector:
@@ -257,7 +259,7 @@ LAYERS: dict[
 
 def _sign(link: str, layer: str, shape: Triangles, frame: Transform, colour: Colour) -> SceneItem:
     vertices, faces, normals, _ = shape
-    material = SurfaceMaterial(colour, sign=True)
+    material = SurfaceMaterial(colour, overlay=True)
     return SceneItem(link, layer, layer, material, vertices, faces, normals).moved(frame)
 
 

@@ -19,13 +19,13 @@ class SurfaceMaterial(NamedTuple):
     Attributes:
         rgba: each part from 0 to 1, as written (sRGB); multiplied with the texture.
         texture: path of an image, or its bytes; None without one.
-        sign: True for what explains the robot and is no part of it: it casts no shadow, and is
+        overlay: True for what explains the robot and is no part of it: it casts no shadow, and is
             seen through what hides it.
     """
 
     rgba: Colour
     texture: str | bytes | None = None
-    sign: bool = False
+    overlay: bool = False
 
 
 #: For what says nothing about its material.

@@ -112,11 +112,11 @@ class Scene(NamedTuple):
     notes: tuple[str, ...] = ()
 
     def points(self) -> Floats:
-        """All vertices of the robot in the world, (n, 3), in m; signs are no part of it."""
+        """All vertices of the robot in the world, (n, 3), in m; overlays are no part of it."""
         found = [
             placed(item.vertices, self.frames[item.link])
             for item in self.items
-            if not item.material.sign
+            if not item.material.overlay
         ]
         return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
 

@@ -16,7 +16,7 @@ from urdfkit.render.shading import Illumination, shaded
 from urdfkit.render.soup import CameraTriangles
 from urdfkit.render.textures import sample, srgb_to_linear, texture
 
-#: How much is seen of a sign that something hides.
+#: How much is seen of an overlay that something hides.
 HIDDEN = 0.45
 
 
@@ -43,9 +43,9 @@ class SurfaceColours:
     def opacity(self, some: Fragments, there: FragmentSurface, depth: Floats) -> Floats:
         """How much fragments hide of what is behind them, (k,); less of it if they are hidden."""
         rgba = np.array([one.rgba[3] for one in self._materials], dtype=np.float32)
-        signs = np.array([one.sign for one in self._materials])
+        overlays = np.array([one.overlay for one in self._materials])
         item = self._soup.item[some.number]
-        hidden = signs[item] & (depth.reshape(-1)[some.pixel] < -there.position[:, 2])
+        hidden = overlays[item] & (depth.reshape(-1)[some.pixel] < -there.position[:, 2])
         opacity: Floats = rgba[item] * np.where(hidden, np.float32(HIDDEN), np.float32(1))
         return opacity
 

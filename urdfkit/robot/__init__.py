@@ -36,7 +36,7 @@ class Robot(Protocol):
     def measures(self, shape: Shape) -> Measures | str: ...
 
 
-class Description(Robot, Protocol):
+class DescribedRobot(Robot, Protocol):
     """A robot with the text that describes it."""
 
     source: Source

@@ -10,15 +10,8 @@ from math import atan2, cos, isfinite, pi, sin
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotation_about, times, unit
-from urdfkit.core.suggest import did_you_mean
-from urdfkit.errors import UrdfkitError
-from urdfkit.robot.model import Joint, Mimic
+from urdfkit.robot.model import Joint, Mimic, UnknownLink
 from urdfkit.robot.tree import KinematicTree
-
-
-class UnknownLink(UrdfkitError):
-    """A link that is not there, or not where it is looked for."""
-
 
 #: The joints that one number moves.
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
@@ -131,9 +124,7 @@ def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: 
         UnknownLink: there is no such link, or no joints between the two.
     """
     for name in (link, seen):
-        if name not in tree.model.links_by_name:
-            hint = did_you_mean(name, tree.model.links_by_name)
-            raise UnknownLink(f"no link '{name}'{hint}")
+        tree.model.require_link(name)
     found = frames(tree, given)
     if link not in found or tree.root_of[link] != tree.root_of.get(seen):
         raise UnknownLink(f"links '{seen}' and '{link}' are not connected by joints")

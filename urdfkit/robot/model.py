@@ -13,11 +13,17 @@ from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, from_rpy
+from urdfkit.errors import UrdfkitError
 from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Attribute, Document, Element, Step
 from urdfkit.text.source import Span
 
 T = TypeVar("T", covariant=True)
+
+
+class UnknownLink(UrdfkitError):
+    """A link that is not there, or not where it is looked for."""
+
 
 #: Of each type of joint; a planar one moves in a plane and turns in it.
 DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
@@ -207,6 +213,18 @@ class RobotModel:
     def joints_by_name(self) -> dict[str, Joint]:
         """The first joint of each name."""
         return _first_by_name(self.joints)
+
+    def require_link(self, name: str) -> Link:
+        """The first link of a name.
+
+        Raises:
+            UnknownLink: there is none; with the nearest name.
+        """
+        if name not in self.links_by_name:
+            from urdfkit.core.suggest import did_you_mean
+
+            raise UnknownLink(f"no link '{name}'{did_you_mean(name, self.links_by_name)}")
+        return self.links_by_name[name]
 
     def collision(self, link: str, number: int) -> Element:
         """The element of a collision of a link, by its number from 0."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
-from urdfkit.robot import Description
+from urdfkit.robot import DescribedRobot
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
 
 
-class RosDescription(Description, Protocol):
+class RosDescription(DescribedRobot, Protocol):
     """A description with its launch file's parameter files and its SRDF."""
 
     parameters: tuple[FileUse, ...]

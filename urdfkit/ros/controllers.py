@@ -222,7 +222,7 @@ def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]
 
 
 def _of_ros1(root: Node) -> Iterator[Controller]:
-    """What has a type with a slash in it, in any namespace."""
+    """What has a type with a slash in it, in any namespace; these are no records with names."""
     stack: list[tuple[str, Node]] = [("", root)]
     while stack:
         name, node = stack.pop()
@@ -234,7 +234,7 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
             section = Section({}, {}, at)
             section.add(node)
             yield Controller(name, kind.text, kind.span, 1, section)
-        else:
+        elif not isinstance(node.get("name"), Value):  # else a record, of which a program makes one
             stack += node.items()
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from itertools import islice
 from queue import SimpleQueue
+from typing import Any
 
 from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.scan.isolated import Isolated, Settings
@@ -80,17 +81,10 @@ def dask(
         UrdfkitError: no scheduler answers; a process cannot start, or does not understand the
             options.
     """
-    try:
-        from distributed import Client, as_completed
+    with _dask_client(jobs, address) as client:
+        from distributed import as_completed
         from distributed.scheduler import KilledWorker
-    except ImportError as error:
-        raise MissingLibrary("--engine dask needs Dask: pip install 'urdfkit[scan]'") from error
-    here = {"n_workers": jobs, "threads_per_worker": 1, "dashboard_address": None}
-    try:
-        client = Client(address) if address else Client(**here)
-    except (OSError, ValueError) as error:
-        raise UrdfkitError(f"no Dask scheduler at '{address}': {error}") from error
-    with client:
+
         source = iter(models)
         batches = iter(lambda: list(islice(source, BATCH)), [])
         given: dict[object, list[Model]] = {}
@@ -111,6 +105,18 @@ def dask(
             for more in submit(1):
                 tasks.add(more)
             yield from rows
+
+
+def _dask_client(jobs: int, address: str) -> Any:
+    try:
+        from distributed import Client
+    except ImportError as error:
+        raise MissingLibrary("--engine dask needs Dask: pip install 'urdfkit[scan]'") from error
+    here = {"n_workers": jobs, "threads_per_worker": 1, "dashboard_address": None}
+    try:
+        return Client(address) if address else Client(**here)
+    except (OSError, ValueError) as error:
+        raise UrdfkitError(f"no Dask scheduler at '{address}': {error}") from error
 
 
 _of_thread = threading.local()

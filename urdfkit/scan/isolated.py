@@ -14,6 +14,7 @@ import sys
 import time
 from typing import IO, Any
 
+from urdfkit.core import child_process
 from urdfkit.core.limits import limit_memory
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
@@ -22,12 +23,8 @@ from urdfkit.scan.models import Model
 from urdfkit.scan.rows import ModelRow, check_model
 from urdfkit.workspace.resolve import Resolver
 
-#: The directories of modules are handed over, so that nothing is imported from where we stand.
-_BOOT = "import sys; sys.path[:] = sys.argv[1:]; from urdfkit.scan.isolated import main; main()"
 #: Models after which a new process begins, so that nothing that it keeps adds up.
 _MODELS = 2000
-#: Processes of a scan share the processors; none may start threads of its own.
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 class Settings(Record):
@@ -88,13 +85,7 @@ class Isolated:
 
     def _start(self) -> None:
         self.end()
-        self._process = subprocess.Popen(
-            [sys.executable, "-I", "-c", _BOOT, *sys.path],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            env={**os.environ, **dict.fromkeys(_THREADS, "1")},
-        )
+        self._process = child_process.start("urdfkit.scan.isolated")
         try:
             problem = self._ask(self._settings)
         except (EOFError, OSError, pickle.UnpicklingError) as error:

@@ -11,11 +11,13 @@ import tempfile
 import zipfile
 import zlib
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack
 from functools import partial
 from typing import IO
 
 from urdfkit.core.record import Record
 from urdfkit.core.regular_file import opened
+from urdfkit.core.temporary import scratch
 from urdfkit.errors import UnreadableFile
 from urdfkit.text.source import why_unreadable
 from urdfkit.workspace.directories import walk
@@ -91,13 +93,13 @@ class Extraction:
 
     def __init__(self) -> None:
         self._directories: dict[str, str] = {}
+        self._until_exit = ExitStack()
 
     def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
         return self
 
     def __exit__(self, *error: object) -> None:
-        for directory in self._directories.values():
-            shutil.rmtree(directory, ignore_errors=True)
+        self._until_exit.close()
 
     def on_disk(self, model: Model) -> Model:
         """A model with the path where it is.
@@ -108,7 +110,8 @@ class Extraction:
         if not model.archive:
             return model
         if model.archive not in self._directories:
-            self._directories[model.archive] = directory = tempfile.mkdtemp(prefix="urdfkit-scan-")
+            directory = self._until_exit.enter_context(scratch())
+            self._directories[model.archive] = directory
             _extract(model.archive, directory)
         directory = self._directories[model.archive]
         path = os.path.join(directory, model.name[len(model.archive) + 1 :])

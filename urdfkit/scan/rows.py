@@ -8,8 +8,9 @@ import time
 from collections.abc import Iterable
 from functools import lru_cache
 
+from urdfkit.core import limits
 from urdfkit.core.record import Record
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import NotEnoughMemory, UrdfkitError
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check_robots
 from urdfkit.lint.options import Options
@@ -113,14 +114,14 @@ def _row(model: Model, options: Options, resolver: Resolver) -> ModelRow:
         robots = [subject for subject in subjects if not is_launch(subject.source.path)]
         row = _measured(model, robots[0]) if robots else ModelRow(model.name, "ok")
     except UrdfkitError as error:
-        return ModelRow(model.name, "unreadable", _portable(str(error), model))
+        status = "memory" if isinstance(error, NotEnoughMemory) else "unreadable"
+        return ModelRow(model.name, status, _portable(str(error), model))
     except Exception as error:
-        status = "memory" if isinstance(error, MemoryError) else "crashed"
+        status = "memory" if limits.lacks_memory(error) else "crashed"
         return ModelRow(model.name, status, f"{type(error).__name__}: {error}")
     if report.crashed:
-        reason = report.crashed[0].error
-        status = "memory" if reason.startswith("MemoryError") else "crashed"
-        row = row._replace(status=status, reason=f"{report.crashed[0].code} {reason}".strip())
+        reason = f"{report.crashed[0].code} {report.crashed[0].error}".strip()
+        row = row._replace(status="crashed", reason=reason)
     return row._replace(
         errors=report.count(Severity.ERROR),
         warnings=report.count(Severity.WARNING),

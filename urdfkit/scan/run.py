@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from threading import Thread
 from typing import Any
 
+from urdfkit.core.progress import Progress
 from urdfkit.errors import UrdfkitError
 from urdfkit.scan.engines import dask, local
 from urdfkit.scan.isolated import Settings
@@ -21,7 +22,7 @@ def scan(
     engine: str = "local",
     address: str = "",
     jobs: int = 1,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> int:
     """Check the models of some sources that a directory of results does not hold yet.
 

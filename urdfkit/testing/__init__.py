@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.config import Config
 from urdfkit.lint.config_reader import load
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Subject
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import subject_of
 from urdfkit.lint.report import Report
@@ -167,7 +167,7 @@ def assert_no_findings(
 
 
 def _text(report: Report) -> str:
-    from urdfkit.output.formats.text import render
+    from urdfkit.output.formats.full import render
 
     return "\n" + render(report)
 
@@ -254,10 +254,7 @@ def assert_no_self_collision(
         UrdfkitError: coal is not installed.
     """
     __tracebackhide__ = True
-    try:
-        matrix = description.subject.collisions.matrix(samples=samples, seed=seed, begin=begin)
-    except Unavailable as reason:
-        raise UrdfkitError(str(reason)) from reason
+    matrix = description.subject.collisions.matrix(samples=samples, seed=seed, begin=begin)
     srdf = description.subject.srdf
     passed = {frozenset(pair) for pair in allowed}
     found = []

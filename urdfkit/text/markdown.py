@@ -13,7 +13,7 @@ from urdfkit.text.terminal import printable
 
 #: Characters that a comment on GitHub may have; GitLab and Gitea allow more.
 MAX_CHARACTERS = 65_536
-_MORE = "\n_Cut to {} characters; the JSON has everything._\n"
+_MORE = f"\n_Cut to {MAX_CHARACTERS} characters; the JSON has everything._\n"
 #: Characters of a message, a path or a help text.
 MAX_TEXT = 600
 
@@ -37,10 +37,9 @@ def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-def fitted(sections: Iterable[str], limit: int = MAX_CHARACTERS) -> str:
-    """Sections with an empty line between them, cut at a line if they pass the limit."""
+def fitted(sections: Iterable[str]) -> str:
+    """Sections with an empty line between them, cut at a line after MAX_CHARACTERS."""
     text = "\n".join(sections)
-    if len(text) <= limit:
+    if len(text) <= MAX_CHARACTERS:
         return text
-    more = _MORE.format(limit)
-    return text[: text.rfind("\n", 0, limit - len(more)) + 1] + more
+    return text[: text.rfind("\n", 0, MAX_CHARACTERS - len(_MORE)) + 1] + _MORE

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.core.record import Record
+from urdfkit.core.words import few
 
 MAX_ERRORS = 100
 #: Tags that are compared to distinguish a missing end tag from one too many.
@@ -185,12 +186,10 @@ class TagMatching:
         """The end of the file."""
         if self._cut_off:
             return
-        still = [tag for tag in reversed(self._open) if tag.kind == "open"]
-        if still:
-            names = ", ".join(f"</{tag.name}>" for tag in still[:5]) + (
-                f" and {len(still) - 5} more" if len(still) > 5 else ""
-            )
-            notes = [tag.note(f"{self._shown(tag)} is not closed") for tag in still[:5]]
+        unclosed = [tag for tag in reversed(self._open) if tag.kind == "open"]
+        if unclosed:
+            names = few([f"</{tag.name}>" for tag in unclosed], 5)
+            notes = [tag.note(f"{self._shown(tag)} is not closed") for tag in unclosed[:5]]
             end = len(self._data.rstrip())
             self._add((end, end), f"the file ends before {names}", *notes)
         elif self._root is None and not self._mistakes:

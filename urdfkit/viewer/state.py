@@ -11,7 +11,7 @@ from urdfkit.core.record import Record
 from urdfkit.lint.context import Subject
 from urdfkit.lint.options import Options
 from urdfkit.output.report import html
-from urdfkit.output.report.document import Document, ReportInput, describe
+from urdfkit.output.report.document import ReportDocument, ReportInput, describe
 from urdfkit.output.report.document import completed as complete
 from urdfkit.output.report.scene import PageScene
 from urdfkit.output.report.translations import Translator
@@ -37,7 +37,7 @@ class ViewerState(Record):
         is_whole: False while that which takes a while is not there yet.
     """
 
-    document: Document
+    document: ReportDocument
     drawings: dict[str, str]
     scene: PageScene | None
     declared: dict[str, str]

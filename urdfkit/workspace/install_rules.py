@@ -94,7 +94,7 @@ class InstallRules:
         """True if the build makes or installs files that are elsewhere in the source tree."""
         return re.search(_MAKES, self._text) is not None
 
-    def remedy(self, top: str) -> str:
+    def advice(self, top: str) -> str:
         """How to install a directory."""
         if self.file.endswith(".py"):
             return f"add the files of {top} to data_files in setup.py"

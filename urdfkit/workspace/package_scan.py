@@ -6,6 +6,7 @@ import os
 import time
 
 from urdfkit.core import disk
+from urdfkit.core.words import counted
 from urdfkit.workspace.package_directories import PackageDirectories, is_searched
 
 #: A scan stops here and says so. Real workspaces have some thousand directories.
@@ -49,11 +50,9 @@ class PackageScan:
     def words(self) -> str:
         """What was scanned, and how far."""
         self.find("")
-        count = len(self._found)
-        stopped = (
-            "" if self._next == len(self._queue) else f", stopped after {self._next} directories"
-        )
-        return f"{self.root} ({count} package{'' if count == 1 else 's'}{stopped})"
+        is_done = self._next == len(self._queue)
+        stopped = "" if is_done else f", stopped after {self._next} directories"
+        return f"{self.root} ({counted(len(self._found), 'package')}{stopped})"
 
     def _more(self, started: float) -> bool:
         if self._next >= min(len(self._queue), MAX_DIRECTORIES):

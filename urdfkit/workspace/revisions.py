@@ -36,10 +36,10 @@ def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES
     commit = _commit(top, revision)
     tree = _git(top, "ls-tree", "-r", "-l", "-z", commit)
     names = b"\0".join(_name(entry) for entry in tree.split(b"\0") if _is_wanted(entry, largest))
-    import tempfile  # not needed to list ignored files
+    from urdfkit.core.temporary import scratch  # not needed to list ignored files
 
-    with tempfile.TemporaryDirectory() as scratch:
-        index = os.path.join(scratch, "index")
+    with scratch() as beside:
+        index = os.path.join(beside, "index")
         _git(top, "read-tree", commit, index=index)
         prefix = f"--prefix={os.path.join(directory, '')}"
         _git(top, "checkout-index", "-z", "--stdin", prefix, index=index, given=names)

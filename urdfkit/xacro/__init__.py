@@ -52,6 +52,10 @@ class Xacro:
             from urdfkit.xacro.fragment import as_part
 
             problems = as_part(run.source, resolver.packages, problems, run.document)
+        self._included = frozenset(run.included)
+        if log.first_error is not None and not self.is_complete:
+            # What was not included may use the first value of a property.
+            problems = [problem for problem in problems if problem.code != "XAC008"]
         self.problems = tuple(problems)
         self.macros = tuple(run.defined.macros)
         self.properties = tuple(run.defined.properties)
@@ -60,7 +64,6 @@ class Xacro:
         self.data_files = tuple(dict.fromkeys(run.reader.data_files))
         self.dependencies = tuple(dict.fromkeys(run.dependencies))
         self.first_error = log.first_error
-        self._included = frozenset(run.included)
         self._dom = run.document if log.first_error is None else None
         self.document: Document | None = None
         if self._dom is not None:

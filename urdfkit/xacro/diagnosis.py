@@ -14,12 +14,12 @@ from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import DocumentTooLarge
+from urdfkit.xacro.bounds import TooLarge, UnsafeExpression
 from urdfkit.xacro.definitions import Definitions, annotations_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
 from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, locate
 from urdfkit.xacro.messages import bare_property, explain, macro_of
-from urdfkit.xacro.sandbox import TooLarge, UnsafeExpression
 from urdfkit.xacro.substitution import EnvironmentRefused
 from urdfkit.xacro.yaml_files import YamlTooLarge
 

@@ -24,10 +24,10 @@ from xml.dom import minidom
 from urdfkit.core import libraries
 from urdfkit.errors import UrdfkitError
 from urdfkit.xacro import dom, patterns
+from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import FAILED, DependsOnError
 from urdfkit.xacro.evaluation import Evaluation
-from urdfkit.xacro.sandbox import UnsafeExpression
 
 if TYPE_CHECKING:
     from urdfkit.xacro.expansion import ExpansionRun

@@ -22,7 +22,10 @@ MAX_RELATED = 5
 #: Stands among the lost names for those that a missing file would have defined.
 ANY = "*"
 
-_UNDEFINED = r"name '(\w+)' is not defined|unknown macro name: (?:xacro:)?(?:.*\.)?(\S+)"
+_UNDEFINED = (
+    r"name '(\w+)' is not defined|unknown macro name: (?:xacro:)?(?:.*\.)?(\S+)"
+    r'|Undefined block "(\w+)"'
+)
 
 
 class Message(Record):

@@ -16,7 +16,8 @@ from functools import lru_cache
 from types import CodeType
 from typing import Any
 
-from urdfkit.xacro.sandbox import MAX_BITS, Sandbox, TooLarge, UnsafeExpression
+from urdfkit.xacro.bounds import MAX_BITS, TooLarge, UnsafeExpression
+from urdfkit.xacro.sandbox import Sandbox
 
 #: Longer than any expression of a model; the longest known has 156 characters.
 MAX_EXPRESSION = 4000

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.text.source import MAX_BYTES, Source
 from urdfkit.workspace.resolve import OUTSIDE
+from urdfkit.xacro.bounds import MAX_LENGTH, TooLarge
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 from urdfkit.xacro.errors import EscapesRoots
-from urdfkit.xacro.sandbox import MAX_LENGTH, TooLarge
 
 if TYPE_CHECKING:
     from urdfkit.workspace.resolve import Resolver

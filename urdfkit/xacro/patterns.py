@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from urdfkit.xacro.sandbox import TooLarge, UnsafeExpression
+from urdfkit.xacro.bounds import TooLarge, UnsafeExpression
 
 #: Characters of all parameters of a macro; real ones have 1 000.
 _MAX_PARAMETERS = 10_000

@@ -81,7 +81,8 @@ def _once(run: ExpansionRun) -> BaseException | None:
         with watched(run.budget):
             run.document = load_engine().expand(run)
     except (Exception, RecursionError, MemoryError) as error:
-        if isinstance(root_cause(error), MemoryError):
+        # Nothing that an expansion imports is missing.
+        if isinstance(root_cause(error), (MemoryError, ImportError)):
             return run.budget.out_of_memory().with_traceback(error.__traceback__)
         return error
     return None

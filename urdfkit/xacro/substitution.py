@@ -12,9 +12,9 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
+from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.errors import MissingArgument
 from urdfkit.xacro.expressions import evaluate
-from urdfkit.xacro.sandbox import UnsafeExpression
 
 if TYPE_CHECKING:
     from urdfkit.xacro.sandbox import Sandbox

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.core.words import listed
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Span
@@ -111,9 +112,7 @@ def _in_yaml(origins: tuple[Origin, ...]) -> Iterator[Span]:
 def _first(places: list[tuple[Span, str]]) -> tuple[Span, str]:
     names = list(dict.fromkeys(name for _, name in places))
     span = min((span for span, _ in places), key=lambda span: span.start)
-    if len(names) == 1:
-        return span, f"{names[0]} is given here"
-    return span, f"{', '.join(names[:-1])} and {names[-1]} are given here"
+    return span, f"{listed(names)} {'is' if len(names) == 1 else 'are'} given here"
 
 
 def _definition(definer: Node, key: str) -> tuple[str, Span, str]:

@@ -1,4 +1,5 @@
 import sys
+from typing import Any
 
 import pytest
 
@@ -8,6 +9,7 @@ from tests.reported import messages, places
 from tests.robot.test_joint_loads import pendulum, swinging
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.physics import gravity
 from urdfkit.text.source import Source
 
 
@@ -57,6 +59,20 @@ def test_neither_pinocchio_nor_numpy_is_needed(monkeypatch: pytest.MonkeyPatch) 
         )
         assert len(report.diagnostics) == count
         assert report.skipped == ()
+
+
+def test_masses_that_did_not_change_are_not_computed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    searched = []
+
+    def noted(*values: Any, **named: Any) -> list[gravity.Load]:
+        searched.append(values)
+        return loads(*values, **named)
+
+    loads = gravity.gravity_loads
+    monkeypatch.setattr(gravity, "gravity_loads", noted)
+    texts = [pendulum("4.25"), pendulum("4.25") + "<gazebo/>", pendulum("4.5")]
+    assert len({messages("DYN003", text)[0] for text in texts}) == 2
+    assert len(searched) == 2
 
 
 def test_the_arm_of_our_own_holds_itself() -> None:

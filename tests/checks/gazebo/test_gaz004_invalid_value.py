@@ -299,3 +299,17 @@ def test_near_must_be_below_far(near: float, far: float, count: int) -> None:
 def test_near_must_be_above_zero(near: float) -> None:
     (finding,) = findings("GAZ004", "camera", f"<camera><clip><near>{near}</near></clip></camera>")
     assert finding.message == f"sensor 's': near clipping distance is {near:g} m, must be > 0"
+
+
+@pytest.mark.parametrize(
+    ("target", "severity"), [("classic-ros1", "warning"), ("gz-harmonic", "error")]
+)
+def test_what_gz_rejects_in_a_robot_for_gazebo_classic(target: str, severity: str) -> None:
+    """jsk_aerial_robot's camera has the <format> RGB, for which Classic takes its default."""
+    image = "<width>640</width><height>480</height><format>RGB</format>"
+    text = (
+        '<link name="eye"/><gazebo reference="eye"><sensor name="eye" type="camera"><camera>'
+        f"<image>{image}</image></camera></sensor></gazebo>"
+    )
+    (found,) = reported("GAZ004", text, targets=(target,))
+    assert found.severity.value == severity

@@ -13,6 +13,14 @@ def test_another_format_is_one_error_and_no_more() -> None:
     assert report.diagnostics[0].help.startswith("gz sdf --check")
 
 
+def test_a_world_is_checked_with_what_starts_it() -> None:
+    text = b'<sdf version="1.9"><world name="w"/></sdf>'
+    (found,) = engine.check(Source("hall.world", text)).diagnostics
+    assert found.code == "URD015"
+    assert "this is a world of Gazebo" in found.help
+    assert "urdfkit check PACKAGE" in found.help
+
+
 def test_a_misspelt_robot_gets_its_name_back() -> None:
     robot = '<robt name="r">\n  <link name="a"/>\n</robt>\n'
     assert messages("URD015", robot) == ["the root element is <robt>, not <robot>"]

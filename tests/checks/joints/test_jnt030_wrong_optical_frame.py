@@ -133,3 +133,18 @@ def test_a_frame_that_is_the_cameras_own_link_looks_along_x(inner: str, count: i
 def test_a_link_that_is_called_optical_is_meant() -> None:
     inner = PLUGIN.format("frameName", "base_optical")
     assert findings("JNT030", "camera", inner, reference="base_optical") == []
+
+
+@pytest.mark.parametrize(("mount", "count"), [("-1.57 0 -1.57", 0), ("0 0 0", 1)])
+def test_a_frame_on_a_camera_that_is_rotated_already(mount: str, count: int) -> None:
+    """TurtleBot 3 with GPS: camera_depth_frame has the rotation of the optical frame."""
+    text = "".join(f'<link name="{name}"/>' for name in ("base", "cam_frame", "cam_optical_frame"))
+    for child, parent, rpy in (
+        ("cam_frame", "base", mount),
+        ("cam_optical_frame", "cam_frame", "0 0 0"),
+    ):
+        text += (
+            f'<joint name="{child}" type="fixed"><origin rpy="{rpy}"/><parent link="{parent}"/>'
+            f'<child link="{child}"/></joint>'
+        )
+    assert len(reported("JNT030", text)) == count

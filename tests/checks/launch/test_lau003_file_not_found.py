@@ -46,3 +46,44 @@ def test_what_the_build_may_make_is_calm(tmp_path: Path, cmake: str) -> None:
 def test_a_path_that_waits_for_an_argument_is_calm(tmp_path: Path) -> None:
     text = '<arg name="arm" default=""/><rosparam file="$(find arm)/$(arg arm).yaml"/>'
     assert reported(tmp_path, "LAU003", "a.launch", text) == []
+
+
+GZ = """from launch_ros.substitutions import FindPackageShare
+IncludeLaunchDescription(
+    PythonLaunchDescriptionSource([FindPackageShare("ros_gz_sim"), "/launch/gz_sim.launch.py"]),
+    launch_arguments={"gz_args": ["-r ", WORLD]}.items(),
+)
+"""
+COMMAND = 'ExecuteProcess(cmd=["gazebo", WORLD])'
+CLASSIC = """<include file="$(find gazebo_ros)/launch/empty_world.launch">
+<arg name="world_name" value="WORLD"/></include>"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "world"),
+    [
+        ("a.launch.py", GZ, 'FindPackageShare("arm"), "/worlds/hal.sdf"'),
+        ("a.launch", CLASSIC, "$(find arm)/worlds/hal.sdf"),
+        ("b.launch.py", COMMAND, 'FindPackageShare("arm") / "worlds/hal.sdf"'),
+    ],
+)
+def test_a_world_that_is_not_there(tmp_path: Path, name: str, text: str, world: str) -> None:
+    files = {"worlds/hall.sdf": "<sdf/>"}
+    (found,) = reported(tmp_path, "LAU003", name, text.replace("WORLD", world), files)
+    assert found.message == f"world not found: {tmp_path}/worlds/hal.sdf"
+    assert "hall.sdf" in found.help
+    there = text.replace("WORLD", world.replace("hal.", "hall."))
+    assert reported(tmp_path, "LAU003", name, there) == []
+
+
+def test_a_misspelt_world_of_gazebo(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, "LAU003", "a.launch.py", GZ.replace("WORLD", '"emtpy.sdf"'))
+    assert (found.message, found.help) == (
+        "Gazebo has no world 'emtpy.sdf'",
+        "did you mean 'empty.sdf'?",
+    )
+    for right in ("empty.sdf", "my.sdf"):
+        assert reported(tmp_path, "LAU003", "a.launch.py", GZ.replace("WORLD", f'"{right}"')) == []
+    own = {"worlds/emtpy.sdf": "<sdf/>"}
+    text = GZ.replace("WORLD", '"emtpy.sdf"')
+    assert reported(tmp_path, "LAU003", "b.launch.py", text, own) == []

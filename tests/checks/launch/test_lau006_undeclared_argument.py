@@ -90,14 +90,17 @@ USE = "LaunchConfiguration('model')\n"
 
 def test_in_python(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "LAU006", "a.launch.py", USE)
-    assert found.message == "no argument 'model' is declared"
+    assert found.message == "no argument 'model' is declared; the caller must pass it"
     assert found.span.text == "LaunchConfiguration('model')"
 
 
 def test_in_xml(tmp_path: Path) -> None:
     text = '<let name="x" value="1"/><log message="$(var model)"/>'
     (found,) = reported(tmp_path, "LAU006", "a.launch", text)
-    assert (found.message, found.span.line) == ("no argument 'model' is declared", 2)
+    assert (found.message, found.span.line) == (
+        "no argument 'model' is declared; the caller must pass it",
+        2,
+    )
 
 
 @pytest.mark.parametrize(

@@ -4,10 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.ros2_control.test_joints_of_controllers import (
-    TRAJECTORY,
-    controller,
-)
+from tests.checks.ros2_control.test_joints_of_controllers import TRAJECTORY, controller
 from tests.controls import GZ, NEXT, ROBOT, control, driven, plugin, transmission
 from tests.reported import messages, places
 from urdfkit import Diagnostic, check

@@ -22,8 +22,8 @@ USED = {
     ("definition", "marked", "message", "severity"),
     [
         (WIDTH, WIDTH.strip(), "property 'width' is never used", "info"),
-        (BLOCK, '<xacro:property name="width">', "property 'width' is never used", "warning"),
-        (PREFIX, PREFIX.strip(), "argument 'prefix' is never used", "warning"),
+        (BLOCK, '<xacro:property name="width">', "property 'width' is never used", "info"),
+        (PREFIX, PREFIX.strip(), "argument 'prefix' is never used", "info"),
         (
             ARM,
             '<xacro:macro name="arm" params="side">',
@@ -43,8 +43,10 @@ def test_never_used(definition: str, marked: str, message: str, severity: str) -
     [
         (WIDTH + '<link name="a"><box size="0.30 1 1"/></link>', "warning"),
         (f'{WIDTH}{BASE}<xacro:if value="false"><link name="${{widht}}"/></xacro:if>', "warning"),
-        (WIDTH.replace("0.3", "left") + BASE, "warning"),
-        (WIDTH.replace("0.3", "${2*pi}") + BASE, "warning"),
+        (WIDTH.replace("0.3", "left") + BASE, "info"),
+        (WIDTH.replace("0.3", "${2*pi}") + BASE, "info"),
+        (WIDTH.replace("0.3", "1") + '<link name="a"><box size="1 1 1"/></link>', "info"),
+        (WIDTH + '<link name="a"><color rgba="0.3 0.3 0.3 1"/></link>', "info"),
         (WIDTH + '<!-- 0.3 --><xacro:property name="x" value="0.3"/><link name="a${x}"/>', "info"),
         (WIDTH.replace("0.3", "1.0") + BASE, "info"),
     ],
@@ -56,8 +58,16 @@ def test_a_number_that_is_written_out_where_the_property_should_stand(
     assert found.severity.value == severity
 
 
-def test_an_argument_that_is_given_is_not_used() -> None:
-    assert len(reported("XAC004", PREFIX + BASE, prefix="x")) == 1
+def test_a_value_that_is_given_changes_nothing() -> None:
+    (found,) = reported("XAC004", PREFIX + BASE, prefix="x")
+    assert found.severity.value == "warning"
+    assert found.message.endswith("the value that it is given changes nothing")
+
+
+def test_an_argument_whose_use_is_misspelt() -> None:
+    use = '<xacro:if value="false"><link name="$(arg prefx)a"/></xacro:if>'
+    (found,) = reported("XAC004", PREFIX + BASE + use)
+    assert found.severity.value == "warning"
 
 
 @pytest.mark.parametrize(

@@ -19,14 +19,7 @@ trimesh = pytest.importorskip("trimesh")
 import numpy as np
 
 from tests.mesh import made
-from tests.mesh.gltfs import (
-    CORNERS,
-    Content,
-    floats,
-    tetrahedron,
-    uri,
-    volume_and_middle,
-)
+from tests.mesh.gltfs import CORNERS, Content, floats, tetrahedron, uri, volume_and_middle
 from urdfkit.mesh.io import load_gltf
 from urdfkit.mesh.io.load import UnloadableMesh, load_bytes
 from urdfkit.mesh.samples import gltf

@@ -17,6 +17,7 @@ from tests import update_corpus_findings as corpus_findings
 from tests.conftest import MODELS, manifest, model_id, needs_corpus
 from tests.workspaces import add_file, add_package
 from urdfkit import bundle, check, read
+from urdfkit.core import temporary
 from urdfkit.errors import UnwritableFile, UrdfkitError
 from urdfkit.mesh import samples
 
@@ -276,6 +277,35 @@ def test_a_broken_mesh_leaves_nothing_behind(robot: Path, tmp_path: Path) -> Non
     with pytest.raises(UrdfkitError, match=r"body\.stl: "):
         bundle(robot, tmp_path / "made" / "out")
     assert list((tmp_path / "made").iterdir()) == []
+
+
+@pytest.mark.parametrize("is_killed", [True, False])
+def test_what_was_about_to_be_replaced_is_put_back(
+    is_killed: bool, robot: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "out"
+    bundle(robot, out)
+    before = contents(out)
+    if is_killed:  # between the renames
+        with temporary.workshop(str(out)) as workshop:
+            pass
+        os.mkdir(workshop)
+        out.rename(os.path.join(workshop, "old"))
+        with pytest.raises(UnwritableFile, match="--force"):
+            bundle(robot, out, consumer="web")
+    else:
+
+        def stop(old: str, new: str) -> None:
+            if Path(old).name == "bundle":
+                raise KeyboardInterrupt
+            os.rename(old, new)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(os, "replace", stop)
+            with pytest.raises(KeyboardInterrupt):
+                bundle(robot, out, consumer="web", force=True)
+    assert contents(out) == before
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
 
 
 def test_only_a_bundle_is_replaced_and_only_on_request(robot: Path, tmp_path: Path) -> None:

@@ -13,11 +13,7 @@ from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robo
 from urdfkit.lint.context import Subject
 from urdfkit.physics.collision.bodies import LARGEST, THINNEST
 from urdfkit.physics.collision.collision_geometry import form
-from urdfkit.physics.collision.geometry_arrays import (
-    CollisionArrays,
-    OmittedCollision,
-    solids,
-)
+from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision, solids
 
 
 def made(subject: Subject) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:

@@ -14,6 +14,7 @@ pytest.importorskip("coal")
 
 from tests.conftest import MODELS
 from tests.physics.collision.robots import box, joint, link, revolute, robot, sphere
+from urdfkit.core import child_process
 from urdfkit.lint.context import Subject
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
@@ -275,14 +276,14 @@ def test_a_robot_that_crashes_all_the_time_is_given_up(monkeypatch: pytest.Monke
 
 def test_a_body_that_is_fatal_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """The second of three bodies ends every process that makes it."""
-    boot = worker_pool._BOOT.replace(
-        "from urdfkit.physics.collision.worker import main",
+    boot = child_process._BOOT.replace(
+        "__import__",
         "from urdfkit.physics.collision import collision_geometry as forms; "
         "import os; make = forms.form; "
         "forms.form = lambda s: os.abort() if s.link == 'upper' else make(s); "
-        "from urdfkit.physics.collision.worker import main",
+        "__import__",
     )
-    monkeypatch.setattr(worker_pool, "_BOOT", boot)
+    monkeypatch.setattr(child_process, "_BOOT", boot)
     found = collisions(spheres(0.1, 1.0, 0.5), samples=100, jobs=2)
     assert [(one.link, one.reason) for one in found.omitted] == [("upper", "it crashes coal")]
     assert list(verdicts(found)) == [("base", "lower")]

@@ -15,10 +15,10 @@ from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.output.mass_table import mass_properties
 from urdfkit.output.overview import summarise
 from urdfkit.physics.dynamics.conditioning import conditioning
-from urdfkit.physics.dynamics.robot import Unsuitable
 from urdfkit.physics.dynamics.statics import statics
 from urdfkit.physics.poses import PoseError, pose
 from urdfkit.robot.kinematics import frames
+from urdfkit.robot.model import UnknownLink
 from urdfkit.robot.reach import reach
 from urdfkit.robot.stability import stand
 
@@ -102,5 +102,5 @@ def test_the_largest_numbers_that_are_taken_give_no_nonsense_of_types() -> None:
     )
     robot = of(text)
     assert np.isfinite(robot.dynamics.mass_matrix({"j": 9e29})).all()
-    with pytest.raises(Unsuitable, match="no link"):
+    with pytest.raises(UnknownLink, match="no link"):
         robot.dynamics.placement("c", {})

@@ -19,7 +19,7 @@ from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable
 from urdfkit.robot import inertia
 from urdfkit.robot.composite_body import composite_body
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import Tensor
+from urdfkit.robot.model import Tensor, UnknownLink
 from urdfkit.text.source import Source
 
 G = 9.81
@@ -284,7 +284,7 @@ def test_too_many_joints_are_refused_before_pinocchio_has_them(
 
 def test_an_unknown_link_is_told() -> None:
     arm = Dynamics(read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree)
-    with pytest.raises(Unsuitable, match="no link 'foream'; did you mean 'forearm'"):
+    with pytest.raises(UnknownLink, match="no link 'foream'; did you mean 'forearm'"):
         arm.jacobian("foream", {})
-    with pytest.raises(Unsuitable, match="no link 'foream'"):
+    with pytest.raises(UnknownLink, match="no link 'foream'"):
         Dynamics(arm.tree, {"foream": 1.0})

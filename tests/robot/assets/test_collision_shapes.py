@@ -17,7 +17,7 @@ from urdfkit.cli import main
 from urdfkit.lint.loading import read
 from urdfkit.mesh.writers import write
 from urdfkit.robot.assets.collision_shapes import edited, propose
-from urdfkit.robot.inertials.suggestions import NoSuchLink
+from urdfkit.robot.model import UnknownLink
 
 pytestmark = pytest.mark.usefixtures("rough_meshes")
 PRIMITIVE = "<collision><geometry><sphere radius='1'/></geometry></collision>"
@@ -144,7 +144,7 @@ def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
     (tmp_path / "m.stl").write_bytes(b"")
     (first, _) = propose(read(file))
     assert "empty" in first.reason
-    with pytest.raises(NoSuchLink):
+    with pytest.raises(UnknownLink):
         propose(read(file), links=["nobody"])
 
 

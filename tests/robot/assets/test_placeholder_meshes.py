@@ -62,7 +62,7 @@ def robot(
 
 
 def made(file: Path) -> GeneratedMesh:
-    (one,) = generate_missing(read(file)).made
+    (one,) = generate_missing(read(file)).generated
     return one
 
 
@@ -93,11 +93,11 @@ def test_the_missing_lidar_of_the_mission_is_made_and_then_nothing_is_missing(
 
 def test_what_is_wrong_with_each_broken_file_is_told_apart() -> None:
     found = generate_missing(read(MODELS / "bad" / "broken_meshes.urdf"))
-    defects = {Path(one.path).name: one.defect for one in found.made}
+    defects = {Path(one.path).name: one.defect for one in found.generated}
     assert defects["empty.dae"] == "is empty"
     assert "before any triangle" in defects["bot.dae"]
     assert defects["web_page.dae"].startswith("is a web page")
-    (pointer,) = found.undone
+    (pointer,) = found.not_generated
     assert Path(pointer.path).name == "lfs_pointer.stl"
     assert "git lfs pull" in pointer.reason
 
@@ -176,7 +176,7 @@ def test_a_shape_out_of_all_bounds_tells_no_size(edge: str, tmp_path: Path) -> N
 def test_a_placeholder_tells_no_size(tmp_path: Path) -> None:
     inertial = """<inertial><mass value="1"/>
         <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>"""
-    (one,) = generate_missing(read(robot(tmp_path, "b.stl", more=inertial))).undone
+    (one,) = generate_missing(read(robot(tmp_path, "b.stl", more=inertial))).not_generated
     assert "how large" in one.reason
 
 
@@ -224,7 +224,7 @@ def test_mass_and_inertia_give_a_block(tmp_path: Path) -> None:
 def test_what_cannot_be_made_is_said(visual: str, reason: str, tmp_path: Path) -> None:
     absurd = """<inertial><mass value="0.0001"/>
         <inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial>"""
-    (one,) = generate_missing(read(robot(tmp_path, visual, more=absurd))).undone
+    (one,) = generate_missing(read(robot(tmp_path, visual, more=absurd))).not_generated
     assert reason in one.reason
 
 
@@ -232,7 +232,7 @@ def test_a_file_that_several_links_name_is_made_once(tmp_path: Path) -> None:
     other = f"""<link name="b"><visual><geometry><mesh filename="b.stl"/></geometry></visual>
         <collision><geometry>{BOX}</geometry></collision></link>"""
     found = generate_missing(read(robot(tmp_path, "b.stl", BOX, more=other)))
-    assert [len(one.references) for one in found.made] == [2]
+    assert [len(one.references) for one in found.generated] == [2]
 
 
 def test_one_mesh_by_its_reference(tmp_path: Path) -> None:

@@ -18,7 +18,8 @@ from tests.mesh.shapes_made import as_mesh
 from urdfkit.lint.loading import read
 from urdfkit.mesh.writers import write
 from urdfkit.robot.inertia import MassProperties
-from urdfkit.robot.inertials.suggestions import InertiaProposal, NoSuchLink, propose, rewrites
+from urdfkit.robot.inertials.suggestions import InertiaProposal, propose, rewrites
+from urdfkit.robot.model import UnknownLink
 from urdfkit.text.editing import rewriting
 
 MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
@@ -201,7 +202,7 @@ def test_only_some_links_of_the_mission_can_be_written(tmp_path: Path) -> None:
 def test_one_link_and_none_of_that_name(tmp_path: Path) -> None:
     subject = read(MISSION)
     assert [one.link.name for one in propose(subject, links=["wheel_2"])] == ["wheel_2"]
-    with pytest.raises(NoSuchLink, match="no link 'wheel_5'"):
+    with pytest.raises(UnknownLink, match="no link 'wheel_5'"):
         propose(subject, links=["wheel_5"])
 
 

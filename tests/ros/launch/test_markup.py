@@ -26,15 +26,6 @@ launch:
 """
 
 
-@pytest.fixture
-def package(tmp_path: Path) -> Path:
-    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
-    (tmp_path / "urdf").mkdir()
-    (tmp_path / "urdf" / "arm.xacro").write_text("<robot name='r'/>")
-    (tmp_path / "launch").mkdir()
-    return tmp_path
-
-
 def read(package: Path, text: str) -> Launch:
     path = package / "launch" / "a.launch.yaml"
     path.write_text(text)

@@ -25,15 +25,6 @@ def generate_launch_description():
 """
 
 
-@pytest.fixture
-def package(tmp_path: Path) -> Path:
-    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
-    (tmp_path / "urdf").mkdir()
-    (tmp_path / "urdf" / "arm.xacro").write_text("<robot name='r'/>")
-    (tmp_path / "launch").mkdir()
-    return tmp_path
-
-
 def read(package: Path, body: str) -> Launch:
     path = package / "launch" / "a.launch.py"
     lines = "".join(f"    {line}\n" for line in body.strip().splitlines())

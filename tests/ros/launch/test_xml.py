@@ -11,15 +11,6 @@ from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 
-@pytest.fixture
-def package(tmp_path: Path) -> Path:
-    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
-    (tmp_path / "urdf").mkdir()
-    (tmp_path / "urdf" / "arm.xacro").write_text("<robot name='r'/>")
-    (tmp_path / "launch").mkdir()
-    return tmp_path
-
-
 def read(package: Path, text: str, **arguments: str) -> Launch:
     path = package / "launch" / "a.launch"
     path.write_text(f"<launch>\n{text}\n</launch>")

@@ -6,7 +6,8 @@ in every step. Make the outer geometry smaller, or move the inner one to where t
 that contains several others is reported once. Not reported is a link with links fixed to it that
 extend outside, such as the rotor of a motor; nor what is inside an envelope: a link without visual,
 or with a transparent one, fixed to one that has it, such as the capsules for self-collision of
-Franka's arms and safety boxes around tools; nor a shape without any size, which stands for none.
+Franka's arms and safety boxes around tools; nor a shape of a few micrometres, which stands for
+none.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -39,6 +40,8 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
+#: In m: a shape this small stands for none.
+_POINT = 1e-5
 #: Links inside another one that a finding names.
 _NOTES = 5
 
@@ -82,7 +85,8 @@ def _is_envelope(subject: Subject, name: str) -> bool:
 
 def _is_point(model: RobotModel, body: CollisionBody) -> bool:
     shape = model.links_by_name[body.link].collisions[body.number].shape
-    return shape is not None and shape.half_extents is not None and not any(shape.half_extents)
+    extents = shape and shape.half_extents
+    return extents is not None and max(extents) < _POINT
 
 
 def _is_transparent(material: Material | None) -> bool:

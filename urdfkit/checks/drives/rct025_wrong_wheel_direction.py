@@ -58,8 +58,8 @@ _PARALLEL = 0.95
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
 def check(subject: Subject) -> Findings:
-    for look in (_one_of_four, _of_drives, _opposite):  # the most precise explanation first
-        if found := list(look(subject)):
+    for explain in (_one_of_four, _of_drives, _opposite):  # the most precise explanation first
+        if found := list(explain(subject)):
             yield from found
             return
 

@@ -1,11 +1,12 @@
 """The gravity torque of a joint exceeds its effort limit.
 
-In some pose within the limits the joint must hold more than the `effort` of its `<limit>`:
-whatever the controller does, the robot sags or falls there. A search finds the worst pose, with the
-root held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs
-and counterweights are not part of URDF: if the real robot has them, ignore this finding. Links
-whose gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for
-counterweights, do not count. `urdfkit statics` has the numbers for all joints, and takes payloads.
+In some pose within the limits the joint must hold more than the `effort` of its `<limit>`: whatever
+the controller does, the robot sags or falls there. A search finds the worst pose, with the root
+held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs and
+counterweights are not part of URDF: if the real robot has them, ignore this finding. Links whose
+gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for counterweights,
+do not count. Robots that fly, with several rotors, are not searched: no root is held. `urdfkit
+statics` has the numbers for all joints, and takes payloads.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -13,20 +14,23 @@ Sources:
 
 from __future__ import annotations
 
+import re
+from functools import lru_cache
 from math import isfinite
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
-from urdfkit.robot.joint_loads import overloadable
+from urdfkit.robot.joint_loads import effort, overloadable
 from urdfkit.robot.joints import effort_unit
-from urdfkit.robot.model import Joint
+from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
 
 if TYPE_CHECKING:
     from urdfkit.physics.gravity import Load
+    from urdfkit.physics.gravity_model import GravityModel
 
 BAD = robot_xml(
     link_xml("base"),
@@ -38,6 +42,9 @@ BAD = robot_xml(
     ),
 )
 GOOD = BAD.replace('effort="10"', 'effort="30"')
+
+#: In the names of joints of robots that fly, and how many of these carry one; not that of a motor.
+_ROTOR, _ROTORS = r"rotor_?\d|propeller|thrust", 2
 
 #: Drawn poses; the search finds the worst of a serial arm without any.
 _SAMPLES = 20
@@ -52,17 +59,31 @@ def check(subject: Subject) -> Findings:
     overloaded = overloadable(subject.tree)
     if not overloaded or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return
-    from urdfkit.physics.gravity import gravity_loads, is_searched
+    if _flies(subject.model):
+        return
+    from urdfkit.physics.gravity import is_searched
     from urdfkit.physics.gravity_model import GravityModel
 
     model = GravityModel(subject.tree, weightless=_weightless(subject))
     joints = {joint.name: joint for joint in overloaded}
-    loads = gravity_loads(model, joints, model.starts(_SAMPLES, seed=0), pose={})
+    loads = _loads(model, tuple((name, effort(joint)) for name, joint in joints.items()))
     for load in loads:
         if load.is_exceeded and isfinite(load.worst):
             yield _finding(joints[load.joint], load)
     if not is_searched(len(loads)):
         raise Unavailable(f"the worst pose of {len(loads)} joints is not searched, only zero")
+
+
+@lru_cache(maxsize=16)  # editors and fixes check a robot again and again, its masses unchanged
+def _loads(model: GravityModel, efforts: tuple[tuple[str, float | None], ...]) -> list[Load]:
+    from urdfkit.physics.gravity import gravity_loads
+
+    return gravity_loads(model, dict(efforts), model.starts(_SAMPLES, seed=0), pose={})
+
+
+def _flies(model: RobotModel) -> bool:
+    """True if the names of joints tell of rotors that carry the robot."""
+    return sum(bool(re.search(_ROTOR, joint.name.lower())) for joint in model.joints) >= _ROTORS
 
 
 def _weightless(subject: Subject) -> set[str]:

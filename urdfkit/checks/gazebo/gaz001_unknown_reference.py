@@ -16,6 +16,7 @@ from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<mu1>0.8</mu1>", reference="whel"))
@@ -27,11 +28,8 @@ def check(subject: Subject) -> Findings:
     model = subject.model
     known = {**model.links_by_name, **model.joints_by_name}
     suggester = Suggester(known)
-    added = {
-        one.get("name")
-        for block in model.gazebo
-        for one in (*block.all("link"), *block.all("joint"))
-    }
+    parts = (one for block in model.gazebo for one in (*block.all("link"), *block.all("joint")))
+    added = {one.get("name") for one in parts}
     for block in model.gazebo:
         reference = block.attributes.get("reference")
         if reference is None or not reference.value or reference.value in known:
@@ -50,14 +48,7 @@ def check(subject: Subject) -> Findings:
                 severity=Severity.WARNING,
             )
         else:
-            suggested = suggester.suggested(reference.value)
-            yield Finding(
-                reference,
-                f"unknown link or joint '{reference.value}': Gazebo ignores {lost}",
-                f"did you mean '{suggested}'?" if suggested else "",
-                fix_value(reference, suggested),
-                group_key="" if suggested else "unknown",
-            )
+            yield _unknown(reference, suggester.suggested(reference.value), lost)
     if subject.is_part or not any(block.all("joint") for block in model.gazebo):
         return
     for joint, end, into in subject.gazebo.lost_joint_ends():
@@ -68,3 +59,13 @@ def check(subject: Subject) -> Findings:
                 "in the converted model",
                 "name a link that Gazebo has; 'urdfkit gazebo' lists them",
             )
+
+
+def _unknown(reference: Attribute, suggested: str, lost: str) -> Finding:
+    return Finding(
+        reference,
+        f"unknown link or joint '{reference.value}': Gazebo ignores {lost}",
+        f"did you mean '{suggested}'?" if suggested else "",
+        fix_value(reference, suggested),
+        group_key="" if suggested else "unknown",
+    )

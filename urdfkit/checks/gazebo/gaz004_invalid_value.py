@@ -7,9 +7,10 @@
 - Plugins: where a number is wanted, text reads as 0 or as the default. Where a boolean is wanted,
   only `true` and `1` are true: `yes` and `on` read as false. An unknown word is ignored or ends the
   plugin.
-- Sensors: gz-sim rejects the model or takes a default, and Gazebo Classic takes a default or
-  creates no sensor. A number ends where its characters end: `50 cm` is 50 m, and an image `1e3`
-  pixels wide has one; that 666.5 beams are taken for 666 is not reported.
+- Sensors: gz-sim rejects the model or takes a default, and Gazebo Classic takes a default (a
+  warning, if the robot is for it) or creates no sensor. A number ends where its characters end:
+  `50 cm` is 50 m, and an image `1e3` pixels wide has one; that 666.5 beams are taken for 666 is not
+  reported.
 - Bounds of sensors that are swapped: a lidar whose minimum range or angle is not below the maximum,
   and a camera whose near clipping distance is not below the far one, see nothing. Both ranges of a
   lidar are 0 if they are not written. The rays of Gazebo Classic may sweep backwards.

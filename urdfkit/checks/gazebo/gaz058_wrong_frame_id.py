@@ -22,6 +22,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester
+from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Confidence, Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import types
@@ -107,14 +108,13 @@ def _missing(subject: Subject) -> Findings:
     if not without:
         return
     first = without[0]
-    more = f" (and {len(without) - 1} more like this)" if len(without) > 1 else ""
     tags = _given(first)
     lack = f"has only <{tags[0]}> as its frame" if tags else "has no <gz_frame_id>"
     is_for_ros = any(one.any_of(("ros1", "ros2")) for one in (targets, subject.inferred_targets))
     readers_for_ros = targets.among(_READ) if is_for_ros else ()
     yield Finding(
         first.at,
-        f"{first.who} {lack}{more}",
+        f"{first.who} {lack}{more_like_this(len(without) - 1)}",
         "add <gz_frame_id>LINK</gz_frame_id> to the sensor",
         severity=Severity.WARNING if readers_for_ros else Severity.INFO,
         targets=readers_for_ros,

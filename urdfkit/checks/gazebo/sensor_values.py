@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import isnan
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Findings, Fix, Subject
+from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.sensors import Setting
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
@@ -42,10 +42,19 @@ def invalid_in_sensors(subject: Subject) -> Findings:
             if problem := _problem(name, setting, text):
                 shown = f"attribute {name}" if isinstance(at, Attribute) else f"<{name}>"
                 yield Finding(
-                    at, f"{sensor.who}: {shown} is {quoted(text)}, {problem[0]}", problem[1]
+                    at,
+                    f"{sensor.who}: {shown} is {quoted(text)}, {problem[0]}",
+                    problem[1],
+                    severity=_severity(subject, problem[0]),
                 )
         yield from _lidar(sensor, subject)
         yield from _clip(sensor)
+
+
+def _severity(subject: Subject, problem: str) -> Severity | None:
+    """A warning for what gz-sim rejects, if the robot is for Gazebo Classic, with its defaults."""
+    is_for_classic = subject.targets.any_of(CLASSIC) and not subject.targets.any_of(GZ)
+    return Severity.WARNING if is_for_classic and REJECTED_BY_GZ in problem else None
 
 
 def _settings(sensor: Sensor) -> Iterator[tuple[Element | Attribute, str, str, Setting]]:

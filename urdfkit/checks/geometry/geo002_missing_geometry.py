@@ -116,12 +116,12 @@ def _needed(subject: Subject) -> tuple[str, ...]:
         return ()
     links = subject.model.links_by_name
     try:
-        looks = stand(subject, visuals=True)
-        if looks is None or looks.tips or not is_freestanding(subject.tree, looks.links):
+        seen = stand(subject, visuals=True)
+        if seen is None or seen.tips or not is_freestanding(subject.tree, seen.links):
             return ()
-        touching = [name for name in looks.links if links[name].collisions]
+        touching = [name for name in seen.links if links[name].collisions]
         found = stand(subject, contacts=touching)
-        return () if _holds(found) or _lacks_meshes(subject) else looks.links
+        return () if _holds(found) or _lacks_meshes(subject) else seen.links
     except ImportError:
         return ()
 

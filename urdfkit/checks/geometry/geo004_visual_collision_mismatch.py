@@ -26,7 +26,12 @@ from __future__ import annotations
 
 from urdfkit.core.spatial import Transform, minus
 from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
-from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, Mismatch, VisualCollisionPair
+from urdfkit.robot.assets.visual_collision import (
+    LEAST_OVERLAP,
+    Mismatch,
+    VisualCollisionPair,
+    VisualCollisionPairs,
+)
 from urdfkit.robot.model import Body, Link
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
 from urdfkit.robot.shapes import BoundingBox
@@ -52,7 +57,8 @@ _NEAR = 1.08
 
 @rule(Severity.WARNING, help="compare both in RViz, and correct the one that is wrong")
 def check(subject: Subject) -> Findings:
-    pairs = subject.visual_collision_pairs
+    model, files = subject.model, subject.files
+    pairs = VisualCollisionPairs(model, subject.mesh_solid, files.has_ambiguous_axes)
     for one in pairs.mismatches.get(Mismatch.APART, ()):
         yield _apart(one)
     for one in pairs.mismatches.get(Mismatch.SIZE, ()):

@@ -38,13 +38,13 @@ def check(subject: Subject) -> Findings:
         return  # which has no material scripts
     in_gz = bool(names) and not any(name.startswith("classic") for name in names)
     colours = Colours(subject.model)
-    looks: dict[str, list[Material]] = {}
+    materials: dict[str, list[Material]] = {}
     for link, _, material in colours.visuals():
-        looks.setdefault(link.name, []).append(material)
+        materials.setdefault(link.name, []).append(material)
     for name, element in _gazebo_materials(subject).items():
         rgb = _color(element, in_gz=in_gz)
-        seen = [look for look in looks.get(name, ()) if look.rgba and not look.texture]
-        if rgb and seen and not any(_alike(element, rgb, look) for look in seen):
+        seen = [one for one in materials.get(name, ()) if one.rgba and not one.texture]
+        if rgb and seen and not any(_alike(element, rgb, material) for material in seen):
             yield _finding(name, element, rgb, seen[0])
 
 
@@ -71,24 +71,24 @@ def _color(element: Element, *, in_gz: bool) -> tuple[float, ...] | None:
     ] or None
 
 
-def _alike(element: Element, rgb: tuple[float, ...], look: Material) -> bool:
+def _alike(element: Element, rgb: tuple[float, ...], material: Material) -> bool:
     """True if the colours are near one another, or have the same name."""
-    assert look.rgba is not None
+    assert material.rgba is not None
     word = _named(element).rpartition("/")[2].lower()
-    if look.name and word in look.name.value.lower():
+    if material.name and word in material.name.value.lower():
         return True
-    pairs = zip(rgb, look.rgba.value, strict=False)  # which has alpha, too
+    pairs = zip(rgb, material.rgba.value, strict=False)  # which has alpha, too
     return all(abs(a - b) <= _TOLERANCE for a, b in pairs)
 
 
-def _finding(name: str, element: Element, rgb: tuple[float, ...], look: Material) -> Finding:
-    assert look.rgba is not None
-    called = f"'{look.name.value}' " if look.name else ""
+def _finding(name: str, element: Element, rgb: tuple[float, ...], material: Material) -> Finding:
+    assert material.rgba is not None
+    called = f"'{material.name.value}' " if material.name else ""
     return Finding(
         element,
         f"link '{name}' is {_named(element)} ({_shown(rgb)}) in Gazebo and "
-        f"{called}({_shown(look.rgba.value[:3])}) in the URDF",
-        related=(Related(look.rgba.span, "the colour in the URDF"),),
+        f"{called}({_shown(material.rgba.value[:3])}) in the URDF",
+        related=(Related(material.rgba.span, "the colour in the URDF"),),
         group_key="colour",
     )
 

@@ -4,7 +4,8 @@ URDF parsers ignore it without a message, with all that is in it. Usually the na
 the tag belongs to another format (SDF, an old ROS tutorial, another simulator). A `<material>`
 inside `<geometry>` gives no colour, an `<origin>` directly in a link moves nothing, a `<mass>`
 outside `<inertial>` has no effect. Correct the name, move the element, or remove it. A tag with a
-namespace prefix, such as `drake:proximity_properties`, is an extension and is not reported.
+namespace prefix, such as `drake:proximity_properties`, is an extension and is not reported; one
+that a program in the workspace reads is an info.
 
 It is an error where a needed element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -21,12 +22,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
 from urdfkit.text.grammar import calling_macro, owner
 from urdfkit.text.schema import places_of
+from urdfkit.text.source import shown
+from urdfkit.workspace.xml_programs import reader_of
 
 BAD = link_xml("base", collision_xml('<box size="0.2 0.2 0.1"/>')).replace("collision", "colision")
 FIXED = GOOD = BAD.replace("colision", "collision")
@@ -42,14 +46,17 @@ _SHOWN = 5
     Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
 )
 def check(subject: Subject) -> Findings:
-    misplaced = []
+    misplaced: list[Element] = []
+    readers: dict[str, str | None] = {}
     for element, _, needed, suggested in subject.deviations.get("URD001", ()):
         if not suggested and places_of(element.tag):
             misplaced.append(element)
         elif needed:
             yield _needed(element, needed)
         else:
-            yield _unknown(element, suggested)
+            if element.tag not in readers and not suggested:
+                readers[element.tag] = reader_of(element.tag, subject.source.path, subject.resolver)
+            yield _unknown(element, suggested, readers.get(element.tag))
     yield from _misplaced(misplaced)
 
 
@@ -61,16 +68,25 @@ def _needed(element: Element, needed: str) -> Finding:
     return Finding(element, message, title, Fix.of(title, edits), severity=Severity.ERROR)
 
 
-def _unknown(element: Element, suggested: str) -> Finding:
+def _unknown(element: Element, suggested: str, reader: str | None) -> Finding:
+    """An unknown element.
+
+    Args:
+        element: that is unknown.
+        suggested: what it should be; empty if nothing is like it.
+        reader: the source file of a program that reads it; None if there is none.
+    """
     assert element.parent is not None
     who = owner(element.parent)
-    message = f"{who}: unknown element <{element.tag}> in <{element.parent.tag}> (ignored)"
+    message = f"{who}: unknown element <{element.tag}> in <{element.parent.tag}>"
+    message += f"; {shown(reader)} reads it" if reader else " (ignored)"
     return Finding(
         element,
         f"{message}; did you mean <{suggested}>?" if suggested else message,
-        _help(element, suggested),
-        _fix(element, suggested),
+        "give it the namespace prefix of its program" if reader else _help(element, suggested),
+        None if reader else _fix(element, suggested),
         group_key=f"{element.tag} in {element.parent.tag}",
+        severity=Severity.INFO if reader else None,
     )
 
 
@@ -116,10 +132,8 @@ def _in_place(
     places = " or ".join(f"<{place}>" for place in sorted(places_of(element.tag)))
     message = (
         f"{owner(parent)}: URDF parsers ignore <{element.tag}> inside <{parent.tag}>; "
-        f"it belongs in {places}"
+        f"it belongs in {places}{more_like_this(len(others))}"
     )
-    if others:
-        message += f" (and {len(others)} more like this)"
     related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
     # The colour of a collision is not shown; onshape-to-robot writes an <origin> of zeros in links.
     is_material = element.tag == "material" and parent.tag == "collision"

@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.core.words import listed
+from urdfkit.core.words import listed, more_like_this
 from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text import schema
@@ -75,11 +75,8 @@ def _foreign(attributes: list[Attribute]) -> Finding:
     element = first.element
     names = [f"'{name}'" for name in dict.fromkeys(one.name for one in attributes)]
     kind = "attributes" if len(names) > 1 else "attribute"
-    message = (
-        f"{owner(element)}: unknown {kind} {listed(names, _SHOWN)} in <{element.tag}> (ignored)"
-    )
+    what = f"unknown {kind} {listed(names, _SHOWN)} in <{element.tag}> (ignored)"
     others = {one.element: one for one in attributes if one.element is not element}
-    if others:
-        message += f" (and {len(others)} more like this)"
+    message = f"{owner(element)}: {what}{more_like_this(len(others))}"
     related = tuple(Related(one.span, owner(one.element)) for one in list(others.values())[:_SHOWN])
     return Finding(first, message, related=related)

@@ -20,6 +20,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import counted
 from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text import schema
@@ -44,8 +45,7 @@ def check(subject: Subject) -> Findings:
         length = schema.LENGTHS.get(kind, 1)
         parts = [part for part in attribute.value.split(" ") if part]
         if length > 1 and len(parts) != length and all(map(is_number, parts)):
-            count = f"{len(parts)} number{'s' if len(parts) != 1 else ''}"
-            reason, alike = f"has {count}, not {length} ({kind})", ""
+            reason, alike = f"has {counted(len(parts), 'number')}, not {length} ({kind})", ""
             better = _completed(attribute.name, kind, parts)
         else:
             text = as_written(attribute)

@@ -3,6 +3,9 @@
 It is another format (an SDF model, a launch file, a mesh), or the name is misspelt: XML is
 case-sensitive. urdfdom, Drake, MuJoCo and PyBullet find no robot in it.
 
+A world of Gazebo is no robot either. The rules WLD compare it with the robot, when the launch file
+that starts both is checked: `urdfkit check PACKAGE`.
+
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -12,6 +15,7 @@ from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element
 
 #: What checks other formats, by root element.
@@ -34,6 +38,16 @@ def check(subject: Subject) -> Findings:
         yield Finding(
             element,
             f"the root element is <{element.tag}>, not <robot>",
-            "rename it to <robot>" if edits else _ELSEWHERE.get(element.tag, ""),
+            "rename it to <robot>" if edits else _help(element),
             Fix.of(f"rename <{element.tag}> to <robot>", edits),
         )
+
+
+def _help(element: Element) -> str:
+    """What checks a file with this root."""
+    if element.tag == "sdf" and element.child("world"):
+        return (
+            "this is a world of Gazebo: check the package or the launch file that starts it with "
+            "the robot (urdfkit check PACKAGE); gz sdf --check FILE checks the world alone"
+        )
+    return _ELSEWHERE.get(element.tag, "")

@@ -2,7 +2,8 @@
 
 All values of URDF are attributes; parsers ignore text between the tags. A value that is written
 as in SDF, `<origin>0 0 0.1</origin>`, is lost without a message, and a piece of a comment or a
-doubled `>` shows that something was cut or typed by mistake.
+doubled `>` shows that something was cut or typed by mistake. A comment in the style of another
+language, `## wheels`, is an info.
 
 Sources:
     URDF, XML specification: http://wiki.ros.org/urdf/XML
@@ -33,7 +34,9 @@ def check(subject: Subject) -> Findings:
         text = element.text.strip().split("\n")[0].rstrip()
         shown = text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
         message = f"{owner(element)}: URDF parsers ignore the text '{shown}' in <{element.tag}>"
-        yield Finding(_place(element, text.encode(), subject.document.sources), message)
+        place = _place(element, text.encode(), subject.document.sources)
+        is_comment = text.startswith(("#", "//"))
+        yield Finding(place, message, severity=Severity.INFO if is_comment else None)
 
 
 def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Location | Element:

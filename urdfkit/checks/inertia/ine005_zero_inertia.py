@@ -23,6 +23,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.checks.inertia.copies import together
+from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
@@ -58,9 +59,8 @@ def check(subject: Subject) -> Findings:
     thin = sorted(_thin(subject), key=lambda finding: -finding.weight)
     if thin:
         worst, *others = thin
-        more = f" (and {len(others)} more like this)" if others else ""
         yield worst._replace(
-            message=worst.message + more,
+            message=worst.message + more_like_this(len(others)),
             related=tuple(Related(one.at.span, one.message) for one in others[:MAX_RELATED]),
             severity=worst.severity or Severity.WARNING,
         )

@@ -11,8 +11,8 @@
   has the wrong sign. URDF rotates the tensor with the `<origin>` of the `<inertial>`, not with that
   of the collision or visual. Swap the values, or give the `<inertial>` the `rpy` of the shape.
 
-A tensor that is too large on purpose is an info: that of a link smaller than 10 µm, or one beside a
-comment such as "to stabilize simulation".
+A tensor that is too large on purpose is an info: one beside a comment such as "to stabilize
+simulation". A shape of at most a few millimetres marks a place, and no tensor is compared with it.
 
 The tensor comes from another link or in another unit, is a placeholder, or was not updated with the
 mass. Compute it from mass and size: for a box of x, y, z it is `ixx = mass / 12 * (y*y + z*z)`, for
@@ -60,9 +60,6 @@ FIXED = GOOD = BAD.replace(
 #: A radius of gyration this many times the reach of the link is named.
 _STRIKING = 10.0
 
-#: In m: shapes this small stand for a frame.
-_POINT = 1e-5
-
 #: In a comment beside a tensor that is too large on purpose.
 _PURPOSE = re.compile(rb"stabili[sz]", re.IGNORECASE)
 
@@ -103,11 +100,11 @@ def _too_large(one: LinkInertia, masses: Masses) -> Finding:
 
 
 def _is_deliberate(one: LinkInertia) -> bool:
-    """True for a stand-in, or where a comment in the line of the tensor gives a purpose."""
+    """True where a comment in the line of the tensor gives a purpose."""
     span = one.at.tag_at.whole_span
     line_end = span.source.data.find(b"\n", span.end)
-    beside = comments(span.source.data[span.end : line_end if line_end >= 0 else None])
-    return one.reach < _POINT or any(_PURPOSE.search(comment[1]) for comment in beside)
+    following = comments(span.source.data[span.end : line_end if line_end >= 0 else None])
+    return any(_PURPOSE.search(comment[1]) for comment in following)
 
 
 def _radius(one: LinkInertia) -> str:

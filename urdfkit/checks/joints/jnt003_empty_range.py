@@ -80,6 +80,8 @@ def _equal(joint: Joint, limit: Limit, value: float) -> Finding:
 
 
 def _is_locked(limit: Limit) -> bool:
-    """True if all limits are written as 0: the usual way to keep Gazebo from merging a link."""
-    keys = ("lower", "upper", "effort", "velocity")
-    return all(number(limit.at.get(key) or "") == 0 for key in keys)
+    """True if ends and motion are written as 0: the usual way to keep Gazebo from merging it."""
+    effort, velocity, *ends = (
+        number(limit.at.get(key) or "") == 0 for key in ("effort", "velocity", "lower", "upper")
+    )
+    return all(ends) and (effort or velocity)

@@ -2,7 +2,9 @@
 
 A continuous joint turns without end. Gazebo, MoveIt, ros2_control, MuJoCo and Pinocchio ignore
 `lower` and `upper`; Drake obeys them, so that the same robot moves differently there, and not at
-all with 0 and 0. Remove them, or make the joint revolute if it has an end.
+all with 0 and 0. Remove them, or make the joint revolute if it has an end. Limits of a whole turn
+or more, and zeros, as exporters write them, are an info, unless Drake is a given target: nobody
+counts on them.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -11,8 +13,12 @@ Sources:
 
 from __future__ import annotations
 
+from math import pi
+
 from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.robot.model import Limit
 from urdfkit.robot.samples import arm_xml
+from urdfkit.robot.values import number
 from urdfkit.text.editing.edits import all_or_none, remove_attribute
 
 BAD = arm_xml(
@@ -21,6 +27,9 @@ BAD = arm_xml(
     '<limit lower="-6.28" upper="6.28" effort="9" velocity="6.28"/>',
 )
 FIXED = GOOD = BAD.replace('lower="-6.28" upper="6.28" ', "")
+
+#: In rad, with limits such as 3.14.
+_TURN = 2 * pi - 0.01
 
 
 @rule(Severity.WARNING, help="remove lower and upper, or make the joint revolute")
@@ -34,10 +43,18 @@ def check(subject: Subject) -> Findings:
             if name in ("lower", "upper")
         ]
         if written:
+            is_harmless = not _narrows(joint.limit) and "drake" not in subject.given_targets
             values = " and ".join(f'{attribute.name}="{attribute.value}"' for attribute in written)
             yield Finding(
                 written[0],
                 f"joint '{joint.name}' is continuous and has {values}, which only Drake obeys",
                 fix=Fix.of("remove lower and upper", all_or_none(map(remove_attribute, written))),
                 group_key="continuous",
+                severity=Severity.INFO if is_harmless else None,
             )
+
+
+def _narrows(limit: Limit) -> bool:
+    """True if somebody who counts on the limits expects less than a turn."""
+    lower, upper = (number(limit.at.get(key)) or 0.0 for key in ("lower", "upper"))
+    return lower != upper and upper - lower < _TURN

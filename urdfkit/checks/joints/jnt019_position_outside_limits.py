@@ -38,8 +38,8 @@ BAD = arm_xml(
 )
 GOOD = BAD.replace("-1.6", "-1.4")
 
-#: Part of the range that is rounding.
-_TOLERANCE = 1e-3
+#: Part of the range that is rounding: of a calibration, and of a soft limit.
+_TOLERANCE, _ROUNDING = 1e-3, 1e-4
 
 
 class _Soft(Record):
@@ -57,7 +57,8 @@ class _Soft(Record):
 
     @property
     def is_outside(self) -> bool:
-        return self.soft[0] < self.hard[0] or self.soft[1] > self.hard[1]
+        allowed = _ROUNDING * (self.hard[1] - self.hard[0])
+        return self.soft[0] < self.hard[0] - allowed or self.soft[1] > self.hard[1] + allowed
 
     @property
     def shown(self) -> str:

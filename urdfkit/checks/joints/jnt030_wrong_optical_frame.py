@@ -19,7 +19,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.core.spatial import Rotation, rotate
+from urdfkit.core.spatial import Rotation, multiply, rotate
 from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -61,6 +61,7 @@ def check(subject: Subject) -> Findings:
             or any(word.startswith(_ELSEWHERE) for word in optical.lower().split("_"))
             or not _is_square(rotation)
             or _is_near(rotation, _OPTICAL)
+            or _is_near(_from_mount(subject, camera, rotation), _OPTICAL)
         ):
             continue
         is_upside_down = _is_near(rotation, _OPTICAL_DOWN)
@@ -77,6 +78,14 @@ def check(subject: Subject) -> Findings:
         )
     if subject.model.gazebo:
         yield from _of_gazebo(subject)
+
+
+def _from_mount(subject: Subject, camera: str, rotation: Rotation) -> Rotation:
+    """The rotation of an optical frame from what the frame of its camera is fixed to."""
+    for joint in subject.tree.parents.get(camera, ()):
+        if joint.kind == "fixed":
+            return multiply(joint.origin.rotation, rotation)
+    return rotation
 
 
 def _of_gazebo(subject: Subject) -> Findings:

@@ -1,7 +1,8 @@
 """A launch file cannot be read.
 
 `roslaunch` and `ros2 launch` stop before anything starts: the XML is not well formed, the root is
-not `<launch>`, or the Python of a ROS 2 launch file has a syntax error.
+not `<launch>`, or the Python of a ROS 2 launch file has a syntax error. A file of another program,
+as Eclipse writes them with the same suffix, or a script that is run by itself, is an info.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML

@@ -1,9 +1,10 @@
 """A launch file names a file that does not exist.
 
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
-file stops the launch. What the build of a package may make is not reported, nor an absolute path
-outside of the repository or workspace, such as `/etc/clearpath`: the computer of the robot has it.
-Nor is a file that git ignores, since everybody makes it for himself.
+file stops the launch, and Gazebo does not start without its world. What the build of a package may
+make is not reported, nor an absolute path outside of the repository or workspace, such as
+`/etc/clearpath`: the computer of the robot has it. Nor is a file that git ignores, since everybody
+makes it for himself.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -13,8 +14,12 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.core.suggest import nearest_file
+from urdfkit.core import disk
+from urdfkit.core.suggest import is_typo, nearest_file
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.ros.gazebo.worlds import shipped_worlds
+from urdfkit.ros.launch.collect import UNKNOWN
+from urdfkit.ros.launch.worlds import GZ, worlds
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.resolve import OUTSIDE
 from urdfkit.workspace.revisions import is_ignored
@@ -23,6 +28,9 @@ NAME = "robot.launch"
 BAD = '<launch><rosparam file="$(dirname)/config/controler.yaml"/></launch>'
 GOOD = BAD.replace("controler", "controllers")
 FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
+
+#: Directories of a workspace that are searched for a world without a path.
+_MAX_DIRECTORIES = 2000
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="create the file, or fix its name")
@@ -35,6 +43,29 @@ def check(subject: Subject) -> Findings:
             suggested = nearest_file(file.path)
             hint = f"did you mean '{suggested}'?" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
+    yield from _worlds(subject)
+
+
+def _worlds(subject: Subject) -> Findings:
+    """The worlds that Gazebo is to find by their paths, and misspelt ones of its own."""
+    packages = subject.resolver.packages
+    for started in worlds(subject.launch):
+        name = started.name
+        if started.span.source is not subject.source or name.startswith(UNKNOWN):
+            continue
+        if os.path.isabs(name):
+            there = disk.exists(name) or subject.resolver.installed(name)
+            if not there and not _may_come_from_elsewhere(subject, name):
+                suggested = nearest_file(name)
+                hint = f"did you mean '{suggested}'?" if suggested else ""
+                yield Finding(Location(started.span), f"world not found: {name}", hint)
+        elif started.generation == GZ and name and not started.is_shipped:
+            suggested = next((one for one in shipped_worlds() if is_typo(name, one)), None)
+            root = packages.workspace(subject.source.path)
+            files = subject.resolver.directories.files_below(root, _MAX_DIRECTORIES)
+            if suggested and not any(path.endswith(f"/{name}") for path in files):
+                hint = f"did you mean '{suggested}'?"
+                yield Finding(Location(started.span), f"Gazebo has no world '{name}'", hint)
 
 
 def _may_come_from_elsewhere(subject: Subject, path: str) -> bool:

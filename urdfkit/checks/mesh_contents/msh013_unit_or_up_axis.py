@@ -31,6 +31,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
@@ -94,6 +95,6 @@ def _once(
     if found:
         mesh, *others = found
         assert mesh.facts
-        more = f" (and {len(others)} more like this)" if others else ""
+        more = more_like_this(len(others))
         message = f"{mesh.who} {describe(mesh.facts)}{more}: {effect}"
         yield Finding(mesh.at, message, help, severity=Severity.INFO)

@@ -27,8 +27,8 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import counted
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
-from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import BOX, box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.assets.mesh_uses import MeshUse

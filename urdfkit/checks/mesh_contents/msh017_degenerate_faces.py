@@ -11,8 +11,8 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import counted
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
-from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.samples import mesh_xml

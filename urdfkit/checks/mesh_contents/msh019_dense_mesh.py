@@ -48,32 +48,8 @@ FILES = {
     options={"triangles": DENSE_COLLISION},
 )
 def check(subject: Subject) -> Findings:
+    yield from _slow_collisions(subject, check.option(subject, "triangles"))
     defects = subject.measured.defects
-    bound = check.option(subject, "triangles")
-    dense = {
-        use.path: use
-        for use in reversed(subject.measured.files)
-        if use.role == "collision" and use.measures.triangles > bound
-    }
-    for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
-        number = use.measures.triangles
-        rejecting = []
-        if subject.files.facts(use.path).format == BINARY_STL:
-            known = map(facts_of, subject.given_targets or TARGETS)
-            rejecting = [one for one in known if 0 < one.most_triangles < number]
-        bounds = [
-            f", and {one.title} rejects more than {one.most_triangles:,}" for one in rejecting
-        ]
-        fatal = tuple(one.name for one in rejecting if one.name in subject.given_targets)
-        yield Finding(
-            use.at,
-            f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
-            f"{', and '.join(['checking slow', *bounds])}",
-            weight=number,
-            group_key="collision",
-            severity=Severity.ERROR if fatal else None,
-            targets=fatal,
-        )
     for use in defects.get(MeshDefect.DENSE_SHARED, ()):
         number = use.measures.triangles
         yield Finding(
@@ -94,4 +70,29 @@ def check(subject: Subject) -> Findings:
             weight=number,
             group_key="visual",
             severity=Severity.INFO,
+        )
+
+
+def _slow_collisions(subject: Subject, bound: float) -> Findings:
+    dense = {
+        use.path: use
+        for use in reversed(subject.measured.files)
+        if use.role == "collision" and use.measures.triangles > bound
+    }
+    for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
+        number = use.measures.triangles
+        rejecting = []
+        if subject.files.facts(use.path).format == BINARY_STL:
+            known = map(facts_of, subject.given_targets or TARGETS)
+            rejecting = [one for one in known if 0 < one.most_triangles < number]
+        bounds = [f"{one.title} rejects more than {one.most_triangles:,}" for one in rejecting]
+        fatal = tuple(one.name for one in rejecting if one.name in subject.given_targets)
+        yield Finding(
+            use.at,
+            f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
+            f"{', and '.join(['checking slow', *bounds])}",
+            weight=number,
+            group_key="collision",
+            severity=Severity.ERROR if fatal else None,
+            targets=fatal,
         )

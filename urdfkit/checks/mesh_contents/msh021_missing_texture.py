@@ -15,6 +15,7 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import MeshDefect, missing_textures
@@ -37,7 +38,7 @@ def check(subject: Subject) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.MISSING_TEXTURES, ()):
         names = missing_textures(use)
-        more = f" (and {len(names) - 1} more like this)" if len(names) > 1 else ""
+        more = more_like_this(len(names) - 1)
         yield Finding(use.at, f"{use.who} uses the image '{names[0]}', which does not exist{more}")
     for use in defects.get(MeshDefect.MISSING_MATERIALS, ()):
         yield Finding(

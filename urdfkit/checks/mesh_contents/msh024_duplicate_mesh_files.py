@@ -6,6 +6,7 @@ both places; a `<mesh>` can be mirrored with its scale and moved with its `<orig
 
 from __future__ import annotations
 
+from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
@@ -24,9 +25,8 @@ def check(subject: Subject) -> Findings:
     if not subject.files.copies:
         return
     (copy, first), *others = subject.files.copies
-    more = f" (and {len(others)} more like this)" if others else ""
     yield Finding(
         copy.at,
-        f"{copy.who} has the same content as '{first.at.value}'{more}",
+        f"{copy.who} has the same content as '{first.at.value}'{more_like_this(len(others))}",
         related=(Related(first.at.span, "the other file"),),
     )

@@ -20,6 +20,7 @@ from __future__ import annotations
 import os
 
 from urdfkit.core import disk
+from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_files import MeshReference
@@ -58,10 +59,9 @@ def check(subject: Subject) -> Findings:
     lost = [mesh for mesh in wanted if _is_lost(subject, mesh)]
     if lost:
         first = lost[0]
-        more = f" (and {len(lost) - 1} more like this)" if len(lost) > 1 else ""
         directory, name = subject.mujoco.mesh_path(first.at.value, subject.source.path)
         message = f"{first.who} is not found by MuJoCo, which looks for '{name}' in "
-        message += f"{shown(os.path.normpath(directory))}{more}"
+        message += f"{shown(os.path.normpath(directory))}{more_like_this(len(lost) - 1)}"
         help, fix = _directory(subject, wanted)
         yield Finding(first.at, message, help, fix)
 

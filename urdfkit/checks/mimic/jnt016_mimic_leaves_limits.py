@@ -44,7 +44,7 @@ def check(subject: Subject) -> Findings:
             mimic.at,
             f"joint '{joint.name}': the mimic of '{leader.name}' drives it through [{taken[0]:g}, "
             f"{taken[1]:g}] {unit(joint)}, beyond its limits [{own[0]:g}, {own[1]:g}]",
-            _remedy(joint, leading, own),
+            _advice(joint, leading, own),
             related=(Related(leader.limit.at.span, f"the limits of '{leader.name}'"),),
             group_key="beyond",
         )
@@ -61,7 +61,7 @@ def _overshoot(taken: tuple[float, float], own: tuple[float, float]) -> float:
     return max(own[0] - taken[0], taken[1] - own[1]) - allowed
 
 
-def _remedy(joint: Joint, leading: tuple[float, float], own: tuple[float, float]) -> str:
+def _advice(joint: Joint, leading: tuple[float, float], own: tuple[float, float]) -> str:
     assert joint.mimic is not None
     turned = _taken(leading, -joint.mimic.multiplier, joint.mimic.offset)
     if _overshoot(turned, own) <= 0:

@@ -51,7 +51,7 @@ def check(subject: Subject) -> Findings:
         if top not in reported and is_there and not rules.installs(relative):
             reported.add(top)
             message = f"'{relative}' is not installed by {rules.file}"
-            yield Finding(Location(span), message, rules.remedy(top))
+            yield Finding(Location(span), message, rules.advice(top))
 
 
 def _referenced(subject: Subject, name: str, directory: str) -> Iterator[tuple[str, Span]]:

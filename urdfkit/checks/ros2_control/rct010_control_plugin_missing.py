@@ -15,13 +15,7 @@ from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, ru
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugins as files
 from urdfkit.ros.catalog.ros_control import hardware
-from urdfkit.ros.gazebo.samples import (
-    ARM,
-    control_xml,
-    driven_xml,
-    gazebo_xml,
-    plugin_xml,
-)
+from urdfkit.ros.gazebo.samples import ARM, control_xml, driven_xml, gazebo_xml, plugin_xml
 from urdfkit.ros.ros_control import ControlPlugin, components, control_plugins, is_of_pr2
 from urdfkit.text.document import Element
 

@@ -1,10 +1,11 @@
 """A property, an argument or a macro is defined and never used.
 
-A change of the property, or `name:=value` on the command line, then has no effect. Usually the use
-was deleted, or misspells the name. An unused macro may be left over: that is an info. So may a
-property that is a number, unless the file writes that number out elsewhere, or uses a name that
-differs in one letter and is not defined. Not reported in files that other files include, in
-libraries of macros, and where an include is not expanded: the name may be used there.
+A change of the property, or `name:=value` on the command line, then has no effect. What is only
+left over is an info: the robot is the same without it. It is a warning where somebody is misled: a
+use misspells the name, the file writes the number of a property out elsewhere, or an argument is
+given a value, by a launch file or the caller, that changes nothing. Not reported in files that
+other files include, in libraries of macros, and where an include is not expanded: the name may be
+used there.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -31,6 +32,9 @@ BAD = xacro_xml(
 GOOD = BAD.replace("${side}_base", "${side}_${width}")
 FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
 
+#: Numbers that stand everywhere.
+_COMMON = (-1.0, 0.0, 1.0)
+_COLOUR = re.compile(rb"""\brgba\s*=\s*(["'])[^"']*\1""")
 _NUMBER = re.compile(rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
 
 
@@ -52,7 +56,7 @@ def _unused(subject: Subject) -> Findings:
         name = definition.name.removeprefix("**")
         if name not in xacro.usage.names:
             written = _numbers_written(subject) if written is None else written
-            is_left_over = _is_left_over(definition, written) and not _is_misspelt(name, xacro)
+            misleads = _is_written_out(definition, written) or _is_misspelt(name, xacro)
             fix = Fix("delete the property", remove_spans([definition.tag.whole_span]))
             at = Location(definition.tag.span, definition.frame)
             yield Finding(
@@ -60,12 +64,19 @@ def _unused(subject: Subject) -> Findings:
                 f"property '{name}' is never used",
                 fix=fix,
                 group_key="unused",
-                severity=Severity.INFO if is_left_over else None,
+                severity=None if misleads else Severity.INFO,
             )
     for argument in xacro.arguments:
-        if argument.name not in xacro.usage.names:
-            at = Location(argument.tag.span, argument.frame)
-            yield Finding(at, f"argument '{argument.name}' is never used", group_key="unused")
+        name = argument.name
+        if name not in xacro.usage.names:
+            is_given = name in subject.arguments
+            yield Finding(
+                Location(argument.tag.span, argument.frame),
+                f"argument '{name}' is never used"
+                + ("; the value that it is given changes nothing" if is_given else ""),
+                group_key="unused",
+                severity=None if is_given or _is_misspelt(name, xacro) else Severity.INFO,
+            )
     # XAC002 reports macros that are called without the prefix.
     called = {*xacro.usage.calls, *(element.tag for element in subject.document.root.walk())}
     for macro in () if "call" in xacro.usage.calls else xacro.macros:
@@ -75,10 +86,10 @@ def _unused(subject: Subject) -> Findings:
             yield Finding(at, message, severity=Severity.INFO)
 
 
-def _is_left_over(definition: Definition, written: set[float]) -> bool:
-    """True for a number that stands nowhere else, where the property should."""
+def _is_written_out(definition: Definition, written: set[float]) -> bool:
+    """True for a number that stands elsewhere, where the property should."""
     value = definition.attributes.get("value", "").strip().encode()
-    return _NUMBER.fullmatch(value) is not None and float(value) not in written
+    return _NUMBER.fullmatch(value) is not None and float(value) in written
 
 
 def _is_misspelt(name: str, xacro: Xacro) -> bool:
@@ -88,11 +99,12 @@ def _is_misspelt(name: str, xacro: Xacro) -> bool:
 
 
 def _numbers_written(subject: Subject) -> set[float]:
-    """The numbers of the checked file that are no values of properties."""
+    """The numbers of the checked file, but those of properties and colours."""
     data = bytearray(blank_comments(subject.source.data))
     for definition in subject.xacro.properties:
         span = definition.tag.whole_span
         if span.source is subject.source:
             data[span.start : span.end] = b" " * (span.end - span.start)
     body = data.find(b"?>") + 1  # no version of XML
-    return {float(number) for number in _NUMBER.findall(bytes(data), body)}
+    text = _COLOUR.sub(b"", bytes(data[body:]))
+    return {float(number) for number in _NUMBER.findall(text)}.difference(_COMMON)

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output, progress
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
 from urdfkit.core.strict_json import dumped
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Subject
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     type=click.Choice(["applied", "ignored"]),
     help="Whether the <unit> of a COLLADA mesh is applied. [default: as the targets do]",
 )
-@click.option("--format", "form", type=click.Choice(["text", "json", "markdown"]), default="text")
+@in_formats("text", "json", "markdown")
 @limited
 def command(
     asked: dict[str, Any],
@@ -68,7 +68,10 @@ def command(
     given = _srdf(compare, subject) if compare else None
     for_moveit = bool(srdf or compare)  # which ignores units
     applied = units == "applied" if units else (False if for_moveit else None)
-    matrix = _sampled(subject, samples, seed, begin, applied, jobs)
+    with progress.shown() as bar:
+        matrix = subject.collisions.matrix(
+            samples=samples, seed=seed, begin=begin, units=applied, jobs=jobs, progress=bar
+        )
     from urdfkit.cli.collisions import shown
     from urdfkit.physics.collision.srdf_matrix import compare as compared
 
@@ -96,28 +99,6 @@ def _srdf(path: str, subject: Subject) -> Srdf:
     if found is None or not is_srdf(found.root):
         raise UrdfkitError(f"{path}: not an SRDF file")
     return found
-
-
-def _sampled(
-    subject: Subject,
-    samples: int,
-    seed: int,
-    begin: dict[str, float],
-    units: bool | None,
-    jobs: int | None,
-) -> Matrix:
-    """The matrix.
-
-    Raises:
-        UrdfkitError: coal is not installed, or the robot is beyond it.
-    """
-    with progress.shown() as bar:
-        try:
-            return subject.collisions.matrix(
-                samples=samples, seed=seed, begin=begin, units=units, jobs=jobs, progress=bar
-            )
-        except Unavailable as reason:
-            raise UrdfkitError(str(reason)) from reason
 
 
 def _write(matrix: Matrix, path: str) -> None:

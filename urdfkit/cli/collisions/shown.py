@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from urdfkit.mesh.io.facts import counted
+from urdfkit.core.words import counted, few
 from urdfkit.physics.collision.matrix import NEAR, ClosestApproach, Matrix, PairResult, PairVerdict
 from urdfkit.text.markdown import escape, table
 from urdfkit.text.terminal import columns, printable, wrap
@@ -165,11 +165,9 @@ def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
     if not matrix.pairs:
         yield "Nothing to compare: no two links with collision geometry are connected by joints."
     if matrix.parts:
-        tops = ", ".join(matrix.parts[:_MOST])
-        more = f" and {len(matrix.parts) - _MOST} more" if len(matrix.parts) > _MOST else ""
         yield (
-            f"{len(matrix.parts)} parts, with roots {tops}{more}: links of different parts "
-            "are not compared, since no joint bounds their relative pose."
+            f"{len(matrix.parts)} parts, with roots {few(matrix.parts, _MOST)}: links of different "
+            "parts are not compared, since no joint bounds their relative pose."
         )
     if matrix.samples < matrix.asked:
         yield f"Stopped after {matrix.samples} of {matrix.asked} samples: converged."

@@ -6,14 +6,17 @@ import click
 
 from urdfkit.cli.lazy import LazyGroup
 
-COMMANDS = ("info", "convert", "repair", "simplify", "hull", "decompose", "collision", "generate")
+SECTIONS = {
+    "Any mesh file": ("info", "convert", "repair", "simplify", "hull", "decompose"),
+    "The meshes of a robot": ("collision", "generate"),
+}
 
 
 @click.group(
     "mesh",
     cls=LazyGroup,
     package="urdfkit.cli.mesh",
-    names=COMMANDS,
+    sections=SECTIONS,
     extra="meshes",
     invoke_without_command=True,
 )

@@ -11,10 +11,10 @@ from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
-from urdfkit.mesh.parts import PARTS
+from urdfkit.lint.context import Subject
+from urdfkit.mesh.parts import PARTS, RealPart
 from urdfkit.robot.assets.placeholder_meshes import (
-    GeneratedMesh,
-    NotGenerated,
+    GeneratedMeshes,
     generate,
     generate_missing,
     generate_part,
@@ -66,43 +66,50 @@ def command(
         raise options.UsageError("pass one mesh, or none to generate all that are missing")
     part = _PARTS[part_name] if part_name else None
     if model is None:
-        if not files or part is None:
-            hint = f" (did you mean --model {files[0]}?)" if _is_robot(files) else ""
-            raise options.UsageError(
-                f"pass the robot with --model{hint}; or pass a file and select the part with --part"
-            )
-        found: list[GeneratedMesh | NotGenerated] = [
-            generate_part(files[0], part, size, force=force)
-        ]
+        found = _without_robot(files, part, size, force)
     else:
-        arguments = tuple(word for word in words if ":=" in word)
+        arguments = (word for word in words if ":=" in word)
         subject = robot({**asked, options.FILES: (model, *arguments)})
-        if files:
-            found = [generate(subject, files[0], part=part, size=size, force=force)]
-        elif part or size or force:
-            raise options.UsageError("--part, --size and --force apply to one mesh; pass its name")
-        else:
-            every = generate_missing(subject)
-            found = [*every.made, *every.undone]
-    made = [one for one in found if isinstance(one, GeneratedMesh)]
-    undone = [one for one in found if isinstance(one, NotGenerated)]
+        found = _of_robot(subject, files, part, size, force)
     if not dry_run:
-        for one in made:
+        for one in found.generated:
             one.write()
-    output.page(render(made, undone, dry_run))
-    return int(bool(undone))
+    output.page(render(found, dry_run))
+    return int(bool(found.not_generated))
 
 
-def render(made: list[GeneratedMesh], undone: list[NotGenerated], dry_run: bool) -> Iterator[str]:
+def _without_robot(
+    files: list[str], part: RealPart | None, size: Vector | None, force: bool
+) -> GeneratedMeshes:
+    if not files or part is None:
+        hint = f" (did you mean --model {files[0]}?)" if _is_robot(files) else ""
+        raise options.UsageError(
+            f"pass the robot with --model{hint}; or pass a file and select the part with --part"
+        )
+    return GeneratedMeshes.of([generate_part(files[0], part, size, force=force)])
+
+
+def _of_robot(
+    robot: Subject, files: list[str], part: RealPart | None, size: Vector | None, force: bool
+) -> GeneratedMeshes:
+    if files:
+        one = generate(robot, files[0], part=part, size=size, force=force)
+        return GeneratedMeshes.of([one])
+    if part or size or force:
+        raise options.UsageError("--part, --size and --force apply to one mesh; pass its name")
+    return generate_missing(robot)
+
+
+def render(found: GeneratedMeshes, dry_run: bool) -> Iterator[str]:
     """What was made, and what was not."""
-    if not made and not undone:
+    if not found.generated and not found.not_generated:
         yield "nothing is missing"
-    for one in made:
+    for one in found.generated:
         yield f"{'would write' if dry_run else 'wrote'} {shown(one.path)}"
         yield from output.indented(f"the file {one.defect}")
         yield from output.indented(one.reason)
         yield f"  {len(one.mesh.faces)} triangles, {len(one.mesh.parts)} materials"
-    for other in undone:
+    for other in found.not_generated:
         yield f"cannot generate {shown(other.path)}"
         yield from output.indented(f"the file {other.defect}")
         yield from output.indented(other.reason)

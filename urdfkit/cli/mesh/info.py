@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.core.strict_json import dumped
 from urdfkit.mesh.describe import MeshDescription, describe
@@ -18,7 +18,7 @@ VERSION = 1
 
 @with_examples("info", "urdfkit mesh info meshes/arm.dae meshes/hand.stl")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@in_formats("text", "json")
 @limited
 def command(files: tuple[str, ...], form: str) -> int:
     """Show size, triangles, unit and defects of mesh files.

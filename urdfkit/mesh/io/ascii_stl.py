@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.mesh.io.facts import Defect, counted, empty, truncated, unreadable
+from urdfkit.core.words import counted
+from urdfkit.mesh.io.facts import Defect, empty, truncated, unreadable
 
 #: The solid's name stands after its last facet; a name is shorter than this.
 _END = 20_000

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from urdfkit.core.words import counted
 from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh, MeshMaterial, MeshPart, NoTriangles
-from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 #: Nodes of a scene, and triangles of all that they show: a short file can show a long one often.

@@ -9,7 +9,8 @@ from __future__ import annotations
 from math import isfinite
 from struct import unpack_from
 
-from urdfkit.mesh.io.facts import Defect, counted, empty, truncated
+from urdfkit.core.words import counted
+from urdfkit.mesh.io.facts import Defect, empty, truncated
 
 HEADER = 84
 TRIANGLE = 50

@@ -105,8 +105,3 @@ def truncated(reason: str) -> Defect:
 
 def unreadable(reason: str) -> Defect:
     return Defect(DefectKind.UNREADABLE, reason)
-
-
-def counted(number: int, thing: str) -> str:
-    """``1 triangle``, ``12 triangles``."""
-    return f"{number} {thing}{'' if number == 1 else 's'}"

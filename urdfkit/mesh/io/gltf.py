@@ -5,7 +5,8 @@ from __future__ import annotations
 from struct import unpack_from
 from typing import Any
 
-from urdfkit.mesh.io.facts import Defect, counted, empty, not_a_mesh, truncated, unreadable
+from urdfkit.core.words import counted
+from urdfkit.mesh.io.facts import Defect, empty, not_a_mesh, truncated, unreadable
 
 _HEADER = 12
 _CHUNK_HEADER = 8

@@ -10,10 +10,10 @@ import re
 
 import numpy as np
 
+from urdfkit.core.words import counted
 from urdfkit.mesh.geometry import Floats, Mesh
 from urdfkit.mesh.io import binary_stl
 from urdfkit.mesh.io.assemble import LostData, Stream, assemble, mesh_of
-from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.io.numbers import floats
 
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("colour", "<u2")])

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.mesh.distance import one_way
 from urdfkit.mesh.geometry import Mesh
@@ -87,7 +88,7 @@ def repair(
     holes: bool = True,
     one_sided: bool = False,
     union: bool = False,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Repair:
     """Make a mesh the surface of a solid, as far as that can be done without inventing much.
 
@@ -126,7 +127,7 @@ def _rounds(
     steps: list[RepairStep],
     *,
     holes: bool,
-    progress: Callable[[int, int], None] | None,
+    progress: Progress | None,
 ) -> TriangleSoup:
     """Everything once, and again while that helps; what is done is added to the steps."""
     for number in range(_ROUNDS):

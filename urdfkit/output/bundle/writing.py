@@ -7,9 +7,8 @@ import shutil
 import zipfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from tempfile import mkdtemp
 
-from urdfkit.core import atomic
+from urdfkit.core import atomic, temporary
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UnwritableFile, UrdfkitError
@@ -95,30 +94,44 @@ def _staged(files: Iterable[BundledFile], out: str, *, force: bool) -> Iterator[
     Raises:
         UnwritableFile: something is there, or cannot be written.
     """
-    _require_free(out, force=force)
-    home, name = os.path.split(out)
-    atomic.make_directory(home)
-    with _as_unwritable(out):
-        temporary = mkdtemp(prefix=f".{name}.", dir=home)
-    try:
-        made = os.path.join(temporary, "bundle")
-        with _as_unwritable(out):
-            _write(files, made)
+    atomic.make_directory(os.path.dirname(out))
+    with _as_unwritable(out), temporary.workshop(out) as workshop:
+        made, old = os.path.join(workshop, "bundle"), os.path.join(workshop, "old")
+        _put_back(old, out)  # after a kill
+        _empty(workshop)
+        _require_free(out, force=force)
+        _write(files, made)
         yield made
-        with _as_unwritable(out):
+        try:
             if _is_zip(out):
-                made = _zipped(made, os.path.join(temporary, "bundle.zip"))
+                made = _zipped(made, os.path.join(workshop, "bundle.zip"))
             elif os.path.isdir(out):
-                os.replace(out, os.path.join(temporary, "old"))
+                os.replace(out, old)
             os.replace(made, out)
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
+        finally:
+            _put_back(old, out)
+
+
+def _put_back(old: str, out: str) -> None:
+    """What was about to be replaced, and was not."""
+    if os.path.isdir(old) and not os.path.lexists(out):
+        os.replace(old, out)
+
+
+def _empty(directory: str) -> None:
+    for entry in list(os.scandir(directory)):
+        if entry.is_dir(follow_symlinks=False):
+            shutil.rmtree(entry.path)
+        else:
+            os.unlink(entry.path)
 
 
 @contextmanager
 def _as_unwritable(out: str) -> Iterator[None]:
     try:
         yield
+    except BlockingIOError as error:
+        raise UnwritableFile(f"{out}: cannot be written: another process is writing it") from error
     except OSError as error:
         raise UnwritableFile(f"{out}: cannot be written: {error.strerror or error}") from error
 

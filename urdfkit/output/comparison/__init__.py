@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import os
-import tempfile
-from collections.abc import Callable
 from math import dist
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.temporary import scratch
 from urdfkit.lint.context import Subject
 from urdfkit.lint.options import Options
 from urdfkit.output.comparison.differences import KINDS as OF_MODELS
@@ -24,6 +23,7 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import without_directory
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.core.spatial import Vector
 
 #: What two states may differ in; ``findings`` are new ones, from warnings upwards.
@@ -100,7 +100,7 @@ def compare(
     *,
     tolerances: Tolerances | None = None,
     has_images: bool = False,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Comparison:
     """What became of a robot.
 
@@ -121,7 +121,7 @@ def compare(
     """
     advance = progress or (lambda done, total: None)
     steps = 4 if has_images else 3
-    with tempfile.TemporaryDirectory(prefix="urdfkit-") as directory:
+    with scratch() as directory:
         states: list[RobotState] = []
         for word, name in ((before, "before"), (after, "after")):
             advance(len(states), steps)

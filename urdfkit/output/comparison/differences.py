@@ -31,9 +31,9 @@ from urdfkit.robot.model import (
 #: mass; ``shapes`` where they are; ``frames`` the origins of joints.
 KINDS = ("links", "joints", "names", "frames", "limits", "masses", "inertias", "shapes")
 
-Value = float | str | tuple[float, ...] | None
+ComparedValue = float | str | tuple[float, ...] | None
 #: Kind, text, and the values before and after.
-Change = tuple[str, str, Value, Value]
+Change = tuple[str, str, ComparedValue, ComparedValue]
 
 #: A part of the greatest entry of a tensor below which an entry comes from a turned frame.
 _ROUNDING = 1e-6
@@ -88,8 +88,8 @@ class Difference(Record):
     what: str
     name: str
     text: str
-    before: Value = None
-    after: Value = None
+    before: ComparedValue = None
+    after: ComparedValue = None
 
     def __str__(self) -> str:
         """One line."""

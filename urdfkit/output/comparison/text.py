@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from math import degrees
 
+from urdfkit.core.words import counted
 from urdfkit.output.comparison import KINDS, Comparison
 from urdfkit.output.comparison.frames import MovedLink
 from urdfkit.text.diagnostic import Diagnostic
@@ -62,8 +63,7 @@ def _moved(moved: Iterable[MovedLink]) -> Iterator[str]:
     if len(own) > MAX_LINES:
         yield f"  and {len(own) - MAX_LINES} more"
     if carried:
-        links = "child link" if len(carried) == 1 else "child links"
-        yield f"  and {len(carried)} {links} with them"
+        yield f"  and {counted(len(carried), 'child link')} with them"
 
 
 def _total(comparison: Comparison, width: int) -> Iterator[str]:

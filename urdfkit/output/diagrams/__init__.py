@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from urdfkit.output.diagrams.rows import Row, rows
+from urdfkit.output.diagrams.rows import TreeRow, rows
 
 #: Modules of this package that have ``render``.
 FORMATS = ("text", "dot", "mermaid", "svg", "json")
 
-__all__ = ["FORMATS", "Row", "rows"]
+__all__ = ["FORMATS", "TreeRow", "rows"]

@@ -11,7 +11,7 @@ from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint
 from urdfkit.robot.tree import KinematicTree
 
 
-class Row(Record):
+class TreeRow(Record):
     """A link, where a joint leads to it.
 
     Attributes:
@@ -31,7 +31,7 @@ class Row(Record):
     is_again: bool
 
 
-def rows(tree: KinematicTree) -> Iterator[Row]:
+def rows(tree: KinematicTree) -> Iterator[TreeRow]:
     """Every link, in the order of the document; what no root leads to comes last.
 
     Args:
@@ -41,7 +41,7 @@ def rows(tree: KinematicTree) -> Iterator[Row]:
     for start in (*(root.name for root in tree.roots), *tree.children):
         if start in seen:
             continue
-        stack: list[Row] = [Row(start, None, "", 0, True, False)]
+        stack: list[TreeRow] = [TreeRow(start, None, "", 0, True, False)]
         while stack:
             row = stack.pop()
             row = row._replace(is_again=row.link in seen)
@@ -54,7 +54,7 @@ def rows(tree: KinematicTree) -> Iterator[Row]:
                 joint, is_last = below[index], index == len(below) - 1
                 assert joint.child is not None
                 child = joint.child.value
-                stack.append(Row(child, joint, row.link, row.depth + 1, is_last, False))
+                stack.append(TreeRow(child, joint, row.link, row.depth + 1, is_last, False))
 
 
 def axis(joint: Joint) -> str:

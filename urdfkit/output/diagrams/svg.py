@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from unicodedata import east_asian_width
 from xml.sax.saxutils import escape
 
-from urdfkit.output.diagrams.rows import Row, caption, rows
+from urdfkit.output.diagrams.rows import TreeRow, caption, rows
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.terminal import printable
 
@@ -61,7 +61,7 @@ def render(tree: KinematicTree) -> str:
     )
 
 
-def _body(found: list[Row]) -> Iterator[str]:
+def _body(found: list[TreeRow]) -> Iterator[str]:
     above: list[int] = []  # the row of the open link at each depth
     for number, row in enumerate(found):
         del above[row.depth :]
@@ -72,13 +72,13 @@ def _body(found: list[Row]) -> Iterator[str]:
         yield from _box(row, number)
 
 
-def _line(row: Row, parent: int, number: int) -> str:
+def _line(row: TreeRow, parent: int, number: int) -> str:
     """From below the parent's box to the left of this one."""
     x = _left(row.depth - 1) + LEVEL / 2
     return f'<path d="M{x:g} {_middle(parent) + 11:g} V{_middle(number):g} H{_left(row.depth):g}"/>'
 
 
-def _box(row: Row, number: int) -> Iterator[str]:
+def _box(row: TreeRow, number: int) -> Iterator[str]:
     x, y = _left(row.depth), _middle(number)
     kind = row.joint.kind if row.joint else "fixed"
     dashed = ' stroke-dasharray="4 3"' if row.is_again else ""
@@ -93,7 +93,7 @@ def _box(row: Row, number: int) -> Iterator[str]:
         yield f'<text class="joint" x="{at:g}" y="{y + 4:g}">{label}</text>'
 
 
-def _label(row: Row) -> str:
+def _label(row: TreeRow) -> str:
     assert row.joint is not None
     again = " (see above)" if row.is_again else ""
     return f"{row.joint.name}: {caption(row.joint)}{again}"
@@ -112,7 +112,7 @@ def _middle(number: int) -> float:
     return MARGIN + (number + 0.5) * ROW
 
 
-def _right(row: Row) -> float:
+def _right(row: TreeRow) -> float:
     label = _width(_label(row)) * 12 / 13 + 22 if row.joint else 12.0
     return _left(row.depth) + _width(row.link) + label
 

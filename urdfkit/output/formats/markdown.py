@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from urdfkit.core.words import counted
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.output.formats.text import summary
+from urdfkit.output.formats._summary import summary
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.markdown import escape
 
@@ -31,8 +32,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     if bad:
         lines += [*_table(bad), ""]
     if infos:
-        count = report.count(Severity.INFO)
-        many = "1 info" if count == 1 else f"{count} infos"
+        many = counted(report.count(Severity.INFO), "info")
         lines += [f"<details><summary>{many}</summary>", "", *_table(infos), "", "</details>", ""]
     if report.diagnostics:
         first = report.diagnostics[0].code

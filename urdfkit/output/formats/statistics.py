@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfkit.lint.report import Report
-from urdfkit.output.formats.text import summary
+from urdfkit.output.formats._summary import summary
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.output.report.document import Document
+from urdfkit.output.report.document import ReportDocument
 
 #: The tables there are, and the columns of each.
 COLUMNS = {
@@ -25,7 +25,7 @@ _ROWS = {"statics": "joints", "collisions": "pairs"}
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
-def render(document: Document, table: str = "findings") -> str:
+def render(document: ReportDocument, table: str = "findings") -> str:
     """A table with a header.
 
     Raises:

@@ -14,6 +14,7 @@ from typing import Any
 
 from urdfkit import __version__
 from urdfkit.core import disk
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import finite
 from urdfkit.lint import rule_index
@@ -36,7 +37,7 @@ from urdfkit.workspace.resolve import Resolver
 #: Of the document; a change that could break a reader counts it up.
 VERSION = 1
 
-Document = dict[str, Any]
+ReportDocument = dict[str, Any]
 
 #: The parts that are computed from the robot, each by a function of its Subject.
 _PARTS: dict[str, Callable[[Subject], object]] = {
@@ -59,7 +60,7 @@ class ReportInput(Record):
         diagnostics: what ``urdfkit check`` finds.
     """
 
-    document: Document
+    document: ReportDocument
     subject: Subject
     diagnostics: tuple[Diagnostic, ...]
 
@@ -69,7 +70,7 @@ def describe(
     options: Options = Options(),
     *,
     quick: bool = False,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> ReportInput:
     """Everything that a report says of a robot.
 
@@ -95,9 +96,7 @@ def describe(
     return reported if quick else completed(reported, progress)
 
 
-def completed(
-    reported: ReportInput, progress: Callable[[int, int], None] | None = None
-) -> ReportInput:
+def completed(reported: ReportInput, progress: Progress | None = None) -> ReportInput:
     """The same with what takes a while.
 
     Args:
@@ -120,9 +119,9 @@ def completed(
 
 def _computed(
     subject: Subject, wanted: Mapping[str, Callable[[Subject], object]]
-) -> tuple[Document, dict[str, str]]:
+) -> tuple[ReportDocument, dict[str, str]]:
     """Parts of a document, and why some of them cannot be had."""
-    parts: Document = {}
+    parts: ReportDocument = {}
     missing: dict[str, str] = {}
     for name, part in wanted.items():
         try:
@@ -132,7 +131,7 @@ def _computed(
     return parts, missing
 
 
-def _document(subject: Subject, report: Report) -> Document:
+def _document(subject: Subject, report: Report) -> ReportDocument:
     parts, missing = _computed(subject, _PARTS)
     if parts["gazebo"]:
         parts["gazebo"]["rejected"] = [
@@ -162,7 +161,7 @@ def _document(subject: Subject, report: Report) -> Document:
         **parts,
         "missing": missing,
     }
-    found: Document = _portable(finite(document), subject)
+    found: ReportDocument = _portable(finite(document), subject)
     return found
 
 

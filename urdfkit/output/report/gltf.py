@@ -22,8 +22,6 @@ from urdfkit.render.scene import SceneItem
 from urdfkit.render.textures import stripes
 from urdfkit.render.textures import texture as read_image
 
-Bytes = NDArray[np.uint8]
-
 _ARRAY, _ELEMENTS = 34962, 34963
 _TYPES = {"i1": 5120, "u1": 5121, "u2": 5123, "u4": 5125, "f4": 5126}
 _SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
@@ -147,17 +145,17 @@ class GltfWriter:
             entry["max"] = values.max(axis=0).tolist()
         return self._once(("accessor", json.dumps(entry)), self._accessors, entry)
 
-    def _material(self, look: SurfaceMaterial) -> int:
-        rgba = [_linear(part) for part in look.rgba[:3]] + [look.rgba[3]]
+    def _material(self, material: SurfaceMaterial) -> int:
+        rgba = [_linear(part) for part in material.rgba[:3]] + [material.rgba[3]]
         surface: dict[str, Any] = {
             "baseColorFactor": rgba,
             "metallicFactor": 0.0,
             "roughnessFactor": 0.75,
         }
         entry: dict[str, Any] = {"pbrMetallicRoughness": surface, "doubleSided": True}
-        if look.rgba[3] < 1:
+        if material.rgba[3] < 1:
             entry["alphaMode"] = "BLEND"
-        image = self._image(look.texture)
+        image = self._image(material.texture)
         if image is not None:
             surface["baseColorTexture"] = {"index": image}
         return self._once(("material", json.dumps(entry)), self._materials, entry)

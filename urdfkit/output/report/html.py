@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
-from urdfkit.output.report.document import Document
+from urdfkit.output.report.document import ReportDocument
 from urdfkit.output.report.translations import Translator
 from urdfkit.robot.stability import VERDICTS
 from urdfkit.text.terminal import printable
@@ -39,7 +39,7 @@ _SEVERITIES = ("error", "warning", "info")
 
 
 def render(
-    document: Document,
+    document: ReportDocument,
     translator: Translator,
     drawings: Mapping[str, str],
     scene: PageScene | None = None,
@@ -100,14 +100,16 @@ def render_plain(template: str, translator: Translator, **context: object) -> st
     )
 
 
-def render_content(document: Document, translator: Translator, drawings: Mapping[str, str]) -> str:
+def render_content(
+    document: ReportDocument, translator: Translator, drawings: Mapping[str, str]
+) -> str:
     """The contents about the robot, without the page around it."""
     context = _context(document, translator, drawings)
     return _environment().get_template("content.html.j2").render(context)
 
 
 def _context(
-    document: Document, translator: Translator, drawings: Mapping[str, str]
+    document: ReportDocument, translator: Translator, drawings: Mapping[str, str]
 ) -> dict[str, Any]:
     robot = document["robot"]
     name = robot["name"] if robot else ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from urdfkit.output.report.document import Document
+from urdfkit.output.report.document import ReportDocument
 from urdfkit.output.report.translations import Translator
 from urdfkit.text.markdown import escape, fitted, table
 
@@ -14,12 +14,12 @@ _PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
 _VERDICTS = {"passes": "🟢", "passes with warnings": "🟡", "fails": "🔴"}
 
 
-def render(document: Document, translator: Translator) -> str:
+def render(document: ReportDocument, translator: Translator) -> str:
     """Summary, verdicts and findings first; tables follow as long as they fit."""
     return fitted(_sections(document, translator))
 
 
-def _sections(document: Document, _: Translator) -> Iterator[str]:
+def _sections(document: ReportDocument, _: Translator) -> Iterator[str]:
     robot, summary = document["robot"], document["summary"]
     counts = ", ".join(_counted(summary[key], key, _) for key in ("error", "warning", "info"))
     title = robot["name"] if robot else document["file"]

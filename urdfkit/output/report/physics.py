@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
@@ -12,14 +11,13 @@ from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.stability import standing as standing_of
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.lint.context import Subject
 
 #: Poses that statics and collisions sample; the commands of their own take more.
 POSES, SAMPLES = 200, 1000
 #: Torques in N·m, and forces in N, under this are rounding.
 NOISE = 1e-9
-
-Progress = Callable[[int, int], None]
 
 
 def statics(subject: Subject) -> Row:

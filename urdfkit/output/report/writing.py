@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
@@ -11,11 +10,12 @@ from urdfkit.core.strict_json import dumped
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.options import Options
-from urdfkit.output.report.document import LONG, Document, ReportInput, describe
+from urdfkit.output.report.document import LONG, ReportDocument, ReportInput, describe
 from urdfkit.output.report.translations import Translator
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.output.report.scene import PageScene
 
 #: Forms of a report, by the suffix of a file.
@@ -30,8 +30,8 @@ def report(
     language: str = "en",
     table: str = "findings",
     quick: bool = False,
-    progress: Callable[[int, int], None] | None = None,
-) -> tuple[str, Document]:
+    progress: Progress | None = None,
+) -> tuple[str, ReportDocument]:
     """The text of a report, and the document that it was made from.
 
     Args:
@@ -70,7 +70,7 @@ def _shows_all(form: str, table: str) -> bool:
 
 def _page(
     reported: ReportInput, translator: Translator, *, has_images: bool
-) -> tuple[str, Document]:
+) -> tuple[str, ReportDocument]:
     """A page with images and the 3D view, if they can be had; else with the reason why not."""
     from urdfkit.output.report import html
 
@@ -91,7 +91,7 @@ class RobotImages(Record):
         scene: the robot in three dimensions; None if it cannot be had.
     """
 
-    document: Document
+    document: ReportDocument
     drawings: dict[str, str]
     scene: PageScene | None
 
@@ -122,7 +122,7 @@ def rendered(reported: ReportInput, *, has_images: bool) -> RobotImages:
     return RobotImages(document, found, scene.build(subject, built))
 
 
-def _without_view(document: Document, reason: str) -> Document:
+def _without_view(document: ReportDocument, reason: str) -> ReportDocument:
     """The document, with the reason why the 3D view is missing or incomplete."""
     return {**document, "missing": {**document["missing"], "3D view": reason}}
 

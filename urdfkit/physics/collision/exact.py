@@ -7,6 +7,7 @@ from math import inf
 import numpy as np
 
 from urdfkit.core.spatial import Transform, Vector
+from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.bodies import THINNEST, CollisionBody
 from urdfkit.physics.collision.collision_geometry import CollisionGeometry, DistanceQuery, form
 from urdfkit.physics.collision.geometry_arrays import (
@@ -19,6 +20,10 @@ from urdfkit.physics.collision.geometry_arrays import (
 from urdfkit.robot import Robot
 
 _POINT = form(CollisionArrays("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES))
+
+
+def _arrays(at: Transform) -> tuple[Floats, Floats]:
+    return np.array(at.rotation), np.array(at.position)
 
 
 class ExactDistances:
@@ -42,18 +47,13 @@ class ExactDistances:
             second: another one.
             at: the frame of the second in that of the first.
         """
-        one, other = self._geometry(first), self._geometry(second)
-        if one is None or other is None:
-            return inf
-        query = DistanceQuery(one, other)
-        return query.distance(np.array(at.rotation), np.array(at.position), 0.0)
+        query = self._query(first, second)
+        return query.distance(*_arrays(at), 0.0) if query else inf
 
     def hull_distance(self, first: CollisionBody, second: CollisionBody, at: Transform) -> float:
         """The signed distance of the convex hulls of two bodies; arguments as for `distance`."""
-        one, other = self._geometry(first), self._geometry(second)
-        if one is None or other is None:
-            return inf
-        return DistanceQuery(one, other).hulls(np.array(at.rotation), np.array(at.position))
+        query = self._query(first, second)
+        return query.hulls(*_arrays(at)) if query else inf
 
     def is_deeper(
         self, first: CollisionBody, second: CollisionBody, at: Transform, depth: float
@@ -66,11 +66,8 @@ class ExactDistances:
             at: the frame of the second in that of the first.
             depth: in m.
         """
-        one, other = self._geometry(first), self._geometry(second)
-        if one is None or other is None:
-            return False
-        query = DistanceQuery(one, other)
-        return query.is_deeper(np.array(at.rotation), np.array(at.position), depth)
+        query = self._query(first, second)
+        return query is not None and query.is_deeper(*_arrays(at), depth)
 
     def is_convex(self, body: CollisionBody) -> bool:
         """True for a body that fills its hull."""
@@ -98,6 +95,10 @@ class ExactDistances:
         if body.kind != "mesh" or found is None:
             return body.points
         return tuple((x, y, z) for x, y, z in found.solid.vertices.tolist())
+
+    def _query(self, first: CollisionBody, second: CollisionBody) -> DistanceQuery | None:
+        one, other = self._geometry(first), self._geometry(second)
+        return DistanceQuery(one, other) if one and other else None
 
     def _geometry(self, body: CollisionBody) -> CollisionGeometry | None:
         key = (body.link, body.number)

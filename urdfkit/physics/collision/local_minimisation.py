@@ -12,9 +12,8 @@ from math import inf
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.mesh.geometry import Flags, Floats, Integers
 from urdfkit.physics.collision.batch_kinematics import slopes
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.collision_geometry import DistanceQuery
@@ -37,8 +36,6 @@ _LEVEL = 1e-8
 _STRIDE = 0.25
 #: A step that leads away is shortened, down to this part of the whole one.
 _SHORTEST = 1e-3
-
-Flags = NDArray[np.bool_]
 
 
 class ClosestPair(NamedTuple):

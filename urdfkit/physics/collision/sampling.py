@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,7 @@ from urdfkit.physics.collision.worker_pool import CollisionError, WorkerPool
 from urdfkit.robot.adjacency import Adjacency
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.ros import RosDescription
 
 #: Pairs that collide in more of them always collide (as in MoveIt's Setup Assistant).
@@ -26,8 +27,6 @@ MAX_PAIRS = 50_000
 
 #: Of neighbours, which are not measured.
 _ADJACENT = PairFindings()
-
-Progress = Callable[[int, int], None]
 
 
 def collisions(

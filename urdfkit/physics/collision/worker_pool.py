@@ -2,32 +2,24 @@
 
 from __future__ import annotations
 
-import os
 import pickle
-import subprocess
-import sys
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from queue import SimpleQueue
 from types import TracebackType
 from typing import Any
 
+from urdfkit.core import child_process
 from urdfkit.errors import UrdfkitError
 from urdfkit.physics.collision.batch_kinematics import Chain
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision
 from urdfkit.physics.collision.task import PairFindings, Task
 
-#: The directories of modules are handed over, so that nothing is imported from where we stand.
-_BOOT = (
-    "import sys; sys.path[:] = sys.argv[1:]; "
-    "from urdfkit.physics.collision.worker import main; main()"
-)
+#: What a process runs.
+_MAIN = "urdfkit.physics.collision.worker"
 
 #: A robot that crashes more processes than this is given up.
 _MAX_CRASHES = 20
-
-#: What takes a share of the work must not bring threads of its own along.
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 class CollisionError(UrdfkitError):
@@ -168,15 +160,8 @@ class _Worker:
     """One process."""
 
     def __init__(self, chain: Chain, solids: Sequence[CollisionArrays]) -> None:
-        environment = {**os.environ, **dict.fromkeys(_THREADS, "1")}
         try:
-            self._process = subprocess.Popen(
-                [sys.executable, "-I", "-c", _BOOT, *sys.path],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
-                env=environment,
-            )
+            self._process = child_process.start(_MAIN)
         except OSError as error:
             raise CollisionError(f"no process can be started: {error.strerror}") from error
         self._total = self._expected = len(solids)

@@ -15,18 +15,15 @@ from functools import cached_property
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
 from urdfkit.core.spatial import Rotation, Transform, Vector, transposed
-from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
+from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.inertia import MassProperties, combined
 from urdfkit.robot.kinematics import direction, laws
 from urdfkit.robot.model import Joint, Link, Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
-
-Floats = NDArray[np.float64]
 
 #: Pinocchio's memory grows with the cube of the joints in a row: 150 take 300 MB, 600 take 15 GB.
 MAX_JOINTS = 150
@@ -69,7 +66,7 @@ class Dynamics:
             count = len(self._joints)
             raise Unsuitable(f"{count} joints move; Pinocchio has memory for {MAX_JOINTS}")
         for link, mass in self.payload.items():
-            self._known(link)
+            tree.model.require_link(link)
             if not abs(mass) < LARGEST:
                 raise Unsuitable(f"no robot carries {mass:g} kg")
         self.model, self._numbers, self._frames = _build(tree, self.payload)
@@ -144,7 +141,7 @@ class Dynamics:
 
     def placement(self, link: str, pose: Mapping[str, float]) -> Floats:
         """Where a link is in the frame of the root, as a homogeneous matrix, (4, 4)."""
-        number = self._frames[self._known(link)]
+        number = self._frames[self.tree.model.require_link(link).name]
         pin.framesForwardKinematics(self.model, self.data, self.configuration(pose))
         matrix: Floats = self.data.oMf[number].homogeneous
         return matrix
@@ -154,7 +151,7 @@ class Dynamics:
 
         Three rows of linear velocity, then three of angular velocity, along the axes of the root.
         """
-        number = self._frames[self._known(link)]
+        number = self._frames[self.tree.model.require_link(link).name]
         q = self.configuration(pose)
         whole = pin.computeFrameJacobian(
             self.model, self.data, q, number, pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
@@ -179,12 +176,6 @@ class Dynamics:
 
     def _joint(self, name: str) -> pin.JointModel:
         return self.model.joints[self._numbers[name]]
-
-    def _known(self, link: str) -> str:
-        if link not in self.tree.model.links_by_name:
-            suggested = did_you_mean(link, self.tree.model.links_by_name)
-            raise Unsuitable(f"no link '{link}'{suggested}")
-        return link
 
 
 def _downwards(tree: KinematicTree) -> list[Joint]:

@@ -6,14 +6,16 @@ for every joint climbs from the worst of these. The root is held.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.physics.gravity import Load, gravity_loads, is_searched
 from urdfkit.physics.gravity_model import GravityModel
+from urdfkit.robot.joint_loads import effort
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.physics.dynamics.robot import Dynamics
 
 #: Poses that are drawn, and the seed.
@@ -50,7 +52,7 @@ def statics(
     samples: int = SAMPLES,
     seed: int = SEED,
     joints: Iterable[str] | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Statics:
     """The loads of the joints that can be set by one number.
 
@@ -63,10 +65,11 @@ def statics(
         progress: called with the number of joints done and of all.
     """
     by_name = robot.tree.model.joints_by_name
-    wanted = by_name if joints is None else {n: by_name[n] for n in joints if n in by_name}
+    wanted = by_name if joints is None else [name for name in joints if name in by_name]
+    efforts = {name: effort(by_name[name]) for name in wanted}
     model = GravityModel(robot.tree, robot.payload)
     starts = model.starts(samples, seed)
-    found = gravity_loads(model, wanted, starts, pose or {}, progress)
+    found = gravity_loads(model, efforts, starts, pose or {}, progress)
     mass = robot.mass_properties().mass
     searched = is_searched(len(found))
     return Statics(tuple(found), len(starts), mass, dict(robot.payload), searched)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Collection, Iterable
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy
 from urdfkit.robot.assets.geometry import body_mesh
-from urdfkit.robot.inertials.suggestions import NoSuchLink
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Link
 from urdfkit.text.diagnostic import Edit
@@ -21,6 +20,7 @@ from urdfkit.text.editing.rewriting import Rewrite, on_disk
 from urdfkit.workspace.resolve import OUTSIDE
 
 if TYPE_CHECKING:
+    from urdfkit.core.progress import Progress
     from urdfkit.mesh.fitting import Fits
     from urdfkit.mesh.geometry import Mesh
     from urdfkit.robot import Robot
@@ -79,7 +79,7 @@ def propose(
     error: float | None = None,
     links: Collection[str] = (),
     most: int = 8,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> tuple[CollisionProposal, ...]:
     """A simple collision for links whose collision is missing or is the visual mesh itself.
 
@@ -91,15 +91,13 @@ def propose(
         progress: called with the number of links done, and of all.
 
     Raises:
-        NoSuchLink: one of the links is not in the robot.
+        UnknownLink: one of the links is not in the robot.
     """
-    known = robot.model.links_by_name
     for name in links:
-        if name not in known:
-            raise NoSuchLink(f"the robot has no link '{name}'")
+        robot.model.require_link(name)
     chosen = [
         link
-        for link in known.values()
+        for link in robot.model.links_by_name.values()
         if (link.name in links if links else _has_mesh(link) and _lacks_shape(link))
     ]
     fitted: dict[tuple[object, ...], Fits] = {}

@@ -12,13 +12,12 @@ if TYPE_CHECKING:
     from urdfkit.robot import Robot
 
 
-def body_mesh(robot: Robot, body: Body, *, unit: bool = True) -> Mesh | None:
+def body_mesh(robot: Robot, body: Body) -> Mesh | None:
     """The triangles of a shape in m, in the frame of its visual or collision.
 
     Args:
         robot: the robot.
         body: a visual or collision of it.
-        unit: apply the unit of length that a COLLADA file states.
 
     Returns:
         None where the shape is no known primitive and its file cannot be loaded.
@@ -33,9 +32,8 @@ def body_mesh(robot: Robot, body: Body, *, unit: bool = True) -> Mesh | None:
         return None
     from urdfkit.mesh.transforms import scaled
 
-    factor = mesh.unit if unit else 1.0
-    x, y, z = body.shape.scale
-    return scaled(mesh, (x * factor, y * factor, z * factor))._replace(unit=1.0)
+    x, y, z = (factor * mesh.unit for factor in body.shape.scale)
+    return scaled(mesh, (x, y, z))._replace(unit=1.0)
 
 
 def _primitive(part: Primitive) -> Mesh:

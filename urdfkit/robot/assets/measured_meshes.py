@@ -12,8 +12,7 @@ from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.robot.model import Body, Shape
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
+    from urdfkit.core.progress import Progress
     from urdfkit.mesh.measure_cache import Store
     from urdfkit.robot.assets.mesh_defects import MeshDefect
     from urdfkit.robot.assets.mesh_files import MeshFiles
@@ -36,7 +35,7 @@ class MeasuredMeshes:
         model: RobotModel,
         files: MeshFiles,
         store: Store,
-        progress: Callable[[int, int], None] | None = None,
+        progress: Progress | None = None,
     ) -> None:
         self.model = model
         self._files = files

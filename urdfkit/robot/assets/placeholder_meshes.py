@@ -8,23 +8,18 @@ no name does, those shapes themselves are taken. Nothing here guesses without sa
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import (
-    Vector,
-)
+from urdfkit.core.spatial import Vector
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.mesh.writers import SUFFIXES, require_replaceable, write
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.assets.placeholder_shapes import placeholder_shape
-from urdfkit.robot.assets.target_bounds import (
-    BUILDABLE,
-    is_buildable,
-)
+from urdfkit.robot.assets.target_bounds import BUILDABLE, is_buildable
 from urdfkit.workspace.resolve import OUTSIDE
 
 if TYPE_CHECKING:
@@ -64,6 +59,10 @@ class GeneratedMesh(Record):
         """
         return write(self.mesh, self.path)
 
+    def not_written(self, reason: str) -> NotGenerated:
+        """The result where the file may not be written."""
+        return NotGenerated(self.path, self.references, self.defect, reason)
+
 
 class NotGenerated(Record):
     """A file for which no mesh can be made, and why."""
@@ -77,8 +76,14 @@ class NotGenerated(Record):
 class GeneratedMeshes(Record):
     """What was made for the missing and broken files of a robot, and what was not."""
 
-    made: tuple[GeneratedMesh, ...]
-    undone: tuple[NotGenerated, ...]
+    generated: tuple[GeneratedMesh, ...]
+    not_generated: tuple[NotGenerated, ...]
+
+    @classmethod
+    def of(cls, results: Sequence[GeneratedMesh | NotGenerated]) -> GeneratedMeshes:
+        """Results, taken apart."""
+        made = tuple(one for one in results if isinstance(one, GeneratedMesh))
+        return cls(made, tuple(one for one in results if isinstance(one, NotGenerated)))
 
 
 class NoSuchMesh(UrdfkitError):
@@ -97,15 +102,7 @@ def generate_missing(robot: Robot) -> GeneratedMeshes:
     Args:
         robot: the robot.
     """
-    made: list[GeneratedMesh] = []
-    undone: list[NotGenerated] = []
-    for path, references, defect in unusable(robot):
-        made_here = _make(robot, path, references, defect)
-        if isinstance(made_here, GeneratedMesh):
-            made.append(made_here)
-        else:
-            undone.append(made_here)
-    return GeneratedMeshes(tuple(made), tuple(undone))
+    return GeneratedMeshes.of([_make(robot, *unusable_file) for unusable_file in unusable(robot)])
 
 
 def generate(

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 from urdfkit.robot.model import Shape
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
+    from urdfkit.core.progress import Progress
     from urdfkit.mesh.geometry import Floats, Mesh
     from urdfkit.robot.assets.mesh_files import MeshFiles
 
@@ -21,9 +20,7 @@ class Meshes:
         progress: called with the number of files loaded, and of all.
     """
 
-    def __init__(
-        self, files: MeshFiles, progress: Callable[[int, int], None] | None = None
-    ) -> None:
+    def __init__(self, files: MeshFiles, progress: Progress | None = None) -> None:
         self._files = files
         self._progress = progress
         self._loaded: dict[str, Mesh | str] = {}

@@ -13,14 +13,7 @@ from itertools import permutations, product
 from math import hypot, log
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import (
-    Rotation,
-    Transform,
-    Vector,
-    cross,
-    minus,
-    to_rpy,
-)
+from urdfkit.core.spatial import Rotation, Transform, Vector, cross, minus, to_rpy
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, solid
 

@@ -100,6 +100,8 @@ def _defect(one: LinkInertia, matters: Matters) -> InertiaDefect | None:
         return InertiaDefect.TRIANGLE_INEQUALITY
     if one.is_noise or not one.is_measured or one.body.is_ground:
         return None
+    if one.is_marker and one.radius_of_gyration < WIDE:
+        return None  # its shape says nothing of its size
     implausible = implausible_density(one) is not None
     if implausible and unit_mistake(one):
         return InertiaDefect.DENSITY

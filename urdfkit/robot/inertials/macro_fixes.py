@@ -16,7 +16,7 @@ from urdfkit.text.source import Span
 from urdfkit.workspace.includes import is_included
 
 if TYPE_CHECKING:
-    from urdfkit.robot import Description
+    from urdfkit.robot import DescribedRobot
     from urdfkit.robot.model import Body, Link
     from urdfkit.text.document import Attribute, CallFrame, Element, Tag
 
@@ -60,7 +60,7 @@ class _MacroCall(Record):
     arguments: tuple[tuple[str, str], ...]
 
 
-def computing(description: Description, links: list[Link], tensor: Tag) -> Fix | None:
+def computing(description: DescribedRobot, links: list[Link], tensor: Tag) -> Fix | None:
     """Macros for the shapes of some links, and calls of these in the place of one.
 
     Args:
@@ -186,7 +186,7 @@ def _text(attribute: Attribute | None) -> str | None:
     return " ".join(attribute.span.text.split())
 
 
-def _names(description: Description, kinds: set[str]) -> dict[str, str] | None:
+def _names(description: DescribedRobot, kinds: set[str]) -> dict[str, str] | None:
     """Names for the macros by the kind of their shape; None if all are taken."""
     taken = {macro.name.removeprefix("xacro:") for macro in description.xacro.macros}
     for name in ("{}_inertial", "solid_{}_inertial"):
@@ -196,7 +196,7 @@ def _names(description: Description, kinds: set[str]) -> dict[str, str] | None:
     return None
 
 
-def _is_only_use(description: Description, tensor: Tag, links: list[Link]) -> bool:
+def _is_only_use(description: DescribedRobot, tensor: Tag, links: list[Link]) -> bool:
     """True if nothing but these links uses a macro that other files cannot include."""
     is_private = tensor.source is description.source and description.xacro.is_complete
     return (

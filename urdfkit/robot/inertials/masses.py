@@ -200,7 +200,9 @@ class Masses:
         return [
             (left, right)
             for left, right in self.symmetric_pairs
-            if wrong.isdisjoint((left.name, right.name)) and unlike(left, right)
+            if wrong.isdisjoint((left.name, right.name))
+            and any(one.mass >= SIGNIFICANT * one.body.mass for one in (left, right))
+            and unlike(left, right)
         ]
 
     @cached_property

@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, ORIGIN, Transform, Vector
-from urdfkit.core.suggest import did_you_mean
-from urdfkit.errors import UrdfkitError
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments
 from urdfkit.robot.inertials.diagnosis import CLEAR
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
@@ -116,10 +114,6 @@ class InertiaProposal(Record):
         ]
 
 
-class NoSuchLink(UrdfkitError):
-    """No link of the robot has that name."""
-
-
 def propose(
     robot: Robot,
     *,
@@ -140,16 +134,14 @@ def propose(
         lump: take links that fixed joints hold together as one body.
 
     Raises:
-        NoSuchLink: one of the links is not in the robot.
+        UnknownLink: one of the links is not in the robot.
     """
-    known = robot.model.links_by_name
     for name in links:
-        if name not in known:
-            raise NoSuchLink(f"no link '{name}'{did_you_mean(name, known)}")
+        robot.model.require_link(name)
     if lump:
         groups = [body.links for body in rigid_bodies(robot.tree)]
     else:
-        groups = [((link, Transform()),) for link in known.values()]
+        groups = [((link, Transform()),) for link in robot.model.links_by_name.values()]
     proposals = []
     for group in groups:
         if links and group[0][0].name not in links:

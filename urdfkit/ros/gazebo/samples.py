@@ -31,12 +31,12 @@ def control_xml(hardware: str, *inside: str, name: str = "arm") -> str:
     return element_xml(f'ros2_control name="{name}" type="system"', plugin, *inside)
 
 
-def driven_xml(name: str, command: str = "position", state: str = "position") -> str:
+def driven_xml(name: str, command: str = "position") -> str:
     """A ``<joint>`` of ``<ros2_control>`` with a command and a state interface."""
     return element_xml(
         f'joint name="{name}"',
         f'<command_interface name="{command}"/>',
-        f'<state_interface name="{state}"/>',
+        '<state_interface name="position"/>',
     )
 
 

@@ -75,7 +75,8 @@ class ArgumentUses:
                 message = f"argument '{name}' is used before it is declared"
                 yield Problem("LAU006", span, message, frame=frame)
             else:
-                yield undeclared(name, declared, span, frame, is_lost=is_lost)
+                ros = 2 if carries_over else 1
+                yield undeclared(name, declared, span, frame, is_lost=is_lost, ros=ros)
 
 
 def is_typo(name: str, known: Iterable[str]) -> bool:
@@ -84,16 +85,25 @@ def is_typo(name: str, known: Iterable[str]) -> bool:
 
 
 def undeclared(
-    name: str, declared: Collection[str], span: Span, frame: CallFrame | None, *, is_lost: bool
+    name: str,
+    declared: Collection[str],
+    span: Span,
+    frame: CallFrame | None,
+    *,
+    is_lost: bool,
+    ros: int,
 ) -> Problem:
     """An argument is used and not declared.
 
     The command line may set it, unless the file is included and gets nothing from there
-    (``is_lost``), or the name is a typo.
+    (``is_lost``), or the name is a typo. In ROS 1 that is a way to make callers set it.
     """
-    hint = did_you_mean(name, declared)
+    hint = Suggester(frozenset(declared)).hint(name)
     message = f"no argument '{name}' is declared{hint}"
-    severity = None if is_lost or is_typo(name, declared) else Severity.WARNING
+    severity = None
+    if not (is_lost or hint):
+        severity = Severity.INFO if ros == 1 else Severity.WARNING
+        message += "; the caller must pass it"
     return Problem("LAU006", span, message, frame=frame, severity=severity)
 
 

@@ -14,6 +14,7 @@ from urdfkit.ros.launch.contents import (
     MAX_INCLUDED,
     PARAMETERS,
     FileUse,
+    IncludedFile,
     Launch,
     LaunchedDescription,
     PackageUse,
@@ -59,6 +60,7 @@ class Collector:
         self.problems: list[Problem] = []
         self.started: list[StartedProgram] = []
         self.started_by_included: list[StartedProgram] = []
+        self.includes: list[IncludedFile] = []
         self.is_whole = True
         self.names_parameters = False
         self.included = included
@@ -153,6 +155,7 @@ class Collector:
             one._replace(is_sure=one.is_sure and is_sure)
             for one in (*inner.started, *inner.started_by_included)
         )
+        self.includes += (one._replace(is_sure=one.is_sure and is_sure) for one in inner.includes)
         self.descriptions += inner.descriptions
         self.files += (one for one in inner.files if one.purpose == PARAMETERS and one.exists)
         self.names_parameters = self.names_parameters or inner.names_parameters
@@ -167,6 +170,7 @@ class Collector:
             tuple(self.started_by_included),
             self.is_whole,
             self.names_parameters,
+            tuple(self.includes),
         )
 
 

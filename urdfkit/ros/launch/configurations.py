@@ -14,6 +14,7 @@ from urdfkit.ros.launch.argument_checks import (
     undeclared,
     unknown_to_included,
 )
+from urdfkit.ros.launch.contents import Word
 from urdfkit.ros.launch.signature import Signature, declares, signature
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem
@@ -70,6 +71,21 @@ class Configurations:
         own = {name: self._values.configuration(name) for name in self._values.arguments}
         return {**own, **{name: text(value) for key, value in pairs if (name := text(key))}}
 
+    def seen(self, call: ast.Call) -> dict[str, Word] | None:
+        """The arguments that an included file sees, with their places; None as in `given`."""
+        pairs = self._pairs(call)
+        if pairs is None:
+            return None
+        values = self._values
+        place = values.span(call)
+        own = {name: Word(values.configuration(name), place) for name in values.arguments}
+        passed = {
+            name: Word(values.text(value), values.span(value))
+            for key, value in pairs
+            if (name := values.text(key))
+        }
+        return own | passed
+
     def _passed(self, call: ast.Call) -> list[tuple[str, Span]] | None:
         """The names of the arguments that an include passes; None if not all are known."""
         pairs = self._pairs(call)
@@ -113,7 +129,7 @@ class Configurations:
         for name, call in missing.items():
             if is_sure or is_typo(name, self._known):
                 span = self._values.span(call)
-                yield undeclared(name, self._known, span, None, is_lost=False)
+                yield undeclared(name, self._known, span, None, is_lost=False, ros=2)
 
     def _may_be_lent(self) -> bool:
         """True if files that include this one may give it more arguments than are known."""

@@ -96,6 +96,24 @@ class StartedProgram(Record):
     is_remapped: bool = False
 
 
+class IncludedFile(Record):
+    """A launch file that another one includes, at hand or not.
+
+    Attributes:
+        path: with its expressions resolved; absolute.
+        arguments: that it sees; None if not even their names are known.
+        span: where it is included.
+        frame: the launch files that led there.
+        is_sure: False if a condition decides that is known at run time only.
+    """
+
+    path: str
+    arguments: Mapping[str, Word] | None
+    span: Span
+    frame: CallFrame | None
+    is_sure: bool = True
+
+
 class Launch(Record):
     """What a launch file needs.
 
@@ -108,6 +126,7 @@ class Launch(Record):
         is_whole: False if it includes what was not read.
         names_parameters: True if it gives parameters names that are in no file, by a namespace for
             what is in a file, or in its own text.
+        includes: the files that it and those which it includes include.
     """
 
     descriptions: tuple[LaunchedDescription, ...]
@@ -118,6 +137,7 @@ class Launch(Record):
     included: tuple[StartedProgram, ...]
     is_whole: bool
     names_parameters: bool
+    includes: tuple[IncludedFile, ...] = ()
 
     @property
     def parameters(self) -> tuple[FileUse, ...]:

@@ -9,7 +9,7 @@ from itertools import pairwise
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import PARAMETERS, StartedProgram
+from urdfkit.ros.launch.contents import PARAMETERS, IncludedFile, StartedProgram
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import Values, argument, called
@@ -19,7 +19,6 @@ from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
 
 _PARAMETER_FILES = (".yaml", ".yml")
-_ROBOT_FILES = (".urdf", ".xacro")
 
 
 def read(
@@ -159,8 +158,12 @@ class _Reader:
         self.collector.problems += self.configurations.include(call, path)
         passed = self.configurations.given(call)
         holds = self._condition(call)
+        is_sure = holds is True and not self._has_groups
+        if path and holds is not False:
+            seen = self.configurations.seen(call)
+            included = IncludedFile(path, seen, self.values.span(call), self.frame, is_sure)
+            self.collector.includes.append(included)
         if is_there and passed is not None and holds is not False:
-            is_sure = holds is True and not self._has_groups
             self.collector.follow(path, self.source, passed, self._frame(call), is_sure=is_sure)
 
     def _condition(self, action: ast.Call) -> bool | None:

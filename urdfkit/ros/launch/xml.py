@@ -15,12 +15,19 @@ from urdfkit.ros.launch.argument_checks import (
     unknown_to_included,
 )
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
-from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, StartedProgram
+from urdfkit.ros.launch.contents import (
+    MAX_DEPTH,
+    MAX_INCLUDED,
+    PARAMETERS,
+    IncludedFile,
+    StartedProgram,
+    Word,
+)
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
 from urdfkit.ros.launch.substitutions import Substitutions, unresolved
 from urdfkit.ros.launch.tags import dialect, mistakes
-from urdfkit.text.diagnostic import Problem
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.manifest import manifest_of
@@ -75,8 +82,12 @@ class _File:
         is_launch = document is not None and document.root.tag == "launch"
         is_yaml = self.source.path.endswith(YAML)
         broken = [problem for problem in problems if problem.code in _BROKEN]
-        if broken:
+        if self.source.data.startswith(b"#!"):
+            self._foreign("it is a script")
+        elif broken:
             self._unreadable(broken[0].span, broken[0].message)
+        elif document is not None and document.root.tag == "launchConfiguration":
+            self._foreign("<launchConfiguration> is of Eclipse")
         elif not is_launch:
             root = "root key is not launch" if is_yaml else "root element is not <launch>"
             self._unreadable(Span(self.source, 0, 0), f"the {root}")
@@ -92,6 +103,12 @@ class _File:
 
     def _unreadable(self, at: Span, reason: str) -> None:
         problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
+        self.collector.problems.append(problem)
+
+    def _foreign(self, reason: str) -> None:
+        """The file is of another program, and only has the suffix of a launch file."""
+        at, message = Span(self.source, 0, 0), f"not a launch file of ROS: {reason}"
+        problem = Problem("LAU001", at, message, frame=self.frame, severity=Severity.INFO)
         self.collector.problems.append(problem)
 
     def _children(self, parent: Element) -> None:
@@ -169,6 +186,11 @@ class _File:
         attribute = element.attributes.get("file")
         path = self._path_in(attribute) if attribute else None
         purpose = "included launch file"
+        if path:
+            seen = self._seen(element)
+            is_sure = not self._unknown_conditions
+            included = IncludedFile(path, seen, element.span, self.frame, is_sure)
+            self.collector.includes.append(included)
         if attribute and path and self.collector.file(path, attribute.span, purpose):
             self._included(element, path)
             return
@@ -231,6 +253,18 @@ class _File:
             if child.tag in ("arg", "let") and attribute:
                 passed[child.get("name") or ""] = self.text(attribute)
         return passed
+
+    def _seen(self, element: Element) -> dict[str, Word]:
+        """The arguments that an included file sees, with their places."""
+        places = {
+            child.get("name") or "": child.attributes["value"].span
+            for child in element.children
+            if "value" in child.attributes
+        }
+        return {
+            name: Word(value, places.get(name, element.span))
+            for name, value in self._passed(element).items()
+        }
 
     def _param(self, element: Element) -> None:
         name = (element.get("name") or "").strip()

@@ -32,7 +32,7 @@ _LAUNCH, _PYTHON = (".launch", ".launch.xml"), ".launch.py"
 MAX_FILES, MAX_DEPTH = 300, 4
 
 
-class NameMention(Record):
+class NameReference(Record):
     """One place.
 
     Attributes:
@@ -44,9 +44,9 @@ class NameMention(Record):
     span: Span
 
 
-def mentions(
+def package_references(
     names: Collection[str], robot: str, own: Collection[str], resolver: Resolver
-) -> list[NameMention]:
+) -> list[NameReference]:
     """Where the package of a robot names a link or a joint outside of the robot's own files.
 
     Args:
@@ -59,7 +59,7 @@ def mentions(
     if package is None:
         return []
     words = [name.encode() for name in names]
-    found: list[NameMention] = []
+    found: list[NameReference] = []
     for path in _files(package[1], resolver):
         if os.path.realpath(path) in own:
             continue
@@ -75,7 +75,7 @@ def mentions(
     return found
 
 
-def mention_at(source: Source, offset: int) -> NameMention | None:
+def reference_at(source: Source, offset: int) -> NameReference | None:
     """The place in a file of YAML or a launch file; None elsewhere, and in other files."""
     if not source.path.endswith((*_YAML, *_LAUNCH, _PYTHON)):
         return None
@@ -96,7 +96,7 @@ def _files(directory: str, resolver: Resolver) -> Iterator[str]:
                 yield path
 
 
-def _in_file(source: Source) -> Iterator[NameMention]:
+def _in_file(source: Source) -> Iterator[NameReference]:
     if source.path.endswith(_YAML):
         return _in_yaml(source)
     return _in_python(source) if source.path.endswith(_PYTHON) else _in_launch(source)
@@ -109,7 +109,7 @@ def _kind(key: str) -> str:
     return "link" if _LINKS.search(key) else ""
 
 
-def _in_yaml(source: Source) -> Iterator[NameMention]:
+def _in_yaml(source: Source) -> Iterator[NameReference]:
     stem = os.path.basename(source.path).partition(".")[0]
     stack = [(load(source), stem)]
     while stack:
@@ -117,28 +117,28 @@ def _in_yaml(source: Source) -> Iterator[NameMention]:
         if isinstance(node, dict):
             for inner, value in node.items():
                 if isinstance(inner, Key) and _BY_JOINT.search(key):
-                    yield NameMention("joint", _bare(inner.span))
+                    yield NameReference("joint", _bare(inner.span))
                 stack.append((value, inner))
         elif isinstance(node, list):
             stack += [(value, key) for value in node]
         elif isinstance(node, Value) and (kind := _kind(key)):
-            yield NameMention(kind, _bare(node.span))
+            yield NameReference(kind, _bare(node.span))
 
 
-def _in_launch(source: Source) -> Iterator[NameMention]:
+def _in_launch(source: Source) -> Iterator[NameReference]:
     for node in Page(source).nodes:
         value, args = node.attribute("value"), node.attribute("args")
         if node.name == "param" and value and value.value_span:
             if kind := _kind(node.get("name")):
-                yield NameMention(kind, value.value_span)
+                yield NameReference(kind, value.value_span)
         elif args and args.value_span and _PUBLISHER in (node.get("exec"), node.get("type")):
             span = args.value_span
             for word in re.finditer(rb"\S+", source.data[span.start : span.end]):
                 at = Span(source, span.start + word.start(), span.start + word.end())
-                yield NameMention("link", at)
+                yield NameReference("link", at)
 
 
-def _in_python(source: Source) -> Iterator[NameMention]:
+def _in_python(source: Source) -> Iterator[NameReference]:
     try:
         tree = python_source.parse(source.data)
     except SyntaxError:
@@ -154,13 +154,13 @@ def _in_python(source: Source) -> Iterator[NameMention]:
                 yield from _strings(source, "link", given.get("arguments"))
 
 
-def _strings(source: Source, kind: str, value: ast.expr | None) -> Iterator[NameMention]:
+def _strings(source: Source, kind: str, value: ast.expr | None) -> Iterator[NameReference]:
     """A string, or those of a list."""
     for one in value.elts if isinstance(value, ast.List | ast.Tuple) else [value]:
         if one is not None and python_source.string(one) and one.end_lineno is not None:
             start = source.offset(one.lineno, 1) + one.col_offset
             end = source.offset(one.end_lineno, 1) + (one.end_col_offset or 0)
-            yield NameMention(kind, _bare(Span(source, start, end)))
+            yield NameReference(kind, _bare(Span(source, start, end)))
 
 
 def _bare(span: Span) -> Span:

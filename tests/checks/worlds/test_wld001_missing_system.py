@@ -1,0 +1,151 @@
+"""WLD001: a world of gz sim does not load a system that the robot needs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.worlds.started import INCLUDE, SENSOR, found, systems
+
+CODE = "WLD001"
+DEFAULTS = ("physics", "user-commands", "scene-broadcaster")
+
+
+def messages(directory: Path, **files: object) -> list[str]:
+    return [one.message for one in found(directory, CODE, **files)]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("kind", "system"),
+    [
+        ("camera", "Sensors"),
+        ("gpu_lidar", "Sensors"),
+        ("gpu_ray", "Sensors"),
+        ("rgbd", "Sensors"),
+        ("imu", "Imu"),
+        ("contact", "Contact"),
+        ("gps", "NavSat"),
+        ("force_torque", "ForceTorque"),
+        ("altimeter", "Altimeter"),
+        ("magnetometer", "Magnetometer"),
+        ("air_pressure", "AirPressure"),
+    ],
+)
+def test_each_sensor_needs_its_system(kind: str, system: str, tmp_path: Path) -> None:
+    world = systems(*DEFAULTS)
+    (one,) = found(tmp_path, CODE, world=world, robot=SENSOR.format(kind))
+    assert one.message == (
+        f"world 'hall' does not load the system {system}, without which sensor 's' ({kind}) "
+        "gives no data"
+    )
+    assert (one.span.source.path, one.span.line) == (str(tmp_path / "worlds/hall.sdf"), 2)
+    assert [note.span.source.path.rpartition("/")[2] for note in one.related] == [
+        "robot.urdf",
+        "robot.launch.py",
+    ]
+
+
+def test_a_world_without_plugins_has_the_defaults(tmp_path: Path) -> None:
+    (one,) = messages(tmp_path, world="<gravity>0 0 -9.8</gravity>", robot=SENSOR.format("imu"))
+    assert "the system Imu" in one
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        systems("sensors"),
+        '<plugin filename="libignition-gazebo6-sensors-system.so" name="x"/>',
+        '<model name="m"><plugin filename="gz-sim-sensors-system" name="x"/></model>',
+    ],
+)
+def test_the_world_loads_it(more: str, tmp_path: Path) -> None:
+    world = f"{systems(*DEFAULTS)}\n{more}"
+    assert messages(tmp_path, world=world, robot=SENSOR.format("camera")) == []
+
+
+def test_the_robot_loads_it(tmp_path: Path) -> None:
+    robot = f"{SENSOR.format('imu')}<gazebo>{systems('imu')}</gazebo>"
+    assert messages(tmp_path, world=systems(*DEFAULTS), robot=robot) == []
+
+
+def test_a_model_in_the_world_loads_it(tmp_path: Path) -> None:
+    include = "<include><uri>model://lamp</uri></include>"
+    files = {"models/lamp/model.sdf": f"<sdf><model>{systems('imu')}</model></sdf>"}
+    robot = SENSOR.format("imu")
+    assert messages(tmp_path, world=include, robot=robot, files=files) == []
+    (tmp_path / "models/lamp/model.sdf").write_text("<sdf/>")
+    assert len(messages(tmp_path, world=include, robot=robot)) == 1
+
+
+def test_a_server_configuration_may_load_it(tmp_path: Path) -> None:
+    launch = f"import os\nos.environ['GZ_SIM_SERVER_CONFIG_PATH'] = share\n{INCLUDE}"
+    assert messages(tmp_path, world="", robot=SENSOR.format("imu"), launch=launch) == []
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '"-r -v4 empty.sdf"'),
+        INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '[" empty.sdf --verbose 4 -r"]'),
+        INCLUDE.replace('"gz_args": ["-r ", share, "/worlds/hall.sdf"]', ""),
+        INCLUDE + 'ExecuteProcess(cmd=["ign gazebo -r -v 4", "shapes.sdf"], shell=True)\n',
+    ],
+)
+def test_worlds_that_come_with_gazebo(start: str, tmp_path: Path) -> None:
+    if "ign gazebo" in start:
+        start = start.replace("[gazebo, robot]", "[robot]").replace("ros_gz_sim", "other")
+    (one,) = found(tmp_path, CODE, robot=SENSOR.format("camera"), launch=start)
+    assert "the system Sensors" in one.message
+    assert one.span.source.path == str(tmp_path / "launch/robot.launch.py")
+
+
+def test_one_that_has_all(tmp_path: Path) -> None:
+    start = INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '"-r sensors_demo.sdf"')
+    assert messages(tmp_path, robot=SENSOR.format("camera"), launch=start) == []
+
+
+@pytest.mark.parametrize(
+    ("missing", "what"),
+    [("physics", "nothing moves"), ("scene-broadcaster", "stays empty")],
+)
+def test_defaults_that_a_world_leaves_out(missing: str, what: str, tmp_path: Path) -> None:
+    world = systems(*(one for one in DEFAULTS if one != missing))
+    (one,) = messages(tmp_path, world=world)
+    assert what in one
+    assert "up to Gazebo Harmonic" in one
+    policy = "<include_server_config_plugins>{}</include_server_config_plugins>"
+    kept = f"<gz:policies>{policy.format('true')}</gz:policies>"
+    assert messages(tmp_path, world=world + kept) == []
+    (one,) = messages(tmp_path, world=world + kept.replace("true", "false"))
+    assert "Harmonic" not in one
+
+
+def test_spawning_needs_user_commands(tmp_path: Path) -> None:
+    world = systems("physics", "scene-broadcaster")
+    assert messages(tmp_path, world=world) == []
+    spawn = '\nNode(package="ros_gz_sim", executable="create", arguments=["-file", "a.sdf"])\n'
+    (one,) = messages(tmp_path, world=world, launch=INCLUDE + spawn)
+    assert "UserCommands: the node that spawns the robot waits for ever" in one
+
+
+def test_without_a_window_nobody_needs_the_scene(tmp_path: Path) -> None:
+    launch = INCLUDE.replace('"-r "', '"-s -r "')
+    assert messages(tmp_path, world=systems("physics", "user-commands"), launch=launch) == []
+
+
+def test_classic_has_no_systems(tmp_path: Path) -> None:
+    launch = """
+<include file="$(find gazebo_ros)/launch/empty_world.launch">
+  <arg name="world_name" value="$(dirname)/../worlds/hall.sdf"/>
+</include>
+<param name="robot_description" command="xacro $(dirname)/../robot.urdf"/>"""
+    name = "robot.launch"
+    robot = SENSOR.format("camera")
+    assert messages(tmp_path, world="", robot=robot, launch=launch, name=name) == []
+    gz = launch.replace("gazebo_ros", "ros_gz_sim").replace(
+        "empty_world.launch", "gz_server.launch"
+    )
+    gz = gz.replace("world_name", "world_sdf_file")
+    (one,) = messages(tmp_path, world="", robot=robot, launch=gz, name=name)
+    assert "Sensors" in one

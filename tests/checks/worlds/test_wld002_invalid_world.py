@@ -1,0 +1,122 @@
+"""WLD002: Gazebo does not load the world that a launch file starts, or not all of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.worlds.started import INCLUDE, SENSOR, WORLD, found, systems
+from urdfkit import Diagnostic, Severity
+
+CODE = "WLD002"
+CLASSIC = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
+CLASSIC = CLASSIC.replace('"gz_args": ["-r ", share', '"world": [share')
+SPAWN = '\nNode(package="ros_gz_sim", executable="create", arguments=["-topic", "r", {}])\n'
+
+
+def one(directory: Path, world: str, **files: object) -> Diagnostic:
+    (found_one,) = found(directory, CODE, world=world, **files)  # type: ignore[arg-type]
+    return found_one
+
+
+def messages(directory: Path, **files: object) -> list[str]:
+    return [one.message for one in found(directory, CODE, **files)]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    "file", ["libgazebo_ros_init.so", "libgazebo_ros_factory.so", "libgazebo_ros_state.so"]
+)
+def test_a_plugin_of_classic_in_gz(file: str, tmp_path: Path) -> None:
+    reported = one(tmp_path, f'<plugin name="p" filename="{file}"/>')
+    assert reported.message == (
+        f"plugin 'p' ({file}) is for Gazebo Classic, and world 'hall' is started in gz-sim: it is "
+        "not loaded"
+    )
+    assert (reported.severity, reported.span.text) == (Severity.WARNING, file)
+
+
+def test_a_system_of_gz_in_classic(tmp_path: Path) -> None:
+    reported = one(tmp_path, systems("physics"), launch=CLASSIC)
+    assert "is for gz-sim, and world 'hall' is started in Gazebo Classic" in reported.message
+    state = '<plugin name="p" filename="libgazebo_ros_state.so"/>'
+    assert messages(tmp_path, world=state, launch=CLASSIC) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "name", "problem"),
+    [
+        ("gz-sim-physcis-system", "gz::sim::systems::Physics", "unknown plugin library"),
+        ("gz-sim-sensor-system", "gz::sim::systems::Sensors", "unknown plugin library"),
+        ("gz-sim-sensors-system", "gz::sim::systems::Sensor", "only gz::sim::systems::Sensors"),
+        ("gz-sim-imu-system", "imu", "only gz::sim::systems::Imu"),
+        ("ignition-gazebo-imu-system", "ignition::gazebo::systems::v6::Imu", ""),
+        ("ignition-gazebo-imu-system", "gz::sim::systems::Imu", ""),
+        ("libgz-sim8-imu-system.so", "gz::sim::systems::Imu", ""),
+        ("libmy_weather.so", "anything", ""),
+    ],
+)
+def test_names_of_plugins(file: str, name: str, problem: str, tmp_path: Path) -> None:
+    reported = found(tmp_path, CODE, world=f'<plugin filename="{file}" name="{name}"/>')
+    assert [problem in one.message for one in reported] == [True] * bool(problem)
+    assert all(one.severity is Severity.ERROR for one in reported)
+
+
+@pytest.mark.parametrize(
+    ("engine", "problem"),
+    [("ogre3", "unknown render engine 'ogre3'"), ("orge2", "'ogre2'"), ("ogre", ""), ("ogre2", "")],
+)
+def test_render_engines(engine: str, problem: str, tmp_path: Path) -> None:
+    world = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors">'
+    world += f"<render_engine>{engine}</render_engine></plugin>"
+    assert [problem in one for one in messages(tmp_path, world=world)] == [True] * bool(problem)
+    line = INCLUDE.replace('"-r "', f'"-r --render-engine {engine} "')
+    written = messages(tmp_path, world="", launch=line)
+    assert [problem in one for one in written] == [True] * bool(problem)
+
+
+@pytest.mark.parametrize("kind", ["segmentation", "boundingbox_camera"])
+def test_what_the_old_engine_lacks(kind: str, tmp_path: Path) -> None:
+    world = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors">'
+    world += "<render_engine>ogre</render_engine></plugin>"
+    reported = one(tmp_path, world, robot=SENSOR.format(kind))
+    assert reported.message == f"the render engine ogre has no {kind}, which sensor 's' is"
+    assert messages(tmp_path, world=world, robot=SENSOR.format("camera")) == []
+    newer = world.replace("ogre", "ogre2")
+    assert messages(tmp_path, world=newer, robot=SENSOR.format(kind)) == []
+
+
+def test_models_that_are_not_there(tmp_path: Path) -> None:
+    include = "<include><uri>model://{}</uri></include>"
+    files = {"models/big_shelf/model.config": "<model/>"}
+    assert messages(tmp_path, world=include.format("big_shelf"), files=files) == []
+    (typo,) = messages(tmp_path, world=include.format("big_shlef"))
+    assert typo == "model 'model://big_shlef' is not found; did you mean 'big_shelf'?"
+    assert messages(tmp_path, world=include.format("cafe")) == []
+    for name in ("sun", "ground_plane"):
+        (online,) = messages(tmp_path, world=include.format(name))
+        assert f"gz sim does not come with 'model://{name}'" in online
+        assert messages(tmp_path, world=include.format(name), launch=CLASSIC) == []
+
+
+def test_files_that_are_no_worlds(tmp_path: Path) -> None:
+    path = tmp_path / "worlds/hall.sdf"
+    reported = one(tmp_path, "<model>")
+    assert reported.message.startswith("'hall.sdf' is not a world: ")
+    assert reported.span.source.path == str(path)
+    path.write_text("<sdf><model name='m'/></sdf>")
+    (none,) = messages(tmp_path)
+    assert none == "'hall.sdf' is not a world: it has no <world> in an <sdf>"
+    path.write_text(f"<% n = 3 %>{WORLD.format('')}")
+    assert messages(tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    "argument", ['"-world", "halle"', '"-world=default"', '"--world", "empty"']
+)
+def test_spawned_into_another_world(argument: str, tmp_path: Path) -> None:
+    reported = one(tmp_path, "", launch=INCLUDE + SPAWN.format(argument))
+    assert "and world 'hall' is started" in reported.message
+    same = SPAWN.format('"-world", "hall"')
+    assert messages(tmp_path, world="", launch=INCLUDE + same) == []
+    assert messages(tmp_path, world="", launch=INCLUDE + SPAWN.format("")) == []

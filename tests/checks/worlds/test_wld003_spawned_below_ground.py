@@ -1,0 +1,118 @@
+"""WLD003: the robot is spawned with its wheels below the ground of the world."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.worlds.started import INCLUDE, found
+from urdfkit import Severity
+
+CODE = "WLD003"
+PLANE = """<model name="floor"><static>true</static><pose>0 0 {} 0 0 0</pose><link name="l">
+<collision name="c"><geometry><plane><normal>0 0 1</normal></plane></geometry></collision>
+</link></model>"""
+SPAWN = 'Node(package="ros_gz_sim", executable="create", arguments=[{}])\n'
+TOPIC = '"-topic", "robot_description", "-name", "cart"'
+EMPTY = INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '"-r empty.sdf"')
+
+
+def wheeled(joint: str = "continuous", world: str = "") -> str:
+    """Wheels with a radius of 0.1 m around the root link."""
+    text = world
+    for name, xyz in (("left", "0 0.8 -0.2"), ("right", "0 -0.8 -0.2"), ("rear", "-0.8 0 -0.2")):
+        text += f"""<joint name="{name}" type="{joint}"><parent link="base"/><child link="{name}"/>
+<origin xyz="{xyz}"/><axis xyz="0 1 0"/></joint><link name="{name}"><inertial><mass value="1"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+<collision><geometry><sphere radius="0.1"/></geometry></collision></link>"""
+    return text
+
+
+def messages(directory: Path, **files: object) -> list[str]:
+    return [one.message for one in found(directory, CODE, **files)]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("launch", "z", "depth"),
+    [
+        (EMPTY + SPAWN.format(TOPIC), "0", "0.3"),
+        (EMPTY + SPAWN.format(TOPIC + ', "-z", "0.1"'), "0.1", "0.2"),
+        (EMPTY + SPAWN.format(TOPIC + ', "-z=0.25", "-Y", "1"'), "0.25", "0.05"),
+        (
+            EMPTY + SPAWN.format("").replace(
+                "arguments=[]", 'parameters=[{"topic": "robot_description", "z": 0.2}]'
+            ),
+            "0.2",
+            "0.1",
+        ),
+    ],
+)  # fmt: skip
+def test_it_is_too_low(launch: str, z: str, depth: str, tmp_path: Path) -> None:
+    (one,) = messages(tmp_path, robot=wheeled(), launch=launch)
+    assert one == (
+        f"the robot is spawned at z = {z} m, where link 'left' is {depth} m below the ground"
+    )
+
+
+def test_the_place_and_what_to_write(tmp_path: Path) -> None:
+    launch = EMPTY + SPAWN.format(TOPIC + ', "-z", "0.1"')
+    (one,) = found(tmp_path, CODE, robot=wheeled(), launch=launch)
+    assert one.span.text == '"0.1"'
+    assert (one.help, one.severity) == ("spawn it at z = 0.3 or higher", Severity.WARNING)
+    (one,) = found(tmp_path, CODE, robot=wheeled(), launch=launch.replace("0.1", "0.22"))
+    assert one.severity is Severity.INFO
+
+
+@pytest.mark.parametrize("z", ["0.3", "0.295", "1"])
+def test_it_is_high_enough(z: str, tmp_path: Path) -> None:
+    launch = EMPTY + SPAWN.format(f'{TOPIC}, "-z", "{z}"')
+    assert messages(tmp_path, robot=wheeled(), launch=launch) == []
+
+
+def test_the_floor_of_the_world(tmp_path: Path) -> None:
+    launch = INCLUDE + SPAWN.format(TOPIC + ', "-z", "0.5"')
+    for height, depth in (("0.2", []), ("0.3", ["0.1"])):
+        found = messages(tmp_path, robot=wheeled(), launch=launch, world=PLANE.format(height))
+        assert [one.split(" is ")[2].split()[0] for one in found] == depth
+    include = "<include><uri>model://ground_plane</uri></include>"
+    low = launch.replace("0.5", "0.1")
+    assert len(messages(tmp_path, robot=wheeled(), launch=low, world=include)) == 1
+    assert messages(tmp_path, robot=wheeled(), launch=low, world="") == []
+    hilly = f"{include}<model><collision><geometry><heightmap/></geometry></collision></model>"
+    assert messages(tmp_path, robot=wheeled(), launch=low, world=hilly) == []
+    inclined = PLANE.format(0).replace("0 0 0</pose>", "0 0.1 0</pose>")
+    assert messages(tmp_path, robot=wheeled(), launch=low, world=inclined) == []
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        '"-file", "cart.sdf"',
+        '"-topic", "robot_description", "-R", "3.14"',
+        '"-topic", "robot_description", "-z", LaunchConfiguration("z")',
+    ],
+)
+def test_what_is_not_known(arguments: str, tmp_path: Path) -> None:
+    launch = EMPTY + SPAWN.format(arguments)
+    assert messages(tmp_path, robot=wheeled(), launch=launch) == []
+
+
+def test_what_does_not_roll(tmp_path: Path) -> None:
+    launch = EMPTY + SPAWN.format(TOPIC)
+    assert messages(tmp_path, robot=wheeled("fixed"), launch=launch) == []
+    fixed = '<link name="world"/><joint name="w" type="fixed"><parent link="world"/>'
+    fixed += '<child link="base"/></joint>'
+    assert messages(tmp_path, robot=wheeled(world=fixed), launch=launch) == []
+
+
+def test_classic(tmp_path: Path) -> None:
+    launch = """
+<include file="$(find gazebo_ros)/launch/empty_world.launch"/>
+<param name="robot_description" command="xacro $(dirname)/../robot.urdf"/>
+<node name="s" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model c"/>
+"""
+    (one,) = messages(tmp_path, robot=wheeled(), launch=launch, name="robot.launch")
+    assert "0.3 m below" in one
+    high = launch.replace("-model c", "-model c -z 0.4")
+    assert messages(tmp_path, robot=wheeled(), launch=high, name="robot.launch") == []

@@ -1,0 +1,68 @@
+"""WLD004: the controllers or a sensor are to run more often than the physics steps."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.worlds.started import INCLUDE, SENSOR, found
+
+CODE = "WLD004"
+PHYSICS = '<physics name="p" type="ode"><max_step_size>{}</max_step_size></physics>'
+CONTROL = """<ros2_control name="c" type="system">
+<hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware></ros2_control>
+<gazebo><plugin filename="gz_ros2_control-system"
+name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+<parameters>$(find arm)/control.yaml</parameters></plugin></gazebo>"""
+YAML = """controller_manager:
+  ros__parameters:
+    update_rate: {}
+"""
+
+
+def messages(directory: Path, **files: object) -> list[str]:
+    return [one.message for one in found(directory, CODE, **files)]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("step", "rate", "steps"),
+    [("0.01", 500, "100"), ("0.003", 1000, "333.333"), ("0.001", 2000, "1000")],
+)
+def test_the_controller_manager(step: str, rate: int, steps: str, tmp_path: Path) -> None:
+    path = str(tmp_path / "control.yaml")
+    (one,) = found(
+        tmp_path,
+        CODE,
+        world=PHYSICS.format(step),
+        robot=CONTROL.replace("$(find arm)", str(tmp_path)),
+        files={"control.yaml": YAML.format(rate)},
+    )
+    assert one.message == (
+        f"controller_manager: update rate is {rate} Hz, but world 'hall' steps at {steps} Hz"
+    )
+    assert (one.span.source.path, one.span.line, one.span.text) == (path, 3, str(rate))
+
+
+@pytest.mark.parametrize(("step", "rate"), [("0.001", 1000), ("0.004", 250), ("0.00833", 120)])
+def test_it_is_slow_enough(step: str, rate: int, tmp_path: Path) -> None:
+    robot = CONTROL.replace("$(find arm)", str(tmp_path))
+    files = {"control.yaml": YAML.format(rate)}
+    assert messages(tmp_path, world=PHYSICS.format(step), robot=robot, files=files) == []
+
+
+def test_the_default_step(tmp_path: Path) -> None:
+    sensor = SENSOR.format("imu").replace(">30<", ">{}<")
+    (one,) = messages(tmp_path, world="", robot=sensor.format("1500"))
+    assert "sensor 's': update rate is 1500 Hz" in one
+    assert messages(tmp_path, world="", robot=sensor.format("1000")) == []
+    empty = INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '"-r empty.sdf"')
+    assert len(messages(tmp_path, robot=sensor.format("1500"), launch=empty)) == 1
+
+
+def test_a_sensor_in_a_slow_world(tmp_path: Path) -> None:
+    sensor = SENSOR.format("imu").replace(">30<", ">400<")
+    (one,) = messages(tmp_path, world=PHYSICS.format("0.005"), robot=sensor)
+    assert "400 Hz, but world 'hall' steps at 200 Hz" in one
+    several = PHYSICS.format("0.005") + PHYSICS.format("0.001").replace('"p"', '"q"')
+    assert messages(tmp_path, world=several, robot=sensor) == []

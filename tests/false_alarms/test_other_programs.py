@@ -1,0 +1,73 @@
+"""Files and tags that belong to other programs than ROS's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported as of_launch
+from tests.workspaces import add_file, add_package
+from urdfkit import check
+from urdfkit.ros.controllers import read
+from urdfkit.text.source import Source
+
+SCRIPT = "#! /usr/bin/env python3\nimport launch\n"
+ECLIPSE = '<launchConfiguration type="debug"/>\n'
+READER = 'tag = ET.parse(path).find("thrust_rate")  # ElementTree\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "severity"), [(SCRIPT, "info"), (ECLIPSE, "info"), ("<robot/>", "error")]
+)
+def test_a_file_that_only_has_the_suffix_of_a_launch_file(
+    tmp_path: Path, text: str, severity: str
+) -> None:
+    """Navigation 2's tests, and a project of STM32CubeIDE in jsk_aerial_robot."""
+    add_package(tmp_path / "arm", "arm")
+    (found,) = check(
+        add_file(tmp_path / "arm/launch/test.launch", text.encode()), select=["LAU"]
+    ).diagnostics
+    assert (found.code, found.severity.value) == ("LAU001", severity)
+
+
+def test_an_argument_that_callers_must_pass(tmp_path: Path) -> None:
+    """cartographer_ros: its users pass bag_filename, which no file declares."""
+    text = '<arg name="urdf_filename" default=""/><node pkg="p" type="t" name="{}" args="{}"/>'
+    bag, typo = (text.format(name, f"$(arg {name})") for name in ("pose_graph", "urdf_filenme"))
+    (found,) = of_launch(tmp_path / "arm", "LAU006", "a.launch", bag)
+    assert found.severity.value == "info"
+    assert "did you mean" not in found.message
+    (found,) = of_launch(tmp_path / "arm", "LAU006", "a.launch", typo)
+    assert found.severity.value == "error"
+
+
+def test_a_record_of_which_a_program_makes_a_controller() -> None:
+    """jsk_aerial_robot's servo bridge adds the joint, whose name stands beside."""
+    settings = "{pid: {p: 5.0}, type: effort_controllers/JointPositionController}"
+    text = f"servo:\n  controller1:\n    name: gimbal1\n    simulation: {settings}\n"
+    assert read(Source("servo.yaml", text.encode())) == []
+    space = text.replace("name: gimbal1", "rate: 50").encode()
+    assert [one.name for one in read(Source("servo.yaml", space))] == ["simulation"]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "severity"),
+    [
+        ("arm/scripts/model.py", READER, "info"),
+        ("arm/scripts/model.py", READER.replace("ElementTree", ""), "warning"),
+        ("arm/scripts/model.py", READER.replace("thrust_rate", "thrust"), "warning"),
+        ("arm/model.txt", READER, "warning"),
+    ],
+)
+def test_a_tag_that_a_program_of_the_workspace_reads(
+    tmp_path: Path, name: str, text: str, severity: str
+) -> None:
+    """jsk_aerial_robot's <m_f_rate>."""
+    add_package(tmp_path / "arm", "arm")
+    add_file(tmp_path / name, text.encode())
+    robot = '<robot name="r"><link name="a"/><thrust_rate value="0"/></robot>'
+    path = add_file(tmp_path / "arm/r.urdf", robot.encode())
+    (found,) = check(path, select=["URD001"]).diagnostics
+    assert found.severity.value == severity
+    assert (found.fix is None) is (severity == "info")

@@ -1,0 +1,12 @@
+"""The worlds of Gazebo that launch files start."""
+
+from __future__ import annotations
+
+from urdfkit.lint.context import Subject
+from urdfkit.text.file_kinds import is_launch
+
+
+def applies(subject: Subject) -> bool:
+    """True for a launch file that names a package or a program of Gazebo."""
+    words = (b"gazebo", b"gz_", b"gz", b"ign")
+    return is_launch(subject.source.path) and any(one in subject.source.data for one in words)

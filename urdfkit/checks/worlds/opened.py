@@ -1,0 +1,104 @@
+"""The worlds that a launch file starts, read, and the robots that it describes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfkit.core import disk
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Location, Related, Subject
+from urdfkit.ros.gazebo.worlds import World, default_systems, read_world, shipped_worlds
+from urdfkit.ros.launch.collect import UNKNOWN
+from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
+from urdfkit.text.diagnostic import Problem
+
+#: Directories of a workspace that are searched for a world without a path.
+_MAX_DIRECTORIES = 2000
+
+
+class OpenedWorld(Record):
+    """A world that is started.
+
+    Attributes:
+        started: by what.
+        path: of the file; empty for one that comes with Gazebo.
+        name: of the world.
+        world: in the file; None for one that comes with Gazebo, and where the file has none.
+        systems: of one that comes with gz sim.
+        problems: what is wrong with the text of the file.
+    """
+
+    started: StartedWorld
+    path: str
+    name: str
+    world: World | None
+    systems: frozenset[str]
+    problems: tuple[Problem, ...] = ()
+
+    @property
+    def place(self) -> Location:
+        """The ``<world>``, or where the world is started if that has no file here."""
+        if self.world is not None:
+            return Location(self.world.at.span)
+        return Location(self.started.span, self.started.frame)
+
+    @property
+    def note(self) -> tuple[Related, ...]:
+        """For a finding in the file of the world."""
+        return (Related(self.started.span, "the world is started here"),) if self.path else ()
+
+    @property
+    def title(self) -> str:
+        return f"world '{self.name}'"
+
+
+def opened_worlds(subject: Subject) -> Iterator[OpenedWorld]:
+    """The worlds that a launch file starts and that are at hand, each once."""
+    seen: set[tuple[str, str]] = set()
+    for started in worlds(subject.launch):
+        found = _opened(started, subject)
+        if found and (key := (started.generation, found.path or found.name)) not in seen:
+            seen.add(key)
+            yield found
+
+
+def _opened(started: StartedWorld, subject: Subject) -> OpenedWorld | None:
+    if started.is_shipped:
+        name, systems = shipped_worlds()[started.name]
+        return OpenedWorld(started, "", name, None, systems)
+    if not started.name:
+        systems = default_systems() if started.generation == GZ else frozenset()
+        return OpenedWorld(started, "", "default", None, systems)
+    path = world_file(started.name, subject)
+    if path is None:
+        return None
+    try:
+        world, problems = read_world(path, subject.resolver)
+    except UnreadableFile:
+        return None
+    name = world.name if world is not None else os.path.basename(path)
+    return OpenedWorld(started, path, name, world, frozenset(), tuple(problems))
+
+
+def world_file(name: str, subject: Subject) -> str | None:
+    """The file of a world: by its path, or the only one of that name in the workspace."""
+    resolver = subject.resolver
+    if os.path.isabs(name):
+        if name.startswith(f"{UNKNOWN}/"):
+            return None
+        return name if disk.is_file(name) else resolver.installed(name)
+    root = resolver.packages.workspace(subject.source.path)
+    files = resolver.directories.files_below(root, _MAX_DIRECTORIES)
+    ending = f"/{os.path.normpath(name)}"
+    found = [path for path in files if path.endswith(ending)]
+    return found[0] if len(found) == 1 else None
+
+
+def robots(subject: Subject) -> Iterator[Subject]:
+    """The robots that a launch file describes and that can be expanded."""
+    for description in subject.launch.descriptions:
+        robot = subject.other_robot(description.path, description.arguments)
+        if robot.reading.document is not None:
+            yield robot

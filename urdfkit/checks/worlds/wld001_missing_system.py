@@ -1,0 +1,158 @@
+"""A world of gz sim does not load a system that the robot needs.
+
+gz sim does everything by systems: without `Sensors` no camera and no lidar gives data, without
+`Imu` no IMU, and nothing says so. A world without a `<plugin>` gets those of the server's
+configuration, which are `Physics`, `UserCommands` and `SceneBroadcaster` only. One with a
+`<plugin>` gets no others in Gazebo Harmonic and earlier: without `UserCommands` the node that
+spawns the robot waits for ever, without `Physics` nothing moves, and without `SceneBroadcaster` the
+window is empty. Since Gazebo Ionic the configuration comes to what the world loads.
+
+A system is not missing where the robot, or a model in the world, loads it, nor where a launch file
+sets `GZ_SIM_SERVER_CONFIG_PATH`.
+
+Sources:
+    server configuration: https://github.com/gazebosim/gz-sim/blob/gz-sim10/tutorials/server_config.md
+    gz-sim, SimulationRunner.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/SimulationRunner.cc
+    gz-sim, server.config: https://github.com/gazebosim/gz-sim/blob/gz-sim8/include/gz/sim/server.config
+    sensors: https://gazebosim.org/docs/harmonic/sensors
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.robot.samples import element_xml
+from urdfkit.ros.catalog.plugins import Plugin, all_plugins
+from urdfkit.ros.catalog.sensors import types
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.ros.gazebo.worlds import (
+    Models,
+    all_systems,
+    default_systems,
+    own_systems,
+    systems_in,
+)
+from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.ros.launch.worlds import GZ
+
+NAME = "launch/robot.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+from launch.actions import ExecuteProcess
+from launch.substitutions import Command
+from ament_index_python.packages import get_package_share_directory
+
+share = get_package_share_directory("cart")
+gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
+robot = Command(["xacro ", share + "/cart.urdf"])
+"""
+GOOD = BAD.replace("bad.sdf", "good.sdf")
+_WORLD = b"""\
+<sdf version="1.9">
+  <world name="hall">
+    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
+    <plugin filename="gz-sim-user-commands-system" name="gz::sim::systems::UserCommands"/>
+    <plugin filename="gz-sim-scene-broadcaster-system" name="gz::sim::systems::SceneBroadcaster"/>
+%s  </world>
+</sdf>
+"""
+_SENSORS = b'    <plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors"/>\n'
+FILES = {
+    "package.xml": b"<package><name>cart</name></package>",
+    "cart.urdf": element_xml(
+        'robot name="cart"',
+        solid_xml("base"),
+        gazebo_xml(
+            sensor_xml("front", "camera", "<update_rate>30</update_rate>"), reference="base"
+        ),
+    ).encode(),
+    "worlds/bad.sdf": _WORLD % b"",
+    "worlds/good.sdf": _WORLD % _SENSORS,
+}
+
+#: What happens without a system that every world has.
+_LOST = {
+    "Physics": "nothing moves",
+    "UserCommands": "the node that spawns the robot waits for ever",
+    "SceneBroadcaster": "the window of Gazebo stays empty",
+}
+_CONFIGURED = b"SERVER_CONFIG_PATH"
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
+    files = {one.span.source.path: one.span.source for one in subject.launch.includes}
+    if any(_CONFIGURED in one.data for one in (subject.source, *files.values())):
+        return
+    needed = _needed(subject)
+    models = Models(subject.resolver, subject.source.path)
+    robot_files = [use.filename for robot in robots(subject) for use in robot.plugins]
+    for opened in opened_worlds(subject):
+        if opened.started.generation != GZ or (opened.path and opened.world is None):
+            continue
+        loaded = opened.systems | systems_in(robot_files)
+        if opened.world is not None:
+            loaded |= all_systems(opened.world, models)
+            yield from _without_defaults(subject, opened, loaded)
+        for plugin, sensor in needed:
+            system = plugin.class_name.rpartition("::")[2]
+            if system not in loaded:
+                yield Finding(
+                    opened.place,
+                    f"{opened.title} does not load the system {system}, without which "
+                    f"{sensor.who} ({sensor.type}) gives no data",
+                    _help(plugin, opened),
+                    related=(Related(sensor.at.span, sensor.who), *opened.note),
+                )
+
+
+def _needed(subject: Subject) -> list[tuple[Plugin, Sensor]]:
+    """The systems that sensors of the robots need, each with the first of these sensors."""
+    found: dict[str, tuple[Plugin, Sensor]] = {}
+    systems = [one for one in all_plugins() if one.generation == GZ and "world" in one.kinds]
+    for robot in robots(subject):
+        for sensor in sensors(robot.model):
+            kind = types().get(sensor.type)
+            name = (kind.gz_name or sensor.type) if kind and kind.gz else ""
+            for plugin in systems:
+                if name in plugin.sensors:
+                    found.setdefault(plugin.id, (plugin, sensor))
+    return list(found.values())
+
+
+def _without_defaults(subject: Subject, opened: OpenedWorld, loaded: frozenset[str]) -> Findings:
+    """The systems of the server's configuration that a world with plugins lacks."""
+    world = opened.world
+    if world is None or not own_systems(world) or world.adds_defaults():
+        return
+    until = "" if world.adds_defaults() is False else " (up to Gazebo Harmonic)"
+    wanted = set(_wanted(subject, opened))
+    for plugin in all_plugins():
+        system = plugin.class_name.rpartition("::")[2]
+        if system in wanted - loaded and plugin.generation == GZ and system in default_systems():
+            yield Finding(
+                opened.place,
+                f"{opened.title} loads plugins, but not the system {system}: "
+                f"{_LOST[system]}{until}",
+                _help(plugin, opened),
+                related=opened.note,
+            )
+
+
+def _wanted(subject: Subject, opened: OpenedWorld) -> Iterator[str]:
+    if any(True for _ in robots(subject)):
+        yield "Physics"
+    if any(map(spawner_of, (*subject.launch.started, *subject.launch.included))):
+        yield "UserCommands"
+    if opened.started.has_window:
+        yield "SceneBroadcaster"
+
+
+def _help(plugin: Plugin, opened: OpenedWorld) -> str:
+    line = f'<plugin filename="{plugin.files[0]}" name="{plugin.class_name}"/>'
+    if opened.path:
+        return f"add {line} to the world"
+    return f"add {line} to the robot, in a <gazebo> of its own, or start a world that has it"

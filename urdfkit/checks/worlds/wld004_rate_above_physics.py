@@ -1,0 +1,92 @@
+"""The controllers or a sensor are to run more often than the physics of the world steps.
+
+What runs in Gazebo runs at most once in a step. Where the controller manager has a higher
+`update_rate`, Gazebo says that the "desired controller update period is faster than the gazebo
+simulation period", and the controllers run at the rate of the steps, with gains and filters that
+were made for another; a sensor publishes at that rate, too. Make the steps shorter
+(`<max_step_size>`, 0.001 s unless given) or the rate lower.
+
+Sources:
+    gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_ros2_control_plugin.cpp
+    gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_ros2_control_plugin.cpp
+    SDF, physics: http://sdformat.org/spec?ver=1.9&elem=physics
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.checks.worlds.opened import opened_worlds, robots
+from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.robot.samples import element_xml
+from urdfkit.robot.values import number
+from urdfkit.ros.controllers import managers
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.worlds import DEFAULT_STEP
+
+NAME = "launch/robot.launch.py"
+BAD = """\
+from ament_index_python.packages import get_package_share_directory
+from launch.actions import ExecuteProcess
+from launch.substitutions import Command
+
+share = get_package_share_directory("cart")
+gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
+robot = Command(["xacro ", share + "/cart.urdf"])
+"""
+GOOD = BAD.replace("bad.sdf", "good.sdf")
+_WORLD = b"""\
+<sdf version="1.9">
+  <world name="hall">
+    <physics name="fast" type="dart"><max_step_size>%s</max_step_size></physics>
+  </world>
+</sdf>
+"""
+FILES = {
+    "package.xml": b"<package><name>cart</name></package>",
+    "cart.urdf": element_xml(
+        'robot name="cart"',
+        solid_xml("base"),
+        gazebo_xml(sensor_xml("tilt", "imu", "<update_rate>500</update_rate>"), reference="base"),
+    ).encode(),
+    "worlds/bad.sdf": _WORLD % b"0.01",
+    "worlds/good.sdf": _WORLD % b"0.002",
+}
+
+#: Rates in parts of 1 / step that count as equal: 0.00833 s is 120 Hz.
+_TOLERANCE = 1.01
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Findings:
+    for opened in opened_worlds(subject):
+        world = opened.world
+        if world is None and opened.path:
+            continue
+        if world is not None and len(world.at.all("physics")) > 1:
+            continue  # which of them holds is chosen when it runs
+        step = world.step.value if world is not None else DEFAULT_STEP
+        places = (Related(world.step.span, f"a step of {step:g} s"),) if world is not None else ()
+        for rate, at, who in _rates(subject):
+            if rate * step > _TOLERANCE:
+                yield Finding(
+                    at,
+                    f"{who}: update rate is {rate:g} Hz, but {opened.title} steps "
+                    f"at {1 / step:g} Hz",
+                    f"write {1 / step:g} or less, or a <max_step_size> of {1 / rate:.3g} s",
+                    related=(*places, *opened.note),
+                )
+
+
+def _rates(subject: Subject) -> Iterator[tuple[float, Location, str]]:
+    """What runs in Gazebo: rates in Hz, where they are written, and whose they are."""
+    for robot in robots(subject):
+        for _, section in managers(robot):
+            for value in section.values("update_rate"):
+                if rate := number(value.text):
+                    yield rate, Location(value.span), "controller_manager"
+        for sensor in sensors(robot.model):
+            written = sensor.number("update_rate")
+            if written is not None:
+                yield written.value, Location(written.span), sensor.who

@@ -1,0 +1,8 @@
+"""How far a long job is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+#: Called with the number of things that are done, and of all.
+Progress = Callable[[int, int], None]

@@ -1,0 +1,165 @@
+"""Findings on a page of text: places, lines of source, macro calls, notes, fixes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from urdfkit.core.words import counted, few
+from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
+from urdfkit.text.document import Step
+from urdfkit.text.source import Span, shown
+from urdfkit.text.terminal import columns, frame, printable, wrap
+
+#: Calls of one macro, and steps of one trace, that are shown.
+MAX_CALLS = 8
+#: Colours of severities.
+COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
+
+_STEPS = {
+    "macro": "expanded from macro '{}' at",
+    "include": "included at",
+    "launch": "launched from",
+}
+_GUTTER = 8  # columns before a line of source
+
+
+class Page:
+    """Lays out findings for one width, with colours or without."""
+
+    def __init__(self, color: bool, width: int) -> None:
+        self.color = color
+        self.width = max(width, 40)
+        self._paths: dict[str, str] = {}
+
+    def finding(self, diagnostic: Diagnostic) -> str:
+        """One with all that is known of it."""
+        blocks = [
+            self.head(diagnostic),
+            *self._frame(diagnostic.span, diagnostic.severity),
+            *self._traces(diagnostic),
+            *(self._note(related, diagnostic) for related in diagnostic.related),
+        ]
+        if diagnostic.variants:
+            blocks.append(self._labelled("variants", ", ".join(diagnostic.variants)))
+        title = diagnostic.fix.title if diagnostic.fix else ""
+        if diagnostic.help and diagnostic.help != title:
+            blocks.append(self._labelled("help", diagnostic.help))
+        if title:
+            blocks.append(self._labelled("fix", title))
+        return _lines(blocks)
+
+    def brief(self, group: Sequence[Diagnostic]) -> str:
+        """Findings that are alike in few lines: where, what, and what to do."""
+        first, *others = group
+        blocks = [self.head(first)]
+        if macros := [step for step in first.calls[0].via if step.kind == "macro"]:
+            more = f" and {counted(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
+            where = self._near(macros[-1].span, first) + more
+            blocks.append(f"  expanded from macro '{printable(macros[-1].name)}' at {where}")
+        if others:
+            places = few([self._near(other.span, first) for other in others], MAX_CALLS)
+            blocks.append(self._labelled(f"{len(others)} more like this", places))
+        if first.variants:
+            blocks.append(self._labelled("variants", ", ".join(first.variants)))
+        if first.fix:
+            blocks.append(self._labelled("fix", first.fix.title))
+        elif first.help:
+            blocks.append(self._labelled("help", first.help))
+        return _lines(blocks)
+
+    def head(self, diagnostic: Diagnostic) -> str:
+        """The place, the severity, the code and the message."""
+        place, severity = self.place(diagnostic.span), diagnostic.severity
+        remarks = [f"for {name}" for name in diagnostic.targets]
+        if diagnostic.confidence is not Confidence.MEASURED:
+            remarks.append(diagnostic.confidence.value)
+        message = diagnostic.message + (f" ({', '.join(remarks)})" if remarks else "")
+        used = columns(f"{place}: {severity.value} {diagnostic.code} ")
+        kind = f"{self.paint(severity.value, COLORS[severity])} {self.paint(diagnostic.code, '1')}"
+        return f"{self.paint(place, '1')}: {kind} {self.wrap(message, indent=4, used=used)}"
+
+    def _note(self, related: Related, diagnostic: Diagnostic) -> str:
+        return self._labelled("note", f"{self._near(related.span, diagnostic)}: {related.message}")
+
+    def _frame(self, span: Span, severity: Severity) -> Iterator[str]:
+        line, carets = frame(span, self.width - _GUTTER)
+        if line:
+            yield f"{span.line:>5} | {line}"
+            yield f"      | {self.paint(carets, COLORS[severity])}"
+
+    def _labelled(self, label: str, text: str) -> str:
+        used = 2 + len(f"{label}: ")
+        return f"  {self.paint(f'{label}:', '1')} {self.wrap(text, indent=used, used=used)}"
+
+    def _traces(self, diagnostic: Diagnostic) -> Iterator[str]:
+        """How expansion arrived at the place, from there outwards.
+
+        Steps that all calls share are printed once: the inner ones before the calls, the outer
+        ones after them.
+        """
+        traces = [call.via[::-1] for call in diagnostic.calls]
+        if not any(traces):
+            return
+        inner = _shared(traces)
+        own = [trace[inner:] for trace in traces]
+        outer = _shared([trace[::-1] for trace in own])
+        yield from self._steps(traces[0][:inner])
+        if len(traces) > 1:
+            what = "expanded from {} places" if any(own) else "{} findings here"
+            yield f"  {what.format(len(traces))}:"
+            for call, trace in zip(diagnostic.calls[:MAX_CALLS], own, strict=False):
+                yield self._call(call, trace[: len(trace) - outer], diagnostic)
+            if len(traces) > MAX_CALLS:
+                yield f"    and {len(traces) - MAX_CALLS} more"
+        yield from self._steps(own[0][len(own[0]) - outer :])
+
+    def _call(self, call: Call, trace: Sequence[Step], diagnostic: Diagnostic) -> str:
+        """One of several calls: where it is, and what it says that the finding has not said."""
+        places = [self._near(step.span, diagnostic) for step in trace[:MAX_CALLS]]
+        text = call.element if call.message == diagnostic.message else call.message
+        where = ", from ".join(places)
+        # A path that is longer than a line begins there nevertheless.
+        return "    " + self.wrap(f"{where}: {text}" if where else text, indent=6, used=4).lstrip()
+
+    def _steps(self, trace: Sequence[Step]) -> Iterator[str]:
+        for number, step in enumerate(trace):
+            if MAX_CALLS <= number < len(trace) - 1:  # the outermost is where a person looks
+                if number == MAX_CALLS:
+                    yield f"  ... {counted(len(trace) - MAX_CALLS - 1, 'more call')} ..."
+                continue
+            yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
+
+    def _near(self, span: Span, diagnostic: Diagnostic) -> str:
+        """A place; without the path if it is the path of the finding."""
+        if span.source.path != diagnostic.span.source.path:
+            return self.place(span)
+        line, column = span.source.position(span.start)
+        return f"line {line}:{column}"
+
+    def place(self, span: Span) -> str:
+        line, column = span.source.position(span.start)
+        return f"{self.path(span.source.path)}:{line}:{column}"
+
+    def path(self, path: str) -> str:
+        """A path as it is shown; many findings have the same."""
+        if path not in self._paths:
+            self._paths[path] = printable(shown(path))
+        return self._paths[path]
+
+    def wrap(self, text: str, *, indent: int, used: int = 0) -> str:
+        return wrap(printable(text), self.width, indent=indent, used=used)
+
+    def paint(self, text: str, code: str) -> str:
+        return f"\x1b[{code}m{text}\x1b[0m" if self.color else text
+
+
+def _lines(blocks: Iterable[str]) -> str:
+    return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
+
+
+def _shared(traces: Sequence[Sequence[Step]]) -> int:
+    """How many first steps all traces share."""
+    shared = min(map(len, traces))
+    while any(trace[:shared] != traces[0][:shared] for trace in traces):
+        shared -= 1
+    return shared

@@ -1,0 +1,25 @@
+"""One line a finding, which no screen breaks: for grep, editors and short lists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.lint.report import Report
+from urdfkit.output.formats._page import Page
+from urdfkit.output.formats._summary import crashes, summary
+
+_WIDE = 10**6
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """All findings by file and line, then the crashed rules and the summary."""
+    return "".join(stream(report, color=color))
+
+
+def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """The same in parts."""
+    page = Page(color, _WIDE)
+    for found in report.diagnostics:
+        yield f"{page.head(found)}\n"
+    yield from crashes(report, page)
+    yield summary(report, color=color, width=_WIDE)

@@ -1,0 +1,214 @@
+"""Worlds of Gazebo in SDF: their systems, physics, ground and models."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
+from urdfkit.robot.model import Placed
+from urdfkit.robot.values import number, numbers
+from urdfkit.ros.catalog import data
+from urdfkit.ros.catalog.plugins import find
+from urdfkit.text.comments import without_comments
+from urdfkit.text.xml_reader import read_xml
+
+if TYPE_CHECKING:
+    from urdfkit.text.diagnostic import Problem
+    from urdfkit.text.document import Element
+    from urdfkit.text.source import Source
+    from urdfkit.workspace.resolve import Resolver
+
+#: Seconds of a step of physics that a world does not choose.
+DEFAULT_STEP = 0.001
+#: Directories of a workspace that are searched for models.
+MAX_DIRECTORIES = 2000
+
+_FILENAME = rb"""<plugin\b[^>]*\bfilename\s*=\s*["']([^"']+)"""
+#: How the address of a model begins that is found on Gazebo's resource path.
+_MODEL = re.compile(r"model://([^/]+)/?$")
+_DEFINITIONS = ("model.config", "model.sdf")
+
+
+class World(Record):
+    """A ``<world>``.
+
+    Attributes:
+        at: its element.
+        source: the file.
+    """
+
+    at: Element
+    source: Source
+
+    @property
+    def name(self) -> str:
+        return self.at.get("name") or ""
+
+    @property
+    def plugins(self) -> list[Element]:
+        """The plugins of the world itself."""
+        return self.at.all("plugin")
+
+    @property
+    def includes(self) -> Iterator[tuple[Element, str]]:
+        """The ``<uri>`` of the models that it includes, and their texts."""
+        for include in self.at.all("include"):
+            uri = include.child("uri")
+            if uri is not None:
+                yield uri, uri.text.strip()
+
+    @property
+    def step(self) -> Placed[float]:
+        """A step of physics in seconds; at the world itself if that is the default."""
+        for physics in self.at.all("physics"):
+            written = physics.child("max_step_size")
+            value = number(written.text.strip()) if written is not None else None
+            if written is not None and value is not None and value > 0:
+                return Placed(value, written)
+        return Placed(DEFAULT_STEP, self.at)
+
+    @property
+    def ground(self) -> float | None:
+        """The height of the floor in m, if that is one level plane; None if it is not known."""
+        if self.at.child("heightmap") or any(one.tag == "heightmap" for one in self.at.walk()):
+            return None
+        heights = {
+            height
+            for element in (*self.at.all("model"), *self.at.all("include"))
+            if _is_plane(element) and (height := _level(element)) is not None
+        }
+        return heights.pop() if len(heights) == 1 else None
+
+    def adds_defaults(self) -> bool | None:
+        """Whether the systems of the server's configuration come to its own; None: by version."""
+        for policies in (one for one in self.at.children if one.tag.endswith(":policies")):
+            written = policies.child("include_server_config_plugins")
+            if written is not None:
+                return written.text.strip().lower() in ("true", "1")
+        return None
+
+
+def read_world(path: str, resolver: Resolver) -> tuple[World | None, list[Problem]]:
+    """The world in a file, None if there is none, and what is wrong with the text.
+
+    Raises:
+        UnreadableFile: it is missing, or may not be read.
+    """
+    source = resolver.read(path)
+    document, problems = read_xml(source)
+    root = document.root if document else None
+    world = root.child("world") if root is not None and root.tag == "sdf" else None
+    return (World(world, source) if world is not None else None), problems
+
+
+def shipped_worlds() -> dict[str, tuple[str, frozenset[str]]]:
+    """Of the worlds that come with gz sim the name and the systems, by file."""
+    found = {}
+    for file, text in data("worlds")["worlds"].items():
+        name, _, systems = text.partition(":")
+        found[file] = (name, frozenset(systems.split()))
+    return found
+
+
+def default_systems() -> frozenset[str]:
+    """The systems of a world without plugins."""
+    return frozenset(data("worlds")["defaults"].split())
+
+
+def systems_in(files: list[str]) -> frozenset[str]:
+    """The systems of gz sim that libraries hold, by the last word of their class."""
+    loaded = (plugin for file in files for plugin in find(file) if plugin.generation == "gz")
+    return frozenset(plugin.class_name.rpartition("::")[2] for plugin in loaded)
+
+
+def own_systems(world: World) -> frozenset[str]:
+    """The systems that the plugins of a world itself are."""
+    return systems_in([plugin.get("filename") or "" for plugin in world.plugins])
+
+
+def all_systems(world: World, models: Models) -> frozenset[str]:
+    """Those of the models in a world, too, as far as they are at hand."""
+    files = _filenames(world.source.data)
+    for _, uri in world.includes:
+        files += models.libraries(uri)
+    return systems_in(files)
+
+
+def _filenames(text: bytes) -> list[str]:
+    found = re.findall(_FILENAME, without_comments(text))
+    return [name.decode("utf-8", "replace") for name in found]
+
+
+class Models:
+    """The models of a workspace, which worlds include as ``model://name``.
+
+    Args:
+        resolver: finds and reads files.
+        near: path of a file of the workspace.
+    """
+
+    def __init__(self, resolver: Resolver, near: str) -> None:
+        self._resolver = resolver
+        self._near = near
+        self._directories: dict[str, list[str]] | None = None
+
+    @property
+    def directories(self) -> dict[str, list[str]]:
+        """The directories with a model, by name."""
+        if self._directories is None:
+            self._directories = {}
+            root = self._resolver.packages.workspace(self._near)
+            for path in self._resolver.directories.files_below(root, MAX_DIRECTORIES):
+                directory, name = os.path.split(path)
+                if name in _DEFINITIONS:
+                    self._directories.setdefault(os.path.basename(directory), []).append(directory)
+        return self._directories
+
+    def has(self, uri: str) -> bool:
+        """True if a model is at hand."""
+        name = model_name(uri)
+        return name in self.directories or self._resolver.locate(uri, self._near).path is not None
+
+    def libraries(self, uri: str) -> list[str]:
+        """The files of the plugins of a model; none if it is not at hand."""
+        found: list[str] = []
+        for directory in self.directories.get(model_name(uri), ()):
+            try:
+                source = self._resolver.read(os.path.join(directory, "model.sdf"))
+            except UnreadableFile:
+                continue
+            found += _filenames(source.data)
+        return found
+
+
+def model_name(uri: str) -> str:
+    """The name in ``model://name``; empty for other addresses."""
+    found = _MODEL.match(uri)
+    return found.group(1) if found else ""
+
+
+def _is_plane(element: Element) -> bool:
+    """True for a model that is the floor: by its geometry, or by the name of the file included."""
+    if element.tag == "include":
+        uri = element.child("uri")
+        words = (uri.text if uri is not None else "").casefold()
+        return words.strip().rstrip("/").endswith(("ground_plane", "ground plane"))
+    return any(one.tag == "plane" and one.parent is not None for one in element.walk())
+
+
+def _level(element: Element) -> float | None:
+    """The height of a floor in m; None where it is inclined, or not known."""
+    height = 0.0
+    for part in element.walk():
+        if part.tag != "pose" or not part.text.strip():
+            continue
+        pose = numbers(part.text)
+        if pose is None or len(pose) != 6 or any(pose[3:5]) or part.get("relative_to"):
+            return None
+        if part.parent is not None and part.parent.tag != "visual":
+            height += pose[2]
+    return height

@@ -1,0 +1,134 @@
+"""The worlds that a launch file starts Gazebo with: ``catalog/worlds.json``."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Iterable, Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import IncludedFile, Launch, StartedProgram, Word
+from urdfkit.text.document import CallFrame
+from urdfkit.text.source import Span
+
+GZ, CLASSIC = "gz", "classic"
+
+#: Programs of the command line that are Gazebo's server, alone or with a first word.
+_COMMANDS = {("gz", "sim"): GZ, ("ign", "gazebo"): GZ, ("gazebo",): CLASSIC, ("gzserver",): CLASSIC}
+
+
+class StartedWorld(Record):
+    """A world that Gazebo is started with.
+
+    Attributes:
+        generation: ``gz`` or ``classic``.
+        name: a path, or the name of a world that comes with Gazebo; empty for the default one.
+        engine: the render engine that the command line chooses; empty if it chooses none.
+        libraries: that the command line of Gazebo Classic loads.
+        has_window: False if only the server is started.
+        is_running: False if it waits for somebody who presses play.
+        span: where the world is named.
+        frame: the launch files that led there.
+        is_sure: False if a condition decides that is known at run time only.
+    """
+
+    generation: str
+    name: str
+    engine: str
+    libraries: tuple[str, ...]
+    has_window: bool
+    is_running: bool
+    span: Span
+    frame: CallFrame | None
+    is_sure: bool
+
+    @property
+    def is_shipped(self) -> bool:
+        """True for a world that comes with gz sim."""
+        return self.generation == GZ and self.name in data("worlds")["worlds"]
+
+
+def worlds(launch: Launch) -> Iterator[StartedWorld]:
+    """The worlds of a launch file and of those that it includes; what is not known is left out."""
+    for included in launch.includes:
+        if found := _of_file(included):
+            yield found
+    for started in (*launch.started, *launch.included):
+        if found := _of_program(started):
+            yield found
+
+
+def _of_file(included: IncludedFile) -> StartedWorld | None:
+    """The world with which a launch file of Gazebo's own packages starts it."""
+    name = "/".join(included.path.split("/")[-3:])
+    generation, *names = data("worlds")["files"].get(name, "").split() or ("",)
+    if not generation or included.arguments is None:
+        return None
+    given = [included.arguments[one] for one in names if one in included.arguments]
+    word = next(iter(given), Word("", included.span))
+    if word.text is None:
+        return None
+    is_line = names[0].endswith("_args")
+    words = _words(word.text) if is_line else ["-r", word.text]
+    return _started(generation, words, word.span, included)
+
+
+def _of_program(started: StartedProgram) -> StartedWorld | None:
+    """The world of a node, or of a command."""
+    generation = data("worlds")["programs"].get(f"{started.package}/{started.executable}", "")
+    texts = [word.text for word in started.words]
+    if generation == GZ:
+        path = (started.parameters or {}).get("world_sdf_file")
+        return _started(GZ, ["-s", "-r", path], started.span, started) if path else None
+    known = [text for text in texts if text is not None]
+    if len(known) < len(texts):
+        return None
+    words = _words(" ".join(known)) if not started.package else known
+    for command, kind in _COMMANDS.items() if not started.package else ():
+        if tuple(words[: len(command)]) == command:
+            generation, words = kind, words[len(command) :]
+            break
+    return _started(generation, words, started.span, started) if generation else None
+
+
+def _words(text: str) -> list[str]:
+    try:
+        return shlex.split(text)
+    except ValueError:  # an unfinished quote
+        return text.split()
+
+
+def _started(
+    generation: str, words: Iterable[str], span: Span, by: IncludedFile | StartedProgram
+) -> StartedWorld | None:
+    """What a command line starts; None if it starts the window alone."""
+    valued = data("worlds")["valued"][generation].split()
+    given: dict[str, str] = {}
+    libraries: list[str] = []
+    names: list[str] = []
+    rest = iter(words)
+    for word in rest:
+        option, _, value = word.partition("=")
+        if not word.startswith("-"):
+            names.append(word)
+            continue
+        if option in valued and not value:
+            value = next(rest, "")
+        if generation == CLASSIC and option in ("-s", "--server-plugin"):
+            libraries.append(os.path.basename(value))
+        given[option] = value
+    if generation == GZ and "-g" in given:
+        return None
+    engine = given.get("--render-engine-server") or given.get("--render-engine", "")
+    return StartedWorld(
+        generation,
+        names[0] if names else "",
+        engine,
+        tuple(libraries),
+        generation == CLASSIC or "-s" not in given,
+        generation == CLASSIC or "-r" in given,
+        span,
+        by.frame,
+        by.is_sure,
+    )
