@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from tests.consumers.reading import Reading
 
 PACKAGE = "drake"
@@ -25,7 +27,7 @@ def read(path: str) -> Reading:
 
     builder = DiagramBuilder()
     plant, _ = AddMultibodyPlantSceneGraph(builder, 0.001)
-    instances = Parser(plant).AddModels(path)
+    instances = Parser(plant).AddModels(Path(path))
     plant.Finalize()
     diagram = builder.Build()
     context = plant.GetMyContextFromRoot(diagram.CreateDefaultContext())

@@ -20,6 +20,7 @@ CAUSES = {
 def read(path: str) -> Reading:
     """What it makes of a URDF."""
     import newton
+    import numpy
     import warp
 
     warp.config.quiet = True
@@ -30,7 +31,6 @@ def read(path: str) -> Reading:
     newton.eval_fk(model, model.joint_q, model.joint_qd, state)
     frames = {}
     for label, place in zip(model.body_label, state.body_q.numpy().tolist(), strict=True):
-        matrix = warp.quat_to_matrix(warp.quat(*place[3:]))
-        cells = [float(matrix[row, column]) for row in range(3) for column in range(3)]
-        frames[label] = [*place[:3], *cells]
+        matrix = numpy.array(warp.quat_to_matrix(warp.quat(*place[3:])))
+        frames[label.partition("/")[2] or label] = [*place[:3], *matrix.flatten().tolist()]
     return Reading(float(model.body_mass.numpy().sum()), frames)
