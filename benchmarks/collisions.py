@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pinocchio as pin
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import chain
@@ -66,7 +66,7 @@ class Loop(NamedTuple):
             pin.computeDistances(self.model, self.data, self.geometry, results, row)
 
 
-def loop(subject: Subject, package: Path, name: str, scratch: Path, *, all_pairs: bool) -> Loop:
+def loop(subject: Context, package: Path, name: str, scratch: Path, *, all_pairs: bool) -> Loop:
     """Pinocchio's model with the pairs of a loop: all, or those that urdfkit samples."""
     if not (scratch / name).exists():
         (scratch / name).symlink_to(package)
@@ -84,7 +84,7 @@ def loop(subject: Subject, package: Path, name: str, scratch: Path, *, all_pairs
     return Loop(model, model.createData(), geometry, configurations(subject, model))
 
 
-def configurations(subject: Subject, model: Any) -> Floats:
+def configurations(subject: Context, model: Any) -> Floats:
     """The first samples of urdfkit as Pinocchio has them: its followers have columns, too."""
     arrays = chain(subject.tree)
     rows = arrays.samples(PART, 0, 0)

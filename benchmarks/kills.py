@@ -186,7 +186,8 @@ def _is_temporary(name: str) -> bool:
 def _torn(case: Case, before: Files, after: Files, now: Files) -> list[str]:
     """The files that are neither as before nor as after."""
     aside = {data for name, data in now.items() if _is_temporary(name)}
-    faults = [f"{name} is lost" for name in before if name not in now and before[name] not in aside]
+    kept = [name for name in before if name in after]
+    faults = [f"{name} is lost" for name in kept if name not in now and before[name] not in aside]
     if case.together:
         found, *whole = (_part(files, case.together) for files in (now, before, after))
         faults += [f"{case.together} is half of it"] if found and found not in whole else []

@@ -133,6 +133,8 @@ SAMPLED = {
     "tests/consumers/test_corpus.py": 12,
     "tests/integration/test_action.py::test_each_variant": 0,
     "tests/integration/test_action.py::test_it_installs": 0,
+    "tests/integration/test_action.py::test_gitlab": 0,
+    "tests/integration/test_action.py::test_python_imports": 0,
     "tests/integration/test_action.py::test_the_script_of_gitlab": 0,
     "tests/test_docs.py::test_the_road_in_readme": 0,
     "tests/output/bundle/test_bundle.py::test_robots_of_the_corpus": 12,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
@@ -52,9 +52,9 @@ def joint(parent: str, child: str, kind: str = "fixed", xyz: str = "0 0 0") -> s
     )
 
 
-def subject(text: str) -> Subject:
+def subject(text: str) -> Context:
     """A robot from the pieces inside it."""
-    return Subject(Source("robot.urdf", whole_robot(text).encode()), Resolver(environment={}))
+    return Context(Source("robot.urdf", whole_robot(text).encode()), Resolver(environment={}))
 
 
 def masses(text: str) -> Masses:

@@ -14,7 +14,7 @@ import pytest
 from tests.conftest import manifest, model_id, needs_corpus
 from tests.urdfdom import needs_check_urdf, urdfdom
 from urdfkit.lint import engine
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.schema import JOINT_TYPES
 from urdfkit.text.source import Source
@@ -262,7 +262,7 @@ PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
 def test_the_corpus_has_errors_where_urdfdom_objects(entry: tuple[Path, dict[str, Any]]) -> None:
     directory, model = entry
     path = str(directory / model["path"])
-    subject = Subject(Source.read(path), Resolver())
+    subject = Context(Source.read(path), Resolver())
     if subject.reading.document and subject.is_part:
         pytest.skip("made for another file to include, and no robot by itself")
     files = ["MSH", "XAC011"]  # of meshes and packages, which check_urdf does not open

@@ -14,7 +14,7 @@ from tests import update_corpus_findings as corpus_findings
 from tests.conftest import CORPUS, manifest, model_id, needs_corpus
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import engine
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.report import Crashed
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
@@ -52,7 +52,7 @@ def _only_the_corpus(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_model_is_as_independent_tools_measured_it(entry: tuple[Path, dict[str, Any]]) -> None:
     directory, model = entry
     source = Source.read(directory / model["path"])
-    subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    subject = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
     robot, expected = subject.model, model["expect"]
     masses = [
         link.inertial.mass.value for link in robot.links if link.inertial and link.inertial.mass
@@ -73,7 +73,7 @@ def test_the_model_is_as_independent_tools_measured_it(entry: tuple[Path, dict[s
 def test_the_reason_why_xacro_refuses_a_model_is_told(entry: tuple[Path, dict[str, Any]]) -> None:
     directory, model = entry  # a check takes values for arguments from around the file
     source = Source.read(directory / model["path"])
-    subject = Subject(source, Resolver(), corpus_findings.arguments_of(model))
+    subject = Context(source, Resolver(), corpus_findings.arguments_of(model))
     found = {problem.code for problem in subject.reading.problems}
     assert REASONS[model["expand_error_class"]] in found
 

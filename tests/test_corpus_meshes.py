@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from tests.conftest import CORPUS, manifest, model_id, needs_corpus
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -39,7 +39,7 @@ ENTRIES = [
 
 def missing(path: Path, arguments: dict[str, str]) -> tuple[set[str], int]:
     """The references of a model that lead to no file, and the number of references."""
-    subject = Subject(Source.read(path), Resolver(environment={}), arguments)
+    subject = Context(Source.read(path), Resolver(environment={}), arguments)
     if subject.reading.document is None:
         pytest.fail(f"does not expand: {subject.reading.problems[0].message}")
     meshes = subject.files.meshes

@@ -20,7 +20,7 @@ from tests.xacros import xacro
 from urdfkit import Source, check
 from urdfkit.cli import main
 from urdfkit.lint import rule_examples, rule_index, runner
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.description_file import DescriptionFile
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
@@ -66,12 +66,12 @@ def robots(tmp_path: Path) -> list[Path]:
 #: What is broken, and the beginnings of the codes of the rules that cannot do without it.
 PARTS = [
     (Masses, "inertias", ("INE", "XAC014", "GEO", "DYN", "TRE")),
-    (Subject, "masses", ("INE", "XAC014", "DYN", "TRE", "GEO")),
-    (Subject, "files", ("MSH", "GEO", "PKG", "INE", "COL", "DYN", "XAC011", "XAC014")),
-    (Subject, "deviations", ("URD", "XAC002")),
-    (Subject, "plugins", ("GAZ", "RCT")),
-    (Subject, "ignores", ()),
-    (Subject, "targets", ("",)),
+    (Context, "masses", ("INE", "XAC014", "DYN", "TRE", "GEO")),
+    (Context, "files", ("MSH", "GEO", "PKG", "INE", "COL", "DYN", "XAC011", "XAC014")),
+    (Context, "deviations", ("URD", "XAC002")),
+    (Context, "plugins", ("GAZ", "RCT")),
+    (Context, "ignores", ()),
+    (Context, "targets", ("",)),
     (VisualCollisionPairs, "mismatches", ("GEO",)),
 ]
 
@@ -116,12 +116,12 @@ def test_a_robot_that_fails_costs_no_other_robot(
     read = vars(DescriptionFile)["reading"].func
     broken = str(robots[1])
 
-    def reading(subject: Subject) -> object:
+    def reading(subject: Context) -> object:
         return fail() if subject.source.path == broken else read(subject)
 
     part = cached_property(reading)
-    part.__set_name__(Subject, "reading")
-    monkeypatch.setattr(Subject, "reading", part)
+    part.__set_name__(Context, "reading")
+    monkeypatch.setattr(Context, "reading", part)
     report = check(*robots, options=Options(jobs=jobs))
     assert reported(report) == before
     assert [(c.code, c.path) for c in report.crashed] == [("", broken)]
@@ -138,12 +138,12 @@ def test_a_process_that_dies_costs_its_robot_alone(
     before = [one for one in reported(check(*robots)) if one[0] not in deadly]
     read = vars(DescriptionFile)["reading"].func
 
-    def reading(subject: Subject) -> object:
+    def reading(subject: Context) -> object:
         return os._exit(9) if subject.source.path in deadly else read(subject)
 
     part = cached_property(reading)
-    part.__set_name__(Subject, "reading")
-    monkeypatch.setattr(Subject, "reading", part)
+    part.__set_name__(Context, "reading")
+    monkeypatch.setattr(Context, "reading", part)
     calls: list[tuple[int, int]] = []
     report = check(*robots, options=Options(jobs=jobs, progress=lambda *n: calls.append(n)))
     assert reported(report) == before
@@ -166,14 +166,14 @@ def test_a_directory_that_cannot_be_searched_costs_no_other_file(
 def test_every_format_tells_of_a_check_that_fails(
     name: str, robots: list[Path], monkeypatch
 ) -> None:
-    monkeypatch.setattr(Subject, "model", property(fail))
+    monkeypatch.setattr(Context, "model", property(fail))
     text = formats.get(name)(check(*robots))
     if name not in ("gitlab", "rdjson", "statistics"):  # which hold findings only
         assert "ZeroDivisionError: planted" in " ".join(text.split())
 
 
 def test_rules_that_fail_alike_are_one_line(robots: list[Path], monkeypatch, capsys) -> None:
-    monkeypatch.setattr(Subject, "model", property(fail))
+    monkeypatch.setattr(Context, "model", property(fail))
     assert main(["check", str(robots[0])]) == 3
     out = " ".join(capsys.readouterr().out.split())
     assert out.count("ZeroDivisionError: planted") == 1

@@ -19,6 +19,7 @@ from xml.sax.saxutils import quoteattr
 
 import pytest
 
+from tests.meshed import SOUND
 from tests.output.report.browsers import browser, needs_browser
 from urdfkit.cli import main
 
@@ -67,6 +68,8 @@ _UNSAFE = re.compile(
     r"[^\n\S ]|[\x00-\x09\x0b-\x1f\x7f-\x9f]"
     r"|[\xad\u061c\u200b-\u200f\u2028-\u202e\u2066-\u2069\ufeff]"
 )
+#: What a xacro can make, and XML cannot hold.
+_NOT_XML = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
 #: What GitHub and Azure take for a command in a log.
 _COMMAND = re.compile(r"^\s*::|##\[|##vso", re.MULTILINE)
 
@@ -142,6 +145,7 @@ TEXTS = [
     "fix {} --check",
     "trace {} no/such",
     "diff {} {}",
+    "bundle {} -o made",
     "migrate {} --to gz-harmonic",
     "scan {} -o out",
     "mesh info {}",
@@ -286,6 +290,61 @@ def test_graphviz_draws_no_link(file: str, capsys: pytest.CaptureFixture[str]) -
     assert "xlink:href" not in svg.stdout
 
 
+def test_a_bundle_keeps_names_in_their_places(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In the names of its files, the URDF, the manifest and the build files."""
+    pytest.importorskip("numpy")
+    monkeypatch.chdir(tmp_path)
+    names = [
+        f"{one.replace('/', '_').replace(chr(92), '_')}.stl"
+        for one in PAYLOADS.values()
+        if not _NOT_XML.search(one)
+    ]
+    for name in names:
+        Path(name).write_bytes(SOUND)
+    links = "".join(
+        f'<link name="l{number}"><visual><geometry><mesh filename={named(name)}/></geometry>'
+        "</visual></link>"
+        for number, name in enumerate(names)
+    )
+    head = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    robot = named("../../" + "".join(names)[:100])
+    Path("r.urdf.xacro").write_text(f"{head} name={robot}>{links}</robot>")
+    for consumer in ("any", "ros"):
+        output(["bundle", "r.urdf.xacro", "-o", consumer, "--for", consumer], capsys)
+        manifest = json.loads(Path(consumer, "bundle.json").read_text())
+        urdf = ElementTree.parse(Path(consumer, manifest["urdf"])).getroot()
+        assert [one.tag for one in urdf.iter()] == [
+            "robot",
+            *("link", "visual", "geometry", "mesh") * len(names),
+        ]
+        meshes = {one.get("filename", "").rpartition("/")[2] for one in urdf.iter("mesh")}
+        assert meshes == {path.name for path in Path(consumer, "meshes").iterdir()}
+        assert meshes == set(names)
+    assert re.fullmatch(r"urdf/[a-z0-9_]+\.urdf", manifest["urdf"])
+    ElementTree.parse("ros/package.xml")
+    assert "pwned" not in Path("ros/CMakeLists.txt").read_text().replace(
+        Path(manifest["urdf"]).stem, ""
+    )
+    assert {path.name for path in tmp_path.iterdir()} == {*names, "r.urdf.xacro", "any", "ros"}
+
+
+def test_no_name_of_a_bundle_leads_elsewhere_on_windows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("numpy")
+    monkeypatch.chdir(tmp_path)
+    obj = "mtllib a.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n"
+    mesh = '<visual><geometry><mesh filename="a.obj"/></geometry></visual>'
+    Path("r.urdf").write_text(f'<robot name="r"><link name="a">{mesh}</link></robot>')
+    Path("a.obj").write_text(obj)
+    Path("a.mtl").write_text("newmtl a\nmap_Kd ..\\..\\a.png\n")
+    Path("..\\..\\a.png").write_bytes(b"\x89PNG")
+    main(["bundle", "r.urdf", "-o", "made"])
+    assert not [path for path in Path("made").rglob("*") if "\\" in path.name]
+
+
 @needs_browser
 def test_a_page_runs_nothing_of_a_robot(file: str, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("selenium")
@@ -294,8 +353,10 @@ def test_a_page_runs_nothing_of_a_robot(file: str, capsys: pytest.CaptureFixture
     Path("diff.html").write_text(output(["diff", "other.urdf", file, "--format", "html"], capsys))
     output(["report", file, "--quick", "-o", "report.html"], capsys)
     output(["tree", file, "--format", "svg"], capsys)
+    output(["scan", file, "-o", "out"], capsys)
+    output(["scan", "summary", "out"], capsys)
     with browser() as page:
-        for name in ("report.html", "diff.html"):
+        for name in ("report.html", "diff.html", "out/summary.html"):
             page.driver.get(Path(name).absolute().as_uri())
             assert "pwned" in page.run("return document.body.textContent")
             assert page.run("return typeof pwned") == "undefined"
@@ -310,6 +371,42 @@ def test_a_page_runs_nothing_of_a_robot(file: str, capsys: pytest.CaptureFixture
 
 #: What hovers show is Markdown; what stands in an editor is XML.
 WRITTEN = [name for name in PAYLOADS if name not in ("controls", "CSI", "OSC 8", "OSC 52", "title")]
+
+
+@pytest.mark.parametrize(
+    "payload",
+    [one for one in PAYLOADS.values() if "$(" not in one],  # which is no name, but not expanded
+)
+def test_a_completion_inserts_a_name_as_text(payload: str, tmp_path: Path) -> None:
+    """Names of files, and of links that were expanded."""
+    pytest.importorskip("pygls")
+    from tests.lsp.edited import Edited
+    from urdfkit.lsp import completion, features, outline
+    from urdfkit.lsp.text import PositionEncoding
+
+    mesh = f"{payload.replace('/', '_')}.stl"
+    (tmp_path / mesh).touch()
+    body = f"""<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<link name={named(payload)}/>
+<link name="m"><visual><geometry><mesh filename="FILE"/></geometry></visual></link>
+<joint name="j" type="fixed"><parent link="LINK"/><child link="m"/></joint></robot>"""
+    places = PositionEncoding("utf-16")
+    for place, name in (("FILE", mesh), ("LINK", payload)):
+        edited = Edited(tmp_path / "r.urdf.xacro", body.replace(place, "|"))
+        page, offset = edited.page, edited.offset
+        offers = completion.complete(edited.robot, page, offset)
+        (offer,) = [one for one in offers if one.text == name]
+        item = features._item(places, page.source, offset, offer, snippets=True)
+        assert item.text_edit is not None
+        assert not _UNSAFE.search(item.label)
+        data, inserted = page.source.data, item.text_edit.new_text
+        text = data[: offer.start].decode() + inserted + data[offset:].decode()
+        if not _NOT_XML.search(payload):
+            elements = list(ElementTree.fromstring(text).iter())
+            assert len(elements) == 9
+            assert name in [value for one in elements for value in one.attrib.values()]
+        for entry in outline.outline(edited.robot, page):
+            assert not _UNSAFE.search(features._symbol(places, entry).name)
 
 
 @pytest.mark.parametrize("name", WRITTEN)

@@ -17,8 +17,8 @@ from tests.conftest import MODELS, ROOT
 NAMES = """
 Call Comparison Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Options Related Report
 RobotModel
-Rule Severity Source Span Subject Tolerances UnreadableRobot UrdfkitError Xacro all_rules bundle
-check collisions compare expand find_rule fix format_files frames load mass_properties pose
+Rule Severity Source Span Context Tolerances UnreadableRobot UrdfkitError Xacro all_rules bundle
+check collisions compare convert expand find_rule fix format_files frames load mass_properties pose
 read report stand statics summarise to_yourdfpy transform
 """.split()
 

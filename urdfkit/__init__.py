@@ -19,6 +19,7 @@ __all__ = [
     "Call",
     "Comparison",
     "Confidence",
+    "Context",
     "Diagnostic",
     "Dynamics",
     "Edit",
@@ -33,7 +34,6 @@ __all__ = [
     "Severity",
     "Source",
     "Span",
-    "Subject",
     "Tolerances",
     "UnreadableRobot",
     "UrdfkitError",
@@ -43,6 +43,7 @@ __all__ = [
     "check",
     "collisions",
     "compare",
+    "convert",
     "expand",
     "find_rule",
     "fix",
@@ -64,7 +65,7 @@ TYPE_CHECKING = False  # type checkers take it for True; importing typing costs 
 
 if TYPE_CHECKING:
     from urdfkit.errors import UnreadableRobot, UrdfkitError
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.lint.engine import check
     from urdfkit.lint.fix import fix
     from urdfkit.lint.fix_session import Fixes
@@ -77,6 +78,7 @@ if TYPE_CHECKING:
     from urdfkit.output.bundle.writing import bundle
     from urdfkit.output.comparison import Comparison, compare
     from urdfkit.output.comparison.differences import Tolerances
+    from urdfkit.output.conversion import convert
     from urdfkit.output.exchange import to_yourdfpy
     from urdfkit.output.mass_table import mass_properties
     from urdfkit.output.overview import summarise
@@ -96,6 +98,7 @@ _HOMES = {
     "physics.collision.sampling": "collisions",
     "output.bundle.writing": "bundle",
     "output.comparison": "Comparison compare",
+    "output.conversion": "convert",
     "text.diagnostic": "Call Confidence Diagnostic Edit Fix Related Severity",
     "output.comparison.differences": "Tolerances",
     "physics.dynamics.robot": "Dynamics",
@@ -120,7 +123,7 @@ _HOMES = {
     "lint.rule_index": "all_rules find_rule",
     "lint.rules": "Rule",
     "text.source": "Source Span",
-    "lint.context": "Subject",
+    "lint.context": "Context",
 }
 
 

@@ -11,13 +11,13 @@ import pytest
 
 from urdfkit.core.libraries import missing_for_meshes
 from urdfkit.lint import engine, rule_examples, rule_index
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Need, Rule
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 HERE = Path(__file__).parent
 
-#: The parts of a Subject that a rule may use for what it declares to need. The source, the
+#: The parts of a Context that a rule may use for what it declares to need. The source, the
 #: problems of reading and the targets are free.
 PARTS = {
     Need.XACRO: ("xacro",),
@@ -35,7 +35,7 @@ PARTS = {
 OPTIONAL = {family: {"files", "measured"} for family in ("INE", "GEO", "MSH")}
 OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "measured", "xacro"}}
 #: Of the robots that a launch file starts.
-OPTIONAL |= {"WLD": {"document", "model", "plugins", "tree"}}
+OPTIONAL |= {"LAU023": {"document", "model"}, "WLD": {"document", "model", "plugins", "tree"}}
 
 #: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
 OUR_OWN = {"CFG001", "CFG002", "CFG003", "MSH024"}
@@ -136,7 +136,7 @@ def test_the_rule_needs_no_more_than_it_declares(
     allowed = {part for need in rule.needs for part in PARTS[need]}
     allowed |= OPTIONAL.get(code, OPTIONAL.get(code[:3], set()))
     for part in {part for parts in PARTS.values() for part in parts} - allowed:
-        monkeypatch.setattr(Subject, part, property(refuse(code, part)))
+        monkeypatch.setattr(Context, part, property(refuse(code, part)))
     assert places(rule_examples.diagnose_example(rule, example(rule, "BAD"))) == honest
 
 
@@ -145,7 +145,7 @@ def places(diagnostics: Iterable[Diagnostic]) -> list[tuple[int, int]]:
 
 
 def refuse(code: str, part: str) -> Any:
-    def raise_(_: Subject) -> NoReturn:
+    def raise_(_: Context) -> NoReturn:
         pytest.fail(f"{code} uses {part} and does not declare it")
 
     return raise_

@@ -11,7 +11,7 @@ from tests.conftest import MODELS
 from tests.hand_made_rules import run_only
 from urdfkit.cli import main
 from urdfkit.lint import engine
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.options import Options
 from urdfkit.lint.rules import Finding, Need, Rule
 from urdfkit.text.diagnostic import Severity
@@ -74,7 +74,7 @@ def test_an_unknown_code_that_is_ignored_is_a_warning(check: Screen, bad: str) -
 
 
 def fake(severity: Severity) -> Rule:
-    def find(subject: Subject):
+    def find(subject: Context):
         yield Finding(subject.document.root, "it is there")
 
     return Rule("ABC123", "fake", severity, frozenset({Need.MODEL}), find, "", False, __name__, {})
@@ -101,7 +101,7 @@ def test_fail_on(
 def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
     check: Screen, bad: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def crash(subject: Subject):
+    def crash(subject: Context):
         raise ValueError("boom")
 
     rules = [fake(Severity.INFO)._replace(check=crash, code="ABC001"), fake(Severity.ERROR)]

@@ -17,7 +17,7 @@ from tests.conftest import CORPUS, MODELS, ROOT, manifest
 from tests.consumers.reading import Reading, oracle, read
 from tests.update_corpus_findings import arguments_of
 from urdfkit.lint import engine, rule_index
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.description_file import Unavailable
 from urdfkit.lint.options import Options
 from urdfkit.lint.rules import Need
@@ -102,7 +102,7 @@ def verdict(name: str, robot: Robot) -> Verdict | None:
     return Verdict(errors=errors, differences="; ".join(_differences(subject, reading)))
 
 
-def with_absolute_paths(subject: Subject) -> bytes:
+def with_absolute_paths(subject: Context) -> bytes:
     """The expanded URDF, with the places of the meshes that are there."""
     text = re.sub(rb"^\s*<\?xml.*?\?>", b"", subject.text)
     robot = ElementTree.fromstring(text)
@@ -124,7 +124,7 @@ def cause_of(name: str, refusal: str) -> tuple[str, set[str]]:
     return "other", set()
 
 
-def _differences(subject: Subject, reading: Reading) -> list[str]:
+def _differences(subject: Context, reading: Reading) -> list[str]:
     """How the program's robot differs from the written one."""
     found = []
     mass = sum(link.mass or 0.0 for link in subject.model.links)

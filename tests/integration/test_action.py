@@ -81,7 +81,9 @@ class Runner:
 def runner(tmp_path: Path) -> Runner:
     """A runner where the first steps have been: 'urdfkit' is that of this checkout."""
     (tmp_path / "temp" / "urdfkit" / "bin").mkdir(parents=True)
-    for name, words in (("urdfkit", "-m urdfkit "), ("python", "")):
+    # As the installed program does, this imports nothing from the current directory.
+    begin = f"import sys; sys.path.insert(0, '{ROOT}'); from urdfkit.cli import main; main()"
+    for name, words in (("urdfkit", f'-I -c "{begin}" '), ("python", "")):
         program = tmp_path / "temp" / "urdfkit" / "bin" / name
         program.write_text(f'#!/bin/sh\nPYTHONPATH="{ROOT}" exec "{sys.executable}" {words}"$@"\n')
         program.chmod(0o755)
@@ -327,31 +329,73 @@ def test_the_workflow_gives_inputs_that_there_are() -> None:
 def test_the_script_of_gitlab(runner: Runner) -> None:
     """All lines but that of pip; the reports that are announced are written."""
     job = GITLAB["urdfkit"]
-    install, *script = job["script"]
-    assert install.startswith("pip install ")
+    files = "good/gripper.urdf bad/broken_meshes.urdf"
+    assert job["script"][0].startswith("pip install ")
+    done = run_of_gitlab(runner, job["script"][1:], files)
+    assert done.returncode == 1, done.stderr
+    assert "bad/broken_meshes.urdf" in done.stdout
+    for report in job["artifacts"]["reports"].values():
+        assert (runner.workspace / report).stat().st_size > 0
+    done = run_of_gitlab(runner, job["after_script"], files)
+    assert done.returncode == 0, done.stderr
+    reports = runner.workspace / "urdfkit-reports"
+    assert len([*reports.glob("*-gripper.urdf.html"), *reports.glob("*-gripper.urdf.png")]) == 2
+    assert (reports / "summary.md").read_text().startswith("### ")
+
+
+@needs_bash
+def test_gitlab_takes_any_name(runner: Runner) -> None:
+    """Names of variants come from the merge request."""
+    pytest.importorskip("jinja2")
+    (runner.workspace / "arm.urdf.xacro").write_text(xacro('<link name="$(arg side)"/>'))
+    (runner.workspace / "urdfkit.toml").write_text(
+        '[[robot]]\nfile = "arm.urdf.xacro"\n'
+        r'variants = {"a\nb\t`touch ran`" = {side = "l"}, "$(touch ran)\"" = {side = "r"}}'
+    )
+    job = GITLAB["urdfkit"]
+    for part in (job["script"][1:], job["after_script"]):
+        done = run_of_gitlab(runner, part, "arm.urdf.xacro")
+    assert done.returncode == 0, done.stderr
+    assert r"no render of 'arm.urdf.xacro' 'a\nb\t`touch ran`'" in done.stdout
+    assert sorted(path.name for path in (runner.workspace / "urdfkit-reports").glob("*.html")) == [
+        "1-arm.urdf.xacro-a_b__touch_ran_.html",
+        "2-arm.urdf.xacro-__touch_ran__.html",
+    ]
+    assert not (runner.workspace / "ran").exists()
+
+
+@needs_bash
+def test_python_imports_nothing_of_a_pull_request(runner: Runner) -> None:
+    """Neither in the action nor in GitLab's job."""
+    for name in ("json", "os", "pip", "subprocess", "sys", "urdfkit", "venv"):
+        (runner.workspace / f"{name}.py").write_text("open('ran', 'w')\n")
+    runner.run("Check", files="good/gripper.urdf")
+    assert runner.run("Reports", files="good/gripper.urdf").returncode == 0
+    job = GITLAB["urdfkit"]
+    for part in (job["script"][1:], job["after_script"]):
+        assert run_of_gitlab(runner, part, "good/gripper.urdf").returncode == 0
+    assert not (runner.workspace / "ran").exists()
+
+
+def test_python_is_always_started_apart_from_the_pull_request() -> None:
+    scripts = [step["run"] for step in STEPS if "run" in step] + GITLAB["urdfkit"]["after_script"]
+    started = [one for text in scripts for one in re.findall(r'(?i)python"? (-\S+)', text)]
+    assert started == ["-I"] * 4
+
+
+def run_of_gitlab(runner: Runner, lines: list[str], files: str) -> subprocess.CompletedProcess[str]:
     binaries = runner.temporary / "urdfkit" / "bin"
     environment = {
         **os.environ,
         **GITLAB["variables"],
-        "URDFKIT_FILES": "good/gripper.urdf bad/broken_meshes.urdf",
+        "URDFKIT_FILES": files,
         "PATH": f"{binaries}{os.pathsep}{os.environ['PATH']}",
     }
-    done = subprocess.run(
-        ["bash", "-e", "-o", "pipefail", "-c", "\n".join(script)],
+    return subprocess.run(
+        ["bash", "-e", "-o", "pipefail", "-c", "\n".join(lines)],
         check=False,
         cwd=runner.workspace,
         env=environment,
         capture_output=True,
         text=True,
     )
-    assert done.returncode == 1, done.stderr
-    assert "bad/broken_meshes.urdf" in done.stdout
-    for report in job["artifacts"]["reports"].values():
-        assert (runner.workspace / report).stat().st_size > 0
-    after = ["bash", "-e", "-o", "pipefail", "-c", "\n".join(job["after_script"])]
-    done = subprocess.run(
-        after, check=False, cwd=runner.workspace, env=environment, capture_output=True, text=True
-    )
-    assert done.returncode == 0, done.stderr
-    assert (runner.workspace / "robots").read_text().splitlines()[0] == "\tgood/gripper.urdf"
-    assert (runner.workspace / "urdfkit-reports" / "summary.md").read_text().startswith("### ")

@@ -10,7 +10,7 @@ from urdfkit import Source, check
 from urdfkit.errors import UnknownRule, UnreadableFile
 from urdfkit.lint import check_job, engine
 from urdfkit.lint.config import Config, ConfigError, RobotEntry
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.lint.runner import FileResult
@@ -227,7 +227,7 @@ def test_of_a_robot_that_was_checked_nothing_heavy_stays(
     alive: list[int] = []
 
     def count(*arguments: object, run=check_job.check_job) -> FileResult:
-        alive.append(sum(isinstance(one, (Subject, Element)) for one in gc.get_objects()))
+        alive.append(sum(isinstance(one, (Context, Element)) for one in gc.get_objects()))
         return run(*arguments)
 
     monkeypatch.setattr(check_job, "check_job", count)

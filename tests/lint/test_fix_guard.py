@@ -2,7 +2,7 @@
 
 import pytest
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.fix_consistency import without_inconsistent_fixes
 from urdfkit.lint.fix_guard import _is_used, ineffective, regression
 from urdfkit.lint.report import Crashed, Report, Skipped
@@ -39,11 +39,11 @@ def report(
 def judged(
     before: Report, after: Report, old: str | None = ONE_LINK, new: str | None = TWO_LINKS
 ) -> str:
-    def robots(body: str | None) -> list[Subject | None]:
+    def robots(body: str | None) -> list[Context | None]:
         if body is None:
             return [None]
         source = Source("r.urdf", f'<robot name="r">{body}</robot>'.encode())
-        return [Subject(source, Resolver(environment={}))]
+        return [Context(source, Resolver(environment={}))]
 
     return regression(before, after, lambda: robots(old), lambda: robots(new))
 
@@ -100,7 +100,7 @@ def test_nothing_was_hidden_in_a_robot_that_cannot_be_read(
 def test_only_robots_with_a_new_error_are_compared() -> None:
     """The others may hide nothing: it takes reading both versions to know."""
 
-    def unread() -> list[Subject]:
+    def unread() -> list[Context]:
         raise AssertionError("nothing is new")
 
     one = report(found("ABC001", "link/a"))
@@ -137,7 +137,7 @@ def test_every_use_of_a_text_must_ask_for_the_fix_and_other_findings_need_none(
     uses: int, is_fixed: bool
 ) -> None:
     source = Source("r.urdf", f'<robot name="r">{TWO_LINKS}</robot>'.encode())
-    _, link, other, *_ = Subject(source, Resolver(environment={})).document.root.walk()
+    _, link, other, *_ = Context(source, Resolver(environment={})).document.root.walk()
     fix = Fix("remove it", (Edit(Span(source, *link.span[1:]), ""),))
     asks, only_tells = Finding(link, "message", fix=fix), Finding(other, "message")
     found = without_inconsistent_fixes([asks, only_tells], {link.tag_at: uses, other.tag_at: 1})

@@ -12,7 +12,7 @@ from tests.conftest import CORPUS, manifest, model_id, needs_corpus
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import ConfigError
 from urdfkit.lint.config_reader import load
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.formatting import format_files
 from urdfkit.text.document import Element
 from urdfkit.text.source import Source
@@ -115,7 +115,7 @@ def test_real_robots_expand_to_the_same(
 
 def expanded(file: Path, arguments: dict[str, str]) -> list[tuple[str, dict[str, str], str]]:
     """The elements of a robot after expansion; nothing for one that does not expand."""
-    document = Subject(Source.read(file), Resolver(), arguments).reading.document
+    document = Context(Source.read(file), Resolver(), arguments).reading.document
     return [] if document is None else list(map(content, document.root.walk()))
 
 

@@ -9,7 +9,7 @@ import pytest
 from tests.hand_made_rules import run_only
 from urdfkit import Report, Source, check
 from urdfkit.lint import rule_index, runner
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.ros.targets import Targets
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Related, Severity
@@ -76,19 +76,19 @@ WHEELS = b"""\
 """
 
 
-def subject(data: bytes = WHEELS, **options: Any) -> Subject:
+def subject(data: bytes = WHEELS, **options: Any) -> Context:
     path = "r.xacro" if b"xacro:" in data else "r.urdf"
-    return Subject(Source(path, data), Resolver(environment={}), **options)
+    return Context(Source(path, data), Resolver(environment={}), **options)
 
 
-def rule(find: Callable[[Subject], Iterator[Finding]], **changes: Any) -> Rule:
+def rule(find: Callable[[Context], Iterator[Finding]], **changes: Any) -> Rule:
     plain = Rule(
         "ABC001", "some-defect", Severity.WARNING, frozenset(), find, "", False, __name__, {}
     )
     return plain._replace(**changes)
 
 
-def of_links(make: Callable[[str, Element], Finding]) -> Callable[[Subject], Iterator[Finding]]:
+def of_links(make: Callable[[str, Element], Finding]) -> Callable[[Context], Iterator[Finding]]:
     """A rule that says something of every link."""
     return lambda one: (make(link.name, link.at) for link in one.model.links)
 
@@ -97,7 +97,7 @@ def of_links(make: Callable[[str, Element], Finding]) -> Callable[[Subject], Ite
 def judged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., runner.FileResult]:
     """The verdict of some rules made by hand, and no others."""
 
-    def run(*made: Rule, one: Subject | None = None) -> runner.FileResult:
+    def run(*made: Rule, one: Context | None = None) -> runner.FileResult:
         run_only(monkeypatch, made)
         return runner.run_rules(one or subject(), [])
 
@@ -152,7 +152,7 @@ def test_the_worst_call_comes_first_and_speaks_for_all(judged) -> None:
 
 
 def test_two_defects_of_one_plain_place_stay_two(judged) -> None:
-    def find(one: Subject) -> Iterator[Finding]:
+    def find(one: Context) -> Iterator[Finding]:
         root = one.document.root
         yield from (Finding(root, "first"), Finding(root, "second"))
 
@@ -160,7 +160,7 @@ def test_two_defects_of_one_plain_place_stay_two(judged) -> None:
 
 
 def test_two_places_of_one_macro_that_begin_together_stay_two(judged) -> None:
-    def find(one: Subject) -> Iterator[Finding]:
+    def find(one: Context) -> Iterator[Finding]:
         for link in one.model.links:
             start = Span(link.at.span.source, link.at.span.start, link.at.span.start + 5)
             yield Finding(link.at, "whole")
@@ -175,7 +175,7 @@ def test_two_places_of_one_macro_that_begin_together_stay_two(judged) -> None:
 def test_two_defects_of_one_place_in_a_robot_of_a_launch_file_stay_two(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def find(one: Subject) -> Iterator[Finding]:
+    def find(one: Context) -> Iterator[Finding]:
         if one.source.path.endswith(".urdf"):
             yield from (Finding(one.document.root, text) for text in ("first", "second"))
 
@@ -203,7 +203,7 @@ def test_two_rules_are_never_folded(judged) -> None:
 
 
 def test_a_place_that_is_no_element_has_no_path(judged) -> None:
-    def find(one: Subject) -> Iterator[Finding]:
+    def find(one: Context) -> Iterator[Finding]:
         yield Finding(Location(Span(one.source, 0, 6)), "here")
 
     (found,) = judged(rule(find)).diagnostics
@@ -234,7 +234,7 @@ def test_the_worst_severity_of_a_target_wins(judged, targets, severity, affected
 
 
 def test_a_finding_may_have_a_severity_of_its_own(judged) -> None:
-    def find(one: Subject) -> Iterator[Finding]:
+    def find(one: Context) -> Iterator[Finding]:
         for link in one.model.links:
             mild = Severity.INFO if link.name in ("base", "rear_left") else None
             yield Finding(link.at, link.name, weight=float(mild is not None), severity=mild)
@@ -255,7 +255,7 @@ def test_targets_are_inferred_only_where_they_matter(judged) -> None:
 
 
 def test_a_part_that_is_not_to_be_had_skips_the_rule(judged) -> None:
-    def of_pinocchio(one: Subject) -> Iterator[Finding]:
+    def of_pinocchio(one: Context) -> Iterator[Finding]:
         raise Unavailable("Pinocchio is not installed")
 
     of_all = rule(of_links(lambda name, at: Finding(at, name)), code="ABC002")
@@ -268,7 +268,7 @@ def test_a_part_that_is_not_to_be_had_skips_the_rule(judged) -> None:
 
 
 def test_a_crash_hides_neither_other_rules_nor_what_was_found_before(judged) -> None:
-    def half(one: Subject) -> Iterator[Finding]:
+    def half(one: Context) -> Iterator[Finding]:
         yield Finding(one.document.root, "found before")
         raise ZeroDivisionError("boom")
 
@@ -282,7 +282,7 @@ def test_a_crash_hides_neither_other_rules_nor_what_was_found_before(judged) -> 
 
 
 def test_a_rule_is_stopped_at_a_thousand_findings(judged) -> None:
-    def endless(one: Subject) -> Iterator[Finding]:
+    def endless(one: Context) -> Iterator[Finding]:
         while True:
             yield Finding(one.document.root, "again")
 
@@ -290,7 +290,7 @@ def test_a_rule_is_stopped_at_a_thousand_findings(judged) -> None:
 
 
 def test_ten_places_in_data_files_are_listed(judged) -> None:
-    def find(one: Subject) -> Iterator[Finding]:
+    def find(one: Context) -> Iterator[Finding]:
         places = tuple(Related(Span(one.source, n, n + 1), "") for n in range(12))
         yield Finding(one.document.root, "numbers", data=places)
 
@@ -312,8 +312,8 @@ def test_packages_may_be_named_in_either_way(mesh: str) -> None:
     text = (
         f"""<link name="a"><visual><geometry><mesh filename="{mesh}"/></geometry></visual></link>"""
     )
-    one = Subject(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()), Resolver())
-    none = Subject(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>'), Resolver())
+    one = Context(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()), Resolver())
+    none = Context(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>'), Resolver())
     assert rule_index.applicable("package", ["PKG001"], one)
     assert not rule_index.applicable("package", ["PKG001"], none)
 

@@ -10,7 +10,7 @@ import pytest
 
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import MODELS, manifest, model_id, needs_corpus
-from urdfkit import Subject, frames, load, read, to_yourdfpy
+from urdfkit import Context, frames, load, read, to_yourdfpy
 from urdfkit.errors import MissingLibrary, UnreadableRobot
 from urdfkit.robot.kinematics import SLIDING, TURNING, laws
 
@@ -27,7 +27,7 @@ def homogeneous(frame: Any) -> Any:
     return matrix
 
 
-def positions(robot: Subject) -> dict[str, float]:
+def positions(robot: Context) -> dict[str, float]:
     """Another position within a radian for each joint that can be moved by itself."""
     joints = robot.model.joints_by_name
     free = [
@@ -38,7 +38,7 @@ def positions(robot: Subject) -> dict[str, float]:
     return {name: 0.3 + 0.7 * number / len(free) for number, name in enumerate(free)}
 
 
-def assert_same_frames(robot: Subject) -> None:
+def assert_same_frames(robot: Context) -> None:
     given = positions(robot)
     ours = frames(robot.tree, given)
     theirs = to_yourdfpy(robot, load_meshes=False)
@@ -49,7 +49,7 @@ def assert_same_frames(robot: Subject) -> None:
         assert np.allclose(homogeneous(frame), expected, atol=TOLERANCE), link
 
 
-def is_one_tree(robot: Subject) -> bool:
+def is_one_tree(robot: Context) -> bool:
     names = [link.name for link in robot.model.links]
     return len(robot.tree.roots) == 1 and len(set(names)) == len(frames(robot.tree, {}))
 

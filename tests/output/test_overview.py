@@ -13,7 +13,7 @@ import pytest
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import MODELS, manifest, model_id
 from tests.massive import BALL, inertial, joint, link, shape
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output.overview import summarise
@@ -23,7 +23,7 @@ from urdfkit.workspace.resolve import Resolver
 MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
 
-def of(text: str) -> Subject:
+def of(text: str) -> Context:
     return read(Source("r.urdf", whole_robot(text).encode()))
 
 
@@ -155,7 +155,7 @@ def test_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
     """Masses and joints as other tools measured them, Pinocchio's nq and nv among them."""
     directory, model = entry
     source = Source.read(directory / model["path"])
-    subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    subject = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
     vars(subject)["meshes"] = _NoMeshes()
     found, expected = summarise(subject), model["expect"]
     assert found.structure.joints == expected["joint_types"]

@@ -15,7 +15,7 @@ from tests.output.test_overview import of
 from urdfkit import Source, check
 from urdfkit.checks.dynamics import dyn003_gravity_exceeds_effort as dyn003
 from urdfkit.cli.statics import render
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.physics import gravity
 from urdfkit.physics.dynamics.statics import statics
 from urdfkit.physics.gravity import gravity_loads
@@ -32,12 +32,12 @@ def words(vector: tuple[float, float, float]) -> str:
     return " ".join(map(str, vector))
 
 
-def efforts(robot: Subject) -> dict[str, float | None]:
+def efforts(robot: Context) -> dict[str, float | None]:
     return {name: effort(joint) for name, joint in robot.model.joints_by_name.items()}
 
 
 @st.composite
-def trees(draw: st.DrawFn, *, mimics: bool) -> Subject:
+def trees(draw: st.DrawFn, *, mimics: bool) -> Context:
     """A tree of up to seven links; some joints may mimic others."""
     count = draw(st.integers(2, 7))
     text = ""
@@ -62,7 +62,7 @@ def trees(draw: st.DrawFn, *, mimics: bool) -> Subject:
 
 
 @given(trees(mimics=True), st.floats(-3, 3))
-def test_torques_are_those_of_pinocchio(robot: Subject, place: float) -> None:
+def test_torques_are_those_of_pinocchio(robot: Context, place: float) -> None:
     pose = {
         name: place * (number + 1) / 7 for number, name in enumerate(robot.model.joints_by_name)
     }
@@ -75,7 +75,7 @@ def test_torques_are_those_of_pinocchio(robot: Subject, place: float) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(trees(mimics=False), st.integers(0, 10**6))
-def test_no_pose_is_worse_and_the_bound_holds(robot: Subject, seed: int) -> None:
+def test_no_pose_is_worse_and_the_bound_holds(robot: Context, seed: int) -> None:
     """Of 200 drawn poses none is worse than what the search finds, which the bound is not below."""
     model = GravityModel(robot.tree)
     bound = largest(robot.tree)
@@ -92,7 +92,7 @@ def test_no_pose_is_worse_and_the_bound_holds(robot: Subject, seed: int) -> None
 
 @settings(max_examples=30, deadline=None)
 @given(trees(mimics=True))
-def test_the_bound_holds_for_joints_that_others_mimic(robot: Subject) -> None:
+def test_the_bound_holds_for_joints_that_others_mimic(robot: Context) -> None:
     model = GravityModel(robot.tree)
     bound = largest(robot.tree)
     for load in gravity_loads(model, efforts(robot), model.starts(20, 0), pose={}):

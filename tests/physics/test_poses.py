@@ -10,7 +10,7 @@ import pytest
 
 from tests.conftest import CORPUS, needs_corpus
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.physics.poses import PoseError, outside_limits, pose
 
@@ -42,7 +42,7 @@ BOMB = "turn:\n- &a0 x\n" + "".join(
 
 
 @pytest.fixture
-def robot(tmp_path: Path) -> Subject:
+def robot(tmp_path: Path) -> Context:
     (tmp_path / "r.urdf").write_text(ROBOT)
     (tmp_path / "r.srdf").write_text(SRDF)
     return read(tmp_path / "r.urdf")
@@ -60,7 +60,7 @@ def robot(tmp_path: Path) -> Subject:
         ("slide", 0.1, 0.1),
     ],
 )
-def test_a_position(robot: Subject, joint: str, text: str | float, position: float) -> None:
+def test_a_position(robot: Context, joint: str, text: str | float, position: float) -> None:
     assert pose(robot, {joint: text}) == {joint: pytest.approx(position, rel=1e-15)}
 
 
@@ -80,7 +80,7 @@ def test_a_position(robot: Subject, joint: str, text: str | float, position: flo
         ),
     ],
 )
-def test_what_is_no_position_is_told(robot: Subject, given: dict[str, str], reported: str) -> None:
+def test_what_is_no_position_is_told(robot: Context, given: dict[str, str], reported: str) -> None:
     with pytest.raises(PoseError) as error:
         pose(robot, given)
     assert str(error.value) == reported
@@ -95,7 +95,7 @@ def test_what_is_no_position_is_told(robot: Subject, given: dict[str, str], repo
         '{\n\t"turn": "90deg",\n\t"slide": 0.1\n}',
     ],
 )
-def test_a_file(robot: Subject, tmp_path: Path, text: str) -> None:
+def test_a_file(robot: Context, tmp_path: Path, text: str) -> None:
     (tmp_path / "pose").write_text(text)
     expected = {"turn": pytest.approx(pi / 2, rel=1e-15), "slide": 0.1}
     assert pose(robot, name=str(tmp_path / "pose")) == expected
@@ -121,7 +121,7 @@ def test_a_file(robot: Subject, tmp_path: Path, text: str) -> None:
     ],
 )
 def test_a_file_that_is_no_pose_is_told(
-    robot: Subject, tmp_path: Path, text: str, reported: str
+    robot: Context, tmp_path: Path, text: str, reported: str
 ) -> None:
     (tmp_path / "pose.yaml").write_text(text)
     with pytest.raises(PoseError) as error:
@@ -129,18 +129,18 @@ def test_a_file_that_is_no_pose_is_told(
     assert reported in str(error.value)
 
 
-def test_a_directory_is_no_file(robot: Subject, tmp_path: Path) -> None:
+def test_a_directory_is_no_file(robot: Context, tmp_path: Path) -> None:
     with pytest.raises(UnreadableFile):
         pose(robot, name=str(tmp_path))
 
 
-def test_a_state_of_the_srdf(robot: Subject) -> None:
+def test_a_state_of_the_srdf(robot: Context) -> None:
     assert pose(robot, name="ready") == {"turn": 0.5, "slide": 0.05}
     assert pose(robot, name="arm/ready") == {"turn": 0.5}
     assert pose(robot, {"slide": "0"}, "ready") == {"turn": 0.5, "slide": 0.0}
 
 
-def test_an_unknown_state_is_told_with_those_there_are(robot: Subject) -> None:
+def test_an_unknown_state_is_told_with_those_there_are(robot: Context) -> None:
     with pytest.raises(PoseError, match=r"did you mean 'folded'\?"):
         pose(robot, name="fodled")
     with pytest.raises(
@@ -149,7 +149,7 @@ def test_an_unknown_state_is_told_with_those_there_are(robot: Subject) -> None:
         pose(robot, name="xyz")
 
 
-def test_what_leaves_the_limits_is_told(robot: Subject) -> None:
+def test_what_leaves_the_limits_is_told(robot: Context) -> None:
     assert outside_limits(robot.tree, {"turn": 2.0, "slide": 0.0}) == []
     assert outside_limits(robot.tree, {"turn": 2.5, "slide": -0.01}) == [
         "joint 'turn' at 2.5 rad is outside its limits -1 to 2 rad",
@@ -157,7 +157,7 @@ def test_what_leaves_the_limits_is_told(robot: Subject) -> None:
     ]
 
 
-def test_a_state_of_a_named_srdf(robot: Subject, tmp_path: Path) -> None:
+def test_a_state_of_a_named_srdf(robot: Context, tmp_path: Path) -> None:
     (tmp_path / "other.srdf").write_text(SRDF.replace("0.5", "0.75"))
     assert pose(robot, name=f"{tmp_path}/other.srdf:arm/ready") == {"turn": 0.75}
     (tmp_path / "no.srdf").write_text("<sdf/>")

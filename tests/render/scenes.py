@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.render import Camera, Scene, build, draw
 from urdfkit.render.arrays import Bytes
 from urdfkit.text.source import Source
@@ -14,7 +14,7 @@ from urdfkit.workspace.resolve import Resolver
 __all__ = ["alone", "colour_at", "corners", "link", "robot", "scene"]
 
 
-def robot(*links: str, joints: str = "") -> Subject:
+def robot(*links: str, joints: str = "") -> Context:
     """A robot of links, each of which hangs on the first one if no joints are given."""
     names = [text.split('"')[1] for text in links]
     joints = joints or "".join(
@@ -23,7 +23,7 @@ def robot(*links: str, joints: str = "") -> Subject:
         for name in names[1:]
     )
     text = f'<robot name="r">{"".join(links)}{joints}</robot>'
-    subject = Subject(Source("r.urdf", text.encode()), Resolver())
+    subject = Context(Source("r.urdf", text.encode()), Resolver())
     assert read_xml(subject.source)[0] is not None
     return subject
 

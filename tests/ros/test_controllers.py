@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.controls import ROBOT, plugin
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.controllers import Controller, controllers, parameter_files, read
 from urdfkit.text.located_yaml import MAX_BYTES
@@ -126,10 +126,10 @@ def test_hostile_files_end(text: str) -> None:
     assert len(of(text)) <= 1
 
 
-def subject(directory: Path, *paths: str) -> Subject:
+def subject(directory: Path, *paths: str) -> Context:
     parameters = "".join(f"<parameters> {path} </parameters>" for path in paths)
     text = whole_robot(ROBOT + plugin("libgazebo_ros2_control.so", parameters))
-    return Subject(Source(str(directory / "r.urdf"), text.encode()), Resolver(environment={}))
+    return Context(Source(str(directory / "r.urdf"), text.encode()), Resolver(environment={}))
 
 
 def test_the_files_that_a_plugin_names(tmp_path: Path) -> None:

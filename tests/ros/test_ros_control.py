@@ -5,7 +5,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.controls import CLASSIC, ROBOT, control, driven, plugin, transmission
 from urdfkit.lint import engine, rule_index
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.ros_control import (
     components,
@@ -22,8 +22,8 @@ from urdfkit.workspace.resolve import Resolver
 PR2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission"/>'
 
 
-def subject(text: str) -> Subject:
-    return Subject(Source("robot.urdf", whole_robot(text).encode()), Resolver(environment={}))
+def subject(text: str) -> Context:
+    return Context(Source("robot.urdf", whole_robot(text).encode()), Resolver(environment={}))
 
 
 def test_a_component_and_its_parts() -> None:

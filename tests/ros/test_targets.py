@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import manifest, model_id, needs_corpus
 from tests.gazebos import BASE, plugin
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.catalog import data
 from urdfkit.ros.targets import GAZEBO, TARGETS, TargetFacts, Targets, UnknownTarget, parse
@@ -27,7 +27,7 @@ def inferred(text: str, directory: Path, build: str = "") -> tuple[str, ...]:
         manifest = f"<package><name>p</name><buildtool_depend>{build}</buildtool_depend></package>"
         (directory / "package.xml").write_text(manifest)
     source = Source(str(directory / "robot.urdf"), whole_robot(BASE + text).encode())
-    names = Subject(source, Resolver(environment={})).targets.names
+    names = Context(source, Resolver(environment={})).targets.names
     return tuple(name for name in names if name.startswith(("classic", "gz")))
 
 
@@ -79,14 +79,14 @@ def test_any_of() -> None:
 def test_what_was_given_is_not_inferred() -> None:
     source = Source("robot.urdf", whole_robot(BASE + plugin("gz-sim-imu-system", "")).encode())
     given = parse(["mujoco"])
-    assert Subject(source, Resolver(environment={}), targets=given).targets == given
-    inferred = Subject(source, Resolver(environment={})).targets
+    assert Context(source, Resolver(environment={}), targets=given).targets == given
+    inferred = Context(source, Resolver(environment={})).targets
     assert inferred == Targets(("gz-harmonic",), ("gz-harmonic: plugin gz-sim-imu-system",))
 
 
 def test_a_plain_robot_gives_nothing_away() -> None:
     source = Source("robot.urdf", whole_robot(BASE).encode())
-    assert Subject(source, Resolver(environment={})).targets == Targets(())
+    assert Context(source, Resolver(environment={})).targets == Targets(())
 
 
 WITH_PLUGINS = [entry for entry in manifest() if entry[1].get("expect", {}).get("gazebo_plugins")]
@@ -105,7 +105,7 @@ def test_the_generation_of_real_robots(entry: tuple[Path, dict[str, Any]]) -> No
     directory, facts = entry
     path = directory / facts["path"]
     arguments = dict(word.split(":=", 1) for word in facts["xacro_args"])
-    targets = Subject(Source.read(path), Resolver(), arguments).targets
+    targets = Context(Source.read(path), Resolver(), arguments).targets
     package = next(at for at in path.parents if (at / "package.xml").is_file())
     is_ros2 = b"ament" in (package / "package.xml").read_bytes()
     expected = generation(facts["expect"]["gazebo_plugins"], is_ros2)

@@ -209,7 +209,8 @@ def test_every_file_of_the_robot_is_watched(viewer: Running) -> None:
 
 
 def test_what_takes_a_while_follows(viewer: Running) -> None:
-    viewer.edit("mass: 7.0", "mass: 6.5", viewer.robot.parents[1] / "config" / "dimensions.yaml")
+    dimensions = viewer.robot.parents[1] / "config" / "dimensions.yaml"
+    viewer.edit("# Lengths", "# All lengths", dimensions)
     whole = viewer.state(lambda state: state["whole"] and state["readable"])
     for section in ("pictures", "statics", "collisions"):
         assert f'<section id="{section}">' in whole["content"]

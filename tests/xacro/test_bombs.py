@@ -280,10 +280,23 @@ def limit() -> None:
     resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS, CPU_SECONDS + 1))
 
 
-def checked(file: Path) -> dict[str, set[int]]:
+#: As the language server expands: in a thread, where no signal interrupts anything.
+IN_THREAD = """
+import sys, threading
+from urdfkit.cli import main
+codes = []
+thread = threading.Thread(target=lambda: codes.append(main(sys.argv[1:])))
+thread.start()
+thread.join()
+sys.exit(codes[0])
+"""
+
+
+def checked(file: Path, *program: str) -> dict[str, set[int]]:
     """The codes of what is reported about a file within the limits, with the lines."""
+    words = ["check", "--no-cache", "--format", "json", str(file)]
     done = subprocess.run(
-        [sys.executable, "-m", "urdfkit", "check", "--no-cache", "--format", "json", str(file)],
+        [sys.executable, *(program or ("-m", "urdfkit")), *words],
         cwd=ROOT,
         capture_output=True,
         text=True,
@@ -311,6 +324,26 @@ def test_a_bomb_ends_in_a_report(what: str, workspace: Path) -> None:
     file = workspace / "robot.xacro"
     file.write_text(text if text.startswith(("<!D", "<?")) else models.document(text))
     assert code in checked(file)
+
+
+@on_unix
+@pytest.mark.parametrize("what", BOMBS)
+def test_a_bomb_ends_in_a_report_without_the_system(what: str, workspace: Path) -> None:
+    """By the bounds of the sandbox alone, as in the language server and on Windows."""
+    text, code = BOMBS[what]
+    (workspace / "part.xacro").write_text(models.document("<l/>"), encoding="utf-8")
+    file = workspace / "robot.xacro"
+    file.write_text(text if text.startswith(("<!D", "<?")) else models.document(text))
+    assert code in checked(file, "-c", IN_THREAD)
+
+
+@on_unix
+@pytest.mark.parametrize("what", EXPRESSIONS)
+def test_an_expression_ends_without_the_system(what: str, workspace: Path) -> None:
+    expression = EXPRESSIONS[what].replace("&", "&amp;").replace("<", "&lt;")
+    file = workspace / "robot.xacro"
+    file.write_text(models.document(f'<link name="b${{len(str({expression}))}}"/>'))
+    assert checked(file, "-c", IN_THREAD).keys() & {"XAC009", "XAC013"}
 
 
 @on_unix

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 #: Commands that run in a process of their own, with limits (`urdfkit.cli.own_process`).
 COMPUTING = frozenset(
-    "bundle collisions diff inertia info kinematics mass mesh render report statics".split()
+    "bundle collisions convert diff inertia info kinematics mass mesh render report statics".split()
 )
 
 
@@ -44,6 +44,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # This process does one thing and ends. Looking for garbage on the way finds none, and to take
     # everything apart at the end, before the system takes the memory back, is 8 of 120 ms.
     gc.set_threshold(100_000)
+    # Nor do processes that multiprocessing starts import from the current directory.
+    os.environ["PYTHONSAFEPATH"] = "1"
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
         from urdfkit.cli.own_process import run_apart

@@ -26,7 +26,7 @@ from urdfkit.cli.decorators import (
 )
 from urdfkit.core.cache_directory import cache_directory
 from urdfkit.lint.config import Config, ConfigError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.engine import check
 from urdfkit.lint.rule_packages import installed
@@ -139,7 +139,7 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     given = parse(names) if names else None
     trust = values["trust"] or config.trust
     source = Source.of(stdin.opened(path))
-    subject = Subject(source, resolver, arguments, trust=trust, targets=given)
+    subject = Context(source, resolver, arguments, trust=trust, targets=given)
     yield f"{path}: {'plain XML' if subject.reading.xacro is None else 'xacro'}"
     yield from _packages(path, resolver)
     if subject.reading.document is not None:
@@ -172,7 +172,7 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
         yield from (f"    and in {variable}: {shown(directory)}" for directory in directories)
 
 
-def _targets(subject: Subject, given: Targets | None) -> Iterator[str]:
+def _targets(subject: Context, given: Targets | None) -> Iterator[str]:
     if given is not None:
         yield f"  targets: {', '.join(given.names)} (given)"
         return

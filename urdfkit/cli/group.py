@@ -28,7 +28,7 @@ SECTIONS = {
         "diff",
     ),
     "Show a robot": ("render", "view", "report"),
-    "Mesh files and copies": ("mesh", "bundle"),
+    "Mesh files and copies": ("mesh", "bundle", "convert"),
     "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "lsp"),
 }
 COMMANDS = tuple(chain.from_iterable(SECTIONS.values()))

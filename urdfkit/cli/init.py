@@ -14,7 +14,7 @@ from urdfkit.core.words import counted
 from urdfkit.errors import UnwritableFile
 from urdfkit.lint.argument_values import found_values
 from urdfkit.lint.config import Config
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.entry_points import DirectoryContents
 from urdfkit.ros.targets import TARGETS
@@ -79,7 +79,7 @@ class _ConfiguredRobot:
 
     def __init__(self, file: str, directory: str, resolver: Resolver) -> None:
         self.file = os.path.relpath(file, directory).replace(os.sep, "/")
-        subject = Subject(Source.read(file), resolver)
+        subject = Context(Source.read(file), resolver)
         self._xacro = subject.reading.xacro
         self._needed = subject.reading.missing_arguments
         self._resolver = resolver

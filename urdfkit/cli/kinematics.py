@@ -13,7 +13,7 @@ from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.spatial import Transform, to_rpy
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.kinematics import frames, transform
 
 VERSION = 1
@@ -66,7 +66,7 @@ def command(
 
 
 def _dynamics(
-    subject: Subject, given: Mapping[str, float], link: str | None, mass_matrix: bool
+    subject: Context, given: Mapping[str, float], link: str | None, mass_matrix: bool
 ) -> dict[str, Any]:
     """What Pinocchio computes.
 

@@ -19,7 +19,6 @@ _ELSEWHERE = {
     "validate": "check",
     "verify": "check",
     "xacro": "expand",
-    "convert": "mesh convert",
     "show": "view",
     "help": "--help",
     "version": "--version",

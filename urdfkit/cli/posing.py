@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import with_options
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.physics.poses import outside_limits, pose
 
 #: Gives a command the options ``--joint`` and ``--pose``, as ``joint`` and ``pose``.
@@ -28,7 +28,7 @@ posed = with_options(
 )
 
 
-def positions(subject: Subject, asked: Mapping[str, Any]) -> dict[str, float]:
+def positions(subject: Context, asked: Mapping[str, Any]) -> dict[str, float]:
     """The positions that the options give; those outside the limits are reported.
 
     Raises:

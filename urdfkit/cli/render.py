@@ -17,7 +17,7 @@ from urdfkit.core.temporary import scratch
 from urdfkit.errors import UrdfkitError
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.render import Background, CameraOptions, DrawingOptions, Scene
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
@@ -94,7 +94,7 @@ def command(asked: dict[str, Any], **values: Any) -> int:
     return 0
 
 
-def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Scene:
+def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Scene:
     """The robot in its pose, with everything over it that is asked for."""
     from urdfkit import render
     from urdfkit.lint.engine import check_with
@@ -131,7 +131,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
 
 
 def _animation(
-    robot: Subject, pose: dict[str, float], scene: Scene, values: dict[str, Any]
+    robot: Context, pose: dict[str, float], scene: Scene, values: dict[str, Any]
 ) -> None:
     """A turn of the robot, or a sweep of one of its joints."""
     from urdfkit import render
@@ -217,7 +217,7 @@ def _background(word: str | None) -> Background | None:
     return rgb, rgb
 
 
-def _nothing(file: str, robot: Subject) -> str:
+def _nothing(file: str, robot: Context) -> str:
     if not robot.model.links:
         return f"{file}: nothing to draw: no links (a file with only macros?)"
     return f"{file}: nothing to draw: no geometry in these layers; try --layers frames,names"

@@ -26,7 +26,7 @@ from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
 from urdfkit.lint.argument_sets import unknown_arguments
 from urdfkit.lint.config import Config
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
@@ -144,7 +144,7 @@ def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:
     return ReadOptions(entry.arguments, packages, asked["trust"] or config.trust)
 
 
-def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Subject:
+def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context:
     """The robot that a command line names.
 
     Args:

@@ -13,7 +13,7 @@ from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.stability import VERDICTS, Stability, Standing, standing
@@ -83,7 +83,7 @@ def command(
     return 0
 
 
-def _payload(subject: Subject, words: tuple[str, ...]) -> dict[str, float]:
+def _payload(subject: Context, words: tuple[str, ...]) -> dict[str, float]:
     found: dict[str, float] = {}
     for word in words:
         mass, at, link = word.partition("@")
@@ -96,7 +96,7 @@ def _payload(subject: Subject, words: tuple[str, ...]) -> dict[str, float]:
 
 
 def _statics(
-    subject: Subject,
+    subject: Context,
     given: dict[str, float],
     payload: dict[str, float],
     samples: int,

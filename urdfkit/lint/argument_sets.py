@@ -12,14 +12,14 @@ from urdfkit.lint.report import Launched, UncheckedValues
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
 
 
 #: Sets of values with which a robot is checked that lacks arguments; the UR arms have nine.
 MAX_GIVEN = 16
 
 
-def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
+def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
     """A job with its description.
 
     A robot that cannot be expanded for want of arguments, or that uses them above their default,
@@ -57,8 +57,8 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
 
 
 def _as_started(
-    job: Job, read: Callable[[Job], Subject], subject: Subject
-) -> list[tuple[Job, Subject]]:
+    job: Job, read: Callable[[Job], Context], subject: Context
+) -> list[tuple[Job, Context]]:
     """A job whose defaults do not expand, with what launch files start it with; else nothing."""
     if all(one.code != "XAC001" for one in subject.reading.problems):
         return []
@@ -78,15 +78,15 @@ def _as_started(
 
 
 def _as_found(
-    job: Job, read: Callable[[Job], Subject], subject: Subject, names: tuple[str, ...]
-) -> list[tuple[Job, Subject]]:
+    job: Job, read: Callable[[Job], Context], subject: Context, names: tuple[str, ...]
+) -> list[tuple[Job, Context]]:
     """A job with values that nobody starts it with; empty if it expands with none of them."""
     from urdfkit.lint.argument_values import combinations
 
     xacro = subject.reading.xacro
     assert xacro is not None, "only a xacro lacks arguments"
-    found: list[tuple[Job, Subject]] = []
-    failed: dict[tuple[str, ...], Subject] = {}
+    found: list[tuple[Job, Context]] = []
+    failed: dict[tuple[str, ...], Context] = {}
     more: tuple[str, ...] = ()
     sets = list(combinations(names, xacro, subject.resolver))
     offered = [{name: value for name, (value, _) in values.items()} for values in sets]
@@ -106,9 +106,9 @@ def _as_found(
 
 
 def _note_unchecked(
-    found: list[tuple[Job, Subject]],
+    found: list[tuple[Job, Context]],
     offered: list[dict[str, str]],
-    failed: Mapping[tuple[str, ...], Subject],
+    failed: Mapping[tuple[str, ...], Context],
 ) -> None:
     """Leave with the first description which values of its arguments none is checked with.
 
@@ -144,7 +144,7 @@ def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched
     return tuple(Launched(job.path, *one) for one in origins.items())
 
 
-def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:
+def unknown_arguments(subject: Context, given: Iterable[str]) -> dict[str, str]:
     """The given arguments that a description never mentions, each with the suggested one.
 
     xacro takes any, so that a typo has no effect and is not reported. A launch file may pass them

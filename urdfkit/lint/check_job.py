@@ -9,7 +9,7 @@ from collections.abc import Callable
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.argument_sets import as_launched, unknown_arguments
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.merging import Checked
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job
@@ -19,7 +19,7 @@ from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.resolve import Resolver
 
 
-def reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
+def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
     """Reads the description of a job."""
     targets = None
     if options.targets:
@@ -27,8 +27,8 @@ def reader(options: Options, resolver: Resolver) -> Callable[[Job], Subject]:
 
         targets = parse(options.targets)
 
-    def read(job: Job) -> Subject:
-        return Subject(
+    def read(job: Job) -> Context:
+        return Context(
             job.text(resolver),
             resolver,
             job.arguments,
@@ -73,7 +73,7 @@ def failed(job: Job, error: Exception) -> FileResult:
     return FileResult((), (), (crash("", job.path, error),), frozenset(), None, 0)
 
 
-def check_subject(job: Job, subject: Subject, options: Options) -> FileResult:
+def check_subject(job: Job, subject: Context, options: Options) -> FileResult:
     chosen = [code for code in options.select if not job.codes or code in job.codes]
     # That a robot of a directory cannot be expanded by itself is no defect of it.
     lacking = subject.reading.missing_argument_codes if job.found else ()
@@ -82,7 +82,7 @@ def check_subject(job: Job, subject: Subject, options: Options) -> FileResult:
     return result._replace(unknown_arguments=unknown_arguments(subject, options.arguments))
 
 
-def _skipped_as_one(result: FileResult, subject: Subject) -> FileResult:
+def _skipped_as_one(result: FileResult, subject: Context) -> FileResult:
     """A description that cannot be read, of which no error says so, is skipped as a whole."""
     errors = {
         d.code

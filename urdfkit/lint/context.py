@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "MAX_BODIES",
+    "Context",
     "NotApplicable",
     "Reading",
     "RunState",
@@ -65,7 +66,7 @@ class RunState(Record):
     chosen: frozenset[str] | None = None
 
 
-class Subject(DescriptionFile):
+class Context(DescriptionFile):
     """What rules know of one description: the file as it was read, the robot in it, its files.
 
     Attributes:
@@ -100,12 +101,12 @@ class Subject(DescriptionFile):
         self.run = RunState()
         self.launched: tuple[Launched, ...] = ()
         self.unchecked: tuple[UncheckedValues, ...] = ()
-        self._other_robots: dict[tuple[object, ...], Subject] = {}
+        self._other_robots: dict[tuple[object, ...], Context] = {}
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self._is_srdf:
+        if self._is_srdf or self.is_list_of_joints:
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
@@ -126,6 +127,15 @@ class Subject(DescriptionFile):
             child.tag in SRDF_TAGS for child in children
         )
 
+    @property
+    def is_list_of_joints(self) -> bool:
+        """True for joints without links, parents and children: the settings of another program."""
+        joints = self.document.root.children
+        return bool(joints) and all(
+            joint.tag == "joint" and not (joint.child("parent") or joint.child("child"))
+            for joint in joints
+        )
+
     @cached_property
     def is_part(self) -> bool:
         """True for a file that makes sense inside another one only, and is no robot by itself.
@@ -140,15 +150,9 @@ class Subject(DescriptionFile):
             return True
         if self.document.root.get("name") is None and self.problems("XAC003"):
             return True  # calls that the including file answers
-        if self.document.root.get("name") is not None and self.has_base:
+        if self.document.root.get("name") is not None and self.tree.has_base:
             return False
         return is_included(self.source.path, self.resolver.packages)
-
-    @property
-    def has_base(self) -> bool:
-        """False if all links are below a joint whose parent is missing, as in a part of a robot."""
-        children = {joint.child.value for joint in self.model.joints if joint.child}
-        return any(root.name not in children for root in self.tree.roots)
 
     @cached_property
     def model(self) -> RobotModel:
@@ -240,7 +244,9 @@ class Subject(DescriptionFile):
             return None
         from urdfkit.ros.moveit.srdf import find
 
-        return find(self.source.path, self.tree, self.resolver, trust=self.trust)
+        return find(
+            self.source.path, self.tree, self.resolver, trust=self.trust, arguments=self.arguments
+        )
 
     @cached_property
     def other_variant(self) -> str:
@@ -251,11 +257,11 @@ class Subject(DescriptionFile):
 
         return other_variant(self, self.srdf)
 
-    def other_robot(self, path: str, arguments: Mapping[str, str]) -> Subject:
+    def other_robot(self, path: str, arguments: Mapping[str, str]) -> Context:
         """Another description, read in the same way; the same one each time."""
         key = (path, *sorted(arguments.items()))
         if key not in self._other_robots:
-            self._other_robots[key] = Subject(
+            self._other_robots[key] = Context(
                 self.resolver.read(path),
                 self.resolver,
                 arguments,
@@ -348,3 +354,7 @@ class Subject(DescriptionFile):
         from urdfkit.robot.assets.triangles import Meshes
 
         return Meshes(self.files, self._progress)
+
+
+#: The former name.
+Subject = Context

@@ -10,7 +10,7 @@ from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.check_job import check_job, check_one_of_many, check_subject, reader
 from urdfkit.lint.config import Config
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.merging import Checked, merged_report
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job, Plan, planned
@@ -107,7 +107,7 @@ def check_with(
 
 def check_robots(
     options: Options, file: str | os.PathLike[str] | Source, resolver: Resolver
-) -> tuple[Report, list[Subject]]:
+) -> tuple[Report, list[Context]]:
     """Check the robots of one file, which are returned with the report.
 
     Args:
@@ -126,7 +126,7 @@ def check_robots(
 
 def subjects(
     options: Options, files: Iterable[str | os.PathLike[str] | Source]
-) -> Iterator[Subject | None]:
+) -> Iterator[Context | None]:
     """The descriptions that a check with the same options looks at, in the same order.
 
     None stands for a launch file, and for a robot that another description is already, of which

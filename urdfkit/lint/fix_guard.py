@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check_with, subjects
 from urdfkit.lint.options import Options
-from urdfkit.lint.report import Report
+from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Need
 from urdfkit.text.diagnostic import Diagnostic, Edit
 from urdfkit.text.source import Source
@@ -32,7 +32,7 @@ FindingKey = tuple[str, str, str]
 Place = tuple[str, int, int, str]
 
 #: Reads the robots of a report, in its order.
-Robots = Callable[[], Iterable[Subject | None]]
+Robots = Callable[[], Iterable[Context | None]]
 
 #: What takes long to compute. The rules that need it have no fix.
 SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
@@ -50,26 +50,35 @@ def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
         old: the subjects of the first, which are read only where an error is new.
         new: the subjects of the second.
     """
-    if lost := {(s.path, s.code) for s in after.skipped} - {
-        (s.path, s.code) for s in before.skipped
-    }:
-        path = min(lost)[0]
-        return f"dropped: with it, {path} could not be checked any more"
+    if lost := _rules(after.skipped) - _rules(before.skipped):
+        return f"dropped: with it, {min(lost)[0]} could not be checked any more"
+    if added := _added_error(before, after, old, new):
+        return f"skipped: it would add {added}"
+    if failed := _rules(after.crashed) - _rules(before.crashed):
+        return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
+    return ""
+
+
+def _rules(without_result: Iterable[Skipped | Crashed]) -> set[tuple[str, str]]:
+    return {(one.path, one.code) for one in without_result}
+
+
+def _added_error(before: Report, after: Report, old: Robots, new: Robots) -> str:
+    """The code of an error that is new, and could have been seen before; empty if there is none."""
     hidden = {skipped.code for skipped in before.skipped}
     added = [
         {code: count for code, count in (_codes(now) - _codes(then)).items() if code not in hidden}
         for now, then in zip_longest(after.errors, before.errors, fillvalue=())
     ]
-    if any(added):
-        robots = zip_longest(added, after.errors, old(), new())
-        for codes, errors, then, now in robots:
-            revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
-            visible = Counter(codes) - _codes(one for one in errors or () if _is_at(one, revealed))
-            if visible:
-                return f"skipped: it would add {min(visible)}"
-    crashed = {(crash.path, crash.code) for crash in before.crashed}
-    if failed := {(crash.path, crash.code) for crash in after.crashed} - crashed:
-        return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
+    if not any(added):
+        return ""
+    for codes, errors, then, now in zip_longest(added, after.errors, old(), new()):
+        revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
+        visible: Counter[str] = Counter(codes) - _codes(
+            one for one in errors or () if _is_at(one, revealed)
+        )
+        if visible:
+            return min(visible)
     return ""
 
 
@@ -85,7 +94,7 @@ def _is_at(diagnostic: Diagnostic, paths: Collection[str]) -> bool:
     )
 
 
-def _revealed(before: Subject, after: Subject) -> frozenset[str]:
+def _revealed(before: Context, after: Context) -> frozenset[str]:
     """The paths of the elements that a document has only after a fix.
 
     An element with a new name in the place of one with the old is the same one.
@@ -154,7 +163,7 @@ class Checker:
 
     def robots(
         self, texts: Mapping[str, bytes], files: Iterable[str] | None = None
-    ) -> Iterator[Subject | None]:
+    ) -> Iterator[Context | None]:
         """The robots of a check, in its order."""
         return subjects(self._with_texts(texts), self._files if files is None else files)
 
@@ -262,7 +271,7 @@ class RegressionGuard:
         return self._found[files]
 
 
-def _tags(subject: Subject, files: set[str]) -> dict[str, list[tuple[int, int]]]:
+def _tags(subject: Context, files: set[str]) -> dict[str, list[tuple[int, int]]]:
     """First and last byte of the start tags that a robot uses of some files, in their order."""
     if subject.reading.document is None:
         return {}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.plan import Job
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
@@ -29,7 +29,7 @@ def read(
     trust: bool = False,
     cache: bool = True,
     progress: Progress | None = None,
-) -> Subject:
+) -> Context:
     """A URDF or xacro file with all that can be computed of it, each part when it is asked for.
 
     >>> robot = read("models/good/two_link_arm/urdf/two_link_arm.urdf")
@@ -63,7 +63,7 @@ def subject_of(
     trust: bool = False,
     cache: bool = False,
     progress: Progress | None = None,
-) -> Subject:
+) -> Context:
     """The one robot of a file, with values for arguments that it lacks as ``check`` finds them.
 
     Where several sets of values are found, it is left as it is.
@@ -75,8 +75,8 @@ def subject_of(
     if is_launch(source.path):
         source, given = _described(source, resolver, given)
 
-    def described(job: Job) -> Subject:
-        return Subject(source, resolver, job.arguments, trust=trust, cache=cache, progress=progress)
+    def described(job: Job) -> Context:
+        return Context(source, resolver, job.arguments, trust=trust, cache=cache, progress=progress)
 
     (job, subject), *others = as_launched(Job(source.path, "", given, False), described)
     if others:

@@ -17,7 +17,7 @@ import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Rule
 from urdfkit.lint.runner import diagnose
 from urdfkit.ros.targets import parse
@@ -64,10 +64,10 @@ def targets_of(rule: Rule) -> tuple[str, ...]:
     return names
 
 
-def subject_of(rule: Rule, source: Source) -> Subject:
+def subject_of(rule: Rule, source: Source) -> Context:
     """An example as a rule sees it."""
     names = targets_of(rule)
-    return Subject(source, Resolver(environment={}), targets=parse(names) if names else None)
+    return Context(source, Resolver(environment={}), targets=parse(names) if names else None)
 
 
 def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:

@@ -17,7 +17,7 @@ from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.lint.rules import Rule, code_of, name_of
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
 
 #: The rule about robots that are found and cannot be checked: it runs whatever is selected, unless
 #: it is ignored by name.
@@ -86,7 +86,7 @@ def of_family(family: str) -> frozenset[str]:
     return frozenset(code for code in codes() if family_of(code) == family)
 
 
-def applicable(family: str, codes: list[str], subject: Subject) -> list[str]:
+def applicable(family: str, codes: list[str], subject: Context) -> list[str]:
     """Those rules of a family that may have something to report of a description.
 
     The ``__init__.py`` of the family has ``applies(subject)``, and where something names the rules

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import RuleError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context, Subject
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Span
@@ -25,8 +25,9 @@ if TYPE_CHECKING:
 
 #: All that the file of a rule needs, but what its subject matter is.
 __all__ = [
-    "FIRST_VERSION", "NAMES", "Check", "Confidence", "Finding", "Findings", "Fix", "Location",
-    "Need", "Related", "Rule", "Severity", "Subject", "code_of", "name_of", "reported", "rule",
+    "FIRST_VERSION", "NAMES", "Check", "Confidence", "Context", "Finding", "Findings", "Fix",
+    "Location", "Need", "Related", "Rule", "Severity", "Subject", "code_of", "name_of", "reported",
+    "rule",
 ]  # fmt: skip
 
 #: The version of urdfkit that brought every rule that names no other.
@@ -34,7 +35,7 @@ FIRST_VERSION = "0.1"
 
 
 class Need(Enum):
-    """What a rule needs of a Subject besides the source text."""
+    """What a rule needs of a Context besides the source text."""
 
     XACRO = "xacro"  # the expansion: macros, properties, arguments
     MODEL = "model"  # the expanded document and the robot in it
@@ -96,7 +97,7 @@ class Finding(Record):
 Findings = Iterator[Finding]
 
 
-def reported(subject: Subject, code: str) -> Findings:
+def reported(subject: Context, code: str) -> Findings:
     """The findings of a rule that only reports problems of reading."""
     for problem in subject.problems(code):
         at = Location(problem.span, problem.frame)
@@ -110,7 +111,7 @@ def reported(subject: Subject, code: str) -> Findings:
         )
 
 
-Check = Callable[[Subject], Findings]
+Check = Callable[[Context], Findings]
 
 #: The attributes that name links and joints.
 NAMES = ("name", "link", "joint", "reference")
@@ -129,7 +130,7 @@ class Rule(Record):
         code: three letters of the family and three digits.
         name: of the defect, in kebab case.
         severity: unless configured otherwise.
-        needs: of a Subject.
+        needs: of a Context.
         check: yields the findings.
         help: what to do, where a finding does not say it.
         fixable: True if findings may carry a fix.
@@ -166,7 +167,7 @@ class Rule(Record):
     migrates: bool = False
     about_files: bool = False
 
-    def option(self, subject: Subject, name: str) -> float:
+    def option(self, subject: Context, name: str) -> float:
         """The value of an option: as configured, else its default."""
         return subject.run.rule_options.get(self.code, self.options).get(name, self.options[name])
 

@@ -1,4 +1,4 @@
-"""The rules over one Subject."""
+"""The rules over one Context."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import NotApplicable, RunState, Subject, Unavailable
+from urdfkit.lint.context import Context, NotApplicable, RunState, Unavailable
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, Superseded, crash
 from urdfkit.lint.rules import Finding, Location, Rule
@@ -61,7 +61,7 @@ class FileResult(Record):
 
 
 def run_rules(
-    subject: Subject,
+    subject: Context,
     chosen: Sequence[str],
     options: Options = Options(preview=True),
 ) -> FileResult:
@@ -97,7 +97,7 @@ def run_rules(
 class _RuleRun:
     """Gathers what the rules say about one subject."""
 
-    def __init__(self, subject: Subject, options: Options) -> None:
+    def __init__(self, subject: Context, options: Options) -> None:
         self.subject = subject
         self.options = options
         self.config = options.config

@@ -11,7 +11,9 @@ from urdfkit.lsp.server import Server
 from urdfkit.lsp.text import PositionEncoding, to_uri
 from urdfkit.lsp.workspace import slow_rules
 from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.editing.edits import escaped
 from urdfkit.text.source import Source, Span
+from urdfkit.text.terminal import printable
 
 _SYMBOLS = {
     "link": lsp.SymbolKind.Object,
@@ -162,11 +164,11 @@ def _actions(server: Server, params: lsp.CodeActionParams) -> list[lsp.CodeActio
 def _symbol(places: PositionEncoding, entry: outline.OutlineEntry) -> lsp.DocumentSymbol:
     range_ = places.range(entry.span)
     return lsp.DocumentSymbol(
-        entry.name,
+        printable(entry.name),
         _SYMBOLS[entry.kind],
         range_,
         lsp.Range(range_.start, range_.start),
-        detail=entry.detail,
+        detail=printable(entry.detail),
         children=[_symbol(places, child) for child in entry.children],
     )
 
@@ -180,13 +182,14 @@ def _item(
     snippets: bool,
 ) -> lsp.CompletionItem:
     at = places.range(Span(source, offer.start, offset))
+    # Names of files and links may hold anything; those of tags and attributes may not.
     item = lsp.CompletionItem(
-        offer.text,
+        printable(offer.text),
         kind=_ITEMS[offer.kind],
         detail=offer.detail or None,
         sort_text=f"{0 if offer.needed else 1}{offer.text}",
         filter_text=offer.text,
-        text_edit=lsp.TextEdit(at, offer.text),
+        text_edit=lsp.TextEdit(at, escaped(offer.text)),
     )
     if snippets and offer.kind == "attribute" and _ends_a_name(source, offset):
         item.text_edit = lsp.TextEdit(at, f'{offer.text}="$1"')
@@ -201,7 +204,7 @@ def _ends_a_name(source: Source, offset: int) -> bool:
 
 def _action(server: Server, action: actions.QuickFix) -> lsp.CodeAction:
     return lsp.CodeAction(
-        action.title,
+        printable(action.title),
         lsp.CodeActionKind.QuickFix,
         [server.diagnostic(action.diagnostic)],
         action.preferred,

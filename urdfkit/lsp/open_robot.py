@@ -7,7 +7,7 @@ from functools import cached_property
 
 from urdfkit.lint.config import Config
 from urdfkit.lint.config import RobotEntry as EntryPoint
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.names import NameIndex
 from urdfkit.robot.model import RobotModel
@@ -33,7 +33,7 @@ class OpenRobot:
         self.path = entry.file
         self.resolver = resolver
         arguments = {**config.arguments, **entry.arguments}
-        self.subject = Subject(resolver.given(entry.file), resolver, arguments, trust=config.trust)
+        self.subject = Context(resolver.given(entry.file), resolver, arguments, trust=config.trust)
         if before is not None and before.document is None:
             before = before.before
         self.before: OpenRobot | None = before if self.document is None else None

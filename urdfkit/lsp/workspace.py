@@ -17,7 +17,7 @@ from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.config import Config
 from urdfkit.lint.config import RobotEntry as EntryPoint
 from urdfkit.lint.config_reader import load
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.fix import fix
@@ -135,8 +135,8 @@ class Workspace:
             return robot
         resolver = self._resolver(config)
 
-        def read(job: Job) -> Subject:
-            return Subject(resolver.given(job.path), resolver, job.arguments)
+        def read(job: Job) -> Context:
+            return Context(resolver.given(job.path), resolver, job.arguments)
 
         try:
             (job, _), *_ = as_launched(

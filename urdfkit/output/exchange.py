@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
 from urdfkit.errors import MissingLibrary, UnreadableRobot
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.robot.model import RobotModel
 from urdfkit.workspace.resolve import Resolver
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from urdfkit.text.document import Element
 
 
-def to_yourdfpy(robot: Subject | RobotModel | str | os.PathLike[str], **options: Any) -> URDF:
+def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options: Any) -> URDF:
     """The robot as yourdfpy has it: a scene of trimesh with forward kinematics.
 
     yourdfpy reads plain URDF and looks for packages around the file only; here xacro is expanded,
@@ -43,7 +43,7 @@ def to_yourdfpy(robot: Subject | RobotModel | str | os.PathLike[str], **options:
         resolver, path = Resolver(robot.packages), robot.document.sources[0].path
         text = ElementTree.tostring(_written(robot.root))
     else:
-        subject = robot if isinstance(robot, Subject) else read(robot)
+        subject = robot if isinstance(robot, Context) else read(robot)
         resolver, path, text = subject.resolver, subject.source.path, subject.text
 
     def found(fname: str) -> str:

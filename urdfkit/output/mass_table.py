@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Transform, Vector
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.bounding_box import WITHOUT_MESHES
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.inertia import MassProperties, principal_axes
@@ -64,7 +64,7 @@ class MassTable(Record):
     axes: Rotation | None
 
 
-def mass_properties(subject: Subject, pose: Mapping[str, float] | None = None) -> MassTable:
+def mass_properties(subject: Context, pose: Mapping[str, float] | None = None) -> MassTable:
     """The table.
 
     Args:
@@ -83,7 +83,7 @@ def _has_geometry_or_mass(link: Link) -> bool:
     return bool(link.inertial or link.collisions or link.visuals)
 
 
-def _row(subject: Subject, link: Link) -> MassRow:
+def _row(subject: Context, link: Link) -> MassRow:
     properties = properties_of(link, Transform())
     moments, axes = principal_axes(properties.tensor)
     try:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.bounding_box import WITHOUT_MESHES, extent_of
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.joints import driven
@@ -128,7 +128,7 @@ class Overview(Record):
     skipped: tuple[str, ...]
 
 
-def summarise(subject: Subject, pose: Mapping[str, float] | None = None) -> Overview:
+def summarise(subject: Context, pose: Mapping[str, float] | None = None) -> Overview:
     """The page.
 
     >>> from urdfkit.lint.loading import read
@@ -212,7 +212,7 @@ def _masses(model: RobotModel) -> dict[str, float]:
     return dict(sorted(masses.items(), key=lambda item: -item[1]))
 
 
-def _shapes(subject: Subject, placed: Mapping[str, Transform]) -> tuple[Shapes, tuple[str, ...]]:
+def _shapes(subject: Context, placed: Mapping[str, Transform]) -> tuple[Shapes, tuple[str, ...]]:
     model = subject.model
     found = {mesh.located.path: mesh.facts for mesh in subject.files.meshes if mesh.located.path}
     usable = [facts for facts in found.values() if facts and not facts.defect]
@@ -244,7 +244,7 @@ def _kinds(bodies: Iterable[Body]) -> dict[str, int]:
     return dict(Counter(body.shape.kind for body in bodies if body.shape))
 
 
-def _triangles(subject: Subject) -> dict[str, int]:
+def _triangles(subject: Context) -> dict[str, int]:
     """Triangles of the meshes of visuals and collisions, each as often as it is used.
 
     Raises:
@@ -260,6 +260,6 @@ def _triangles(subject: Subject) -> dict[str, int]:
     }
 
 
-def _count(subject: Subject, shape: Shape) -> int:
+def _count(subject: Context, shape: Shape) -> int:
     mesh = subject.meshes.mesh(shape) if shape.filename else None
     return sum(len(part.faces) for part in mesh.parts) if mesh else 0

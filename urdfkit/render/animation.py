@@ -14,7 +14,7 @@ from PIL import Image
 from urdfkit.core import atomic
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.render.arrays import Floats
 from urdfkit.render.camera import Camera, CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
@@ -76,7 +76,7 @@ def orbit(scene: Scene, camera: Camera, frames: int = FRAMES) -> list[Shot]:
 
 def sweep(
     scene: Scene,
-    subject: Subject,
+    subject: Context,
     joint: str,
     given: dict[str, float] | None = None,
     frames: int = FRAMES,

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from urdfkit.errors import MissingLibrary
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.adjacency import Adjacency
 
 
@@ -26,7 +26,7 @@ class Overlap(NamedTuple):
     is_held: bool
 
 
-def overlaps(subject: Subject, given: Mapping[str, float]) -> Iterator[Overlap]:
+def overlaps(subject: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
     """The pairs of links that overlap.
 
     Args:

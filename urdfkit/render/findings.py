@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.render.layers import middle
 from urdfkit.render.materials import PLACEHOLDER, Colour, SurfaceMaterial
 from urdfkit.render.scene import Label, Scene, SceneItem
@@ -21,7 +21,7 @@ QUIET: Colour = (0.80, 0.82, 0.85, 1.0)
 MAX_CODES = 4
 
 
-def marked(scene: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) -> Scene:
+def marked(scene: Scene, subject: Context, diagnostics: Sequence[Diagnostic]) -> Scene:
     """A scene in which the links with errors are red and those with warnings orange.
 
     Findings that concern no link, such as those about a macro, have no place in it.
@@ -44,7 +44,7 @@ def marked(scene: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) ->
     return scene._replace(items=items, labels=(*scene.labels, *labels))
 
 
-def by_link(subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:
+def by_link(subject: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:
     """The errors and warnings that concern each link, the worst first."""
     places = ElementLookup(subject.model)
     found: dict[str, list[Diagnostic]] = {}

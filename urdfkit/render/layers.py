@@ -13,7 +13,7 @@ import numpy as np
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, basis, transposed
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.render import primitives
 from urdfkit.render.arrays import bounds as bounds_of
 from urdfkit.render.arrays import single
@@ -52,7 +52,7 @@ class NoSuchLayer(UrdfkitError):
 
 def explained(
     scene: Scene,
-    subject: Subject,
+    subject: Context,
     layers: Sequence[str],
     given: Mapping[str, float] | None = None,
 ) -> Scene:
@@ -98,7 +98,7 @@ def explained(
 Drawn = Iterator["SceneItem | Label"]
 
 
-def _frames(scene: Scene, _subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
+def _frames(scene: Scene, _subject: Context, size: float, _given: Mapping[str, float]) -> Drawn:
     """x, y and z of every link in red, green and blue."""
     arrow = _arrow(FRAME * size)
     for name in scene.frames:
@@ -106,7 +106,7 @@ def _frames(scene: Scene, _subject: Subject, size: float, _given: Mapping[str, f
             yield _sign(name, "frames", arrow, Transform(transposed(basis(axis))), colour)
 
 
-def _names(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, float]) -> Drawn:
+def _names(scene: Scene, subject: Context, _size: float, _given: Mapping[str, float]) -> Drawn:
     """The name of every link, at the middle of what it shows."""
     for name in scene.frames:
         yield Label(name, name, middle(scene, name))
@@ -124,7 +124,7 @@ def middle(scene: Scene, link: str) -> Vector:
     return (x, y, z)
 
 
-def _joints(scene: Scene, subject: Subject, size: float, given: Mapping[str, float]) -> Drawn:
+def _joints(scene: Scene, subject: Context, size: float, given: Mapping[str, float]) -> Drawn:
     """The axis of every joint that moves, its range, and where in it the joint is."""
     at = positions(subject.tree, given)
     for joint in subject.model.joints_by_name.values():
@@ -160,7 +160,7 @@ def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: flo
     yield _sign(parent, "joints", ball, here @ Transform(position=(0.0, 0.0, now)), NOW)
 
 
-def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
+def _masses(scene: Scene, subject: Context, size: float, _given: Mapping[str, float]) -> Drawn:
     """A ball at the centre of mass of each link, as large as its mass, and one of the robot."""
     total = sum(link.mass for link in _with_mass(scene, subject))
     if total <= 0:
@@ -180,12 +180,12 @@ def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, fl
         yield Label(f"{found.mass:.4g} kg", found.root, center)
 
 
-def _with_mass(scene: Scene, subject: Subject) -> list[Link]:
+def _with_mass(scene: Scene, subject: Context) -> list[Link]:
     links = subject.model.links_by_name.values()
     return [link for link in links if link.name in scene.frames and link.mass > 0]
 
 
-def _boxes(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
+def _boxes(scene: Scene, subject: Context, size: float, _given: Mapping[str, float]) -> Drawn:
     """The box of even density that has the mass and the inertia of each link, as Gazebo shows.
 
     One larger than the robot, or of a light link than half of it, hides what there is to see, and
@@ -213,7 +213,7 @@ def _boxes(scene: Scene, subject: Subject, size: float, _given: Mapping[str, flo
         yield last._replace(text=f"and of {len(large) - _MOST} more, too large to be drawn")
 
 
-def _contacts(scene: Scene, subject: Subject, size: float, given: Mapping[str, float]) -> Drawn:
+def _contacts(scene: Scene, subject: Context, size: float, given: Mapping[str, float]) -> Drawn:
     """The collision shapes of links that overlap, and how deep; red if no joint holds them."""
     shapes: dict[str, list[SceneItem]] = {}
     for item in build(subject, given, ("collision",)).items:
@@ -246,7 +246,7 @@ def _between(scene: Scene, first: Sequence[SceneItem], second: Sequence[SceneIte
 
 #: What can be drawn over a robot.
 LAYERS: dict[
-    str, Callable[[Scene, Subject, float, Mapping[str, float]], Iterator[SceneItem | Label]]
+    str, Callable[[Scene, Context, float, Mapping[str, float]], Iterator[SceneItem | Label]]
 ] = {
     "frames": _frames,
     "joints": _joints,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.mesh import geometry
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Material
@@ -48,7 +48,7 @@ class ModelMaterials:
         see_through: whether collisions show what is in them.
     """
 
-    def __init__(self, subject: Subject, *, see_through: bool = True) -> None:
+    def __init__(self, subject: Context, *, see_through: bool = True) -> None:
         self._subject = subject
         self._collision = COLLISION if see_through else SurfaceMaterial((*COLLISION.rgba[:3], 1.0))
         self._colours = Colours(subject.model)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.core.spatial import Transform, Vector
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.mesh import geometry
 from urdfkit.mesh.geometry import MeshPart
 from urdfkit.mesh.normals import shaded
@@ -123,7 +123,7 @@ class Scene(NamedTuple):
 
 @np.errstate(over="ignore", invalid="ignore")  # of sizes that no robot has
 def build(
-    subject: Subject,
+    subject: Context,
     positions: Mapping[str, float] | None = None,
     roles: tuple[str, ...] = ("visual",),
 ) -> Scene:
@@ -161,7 +161,7 @@ def build(
 
 
 def _with_placeholders(
-    scene: Scene, subject: Subject, absent: list[tuple[Link, str, Body, str]]
+    scene: Scene, subject: Context, absent: list[tuple[Link, str, Body, str]]
 ) -> Scene:
     """A box for each body whose mesh is missing; of each its link, role and the reason."""
     least = PLACEHOLDER_SIZE * _reach(scene)
@@ -174,7 +174,7 @@ def _with_placeholders(
 
 
 def _items(
-    subject: Subject, materials: ModelMaterials, link: str, role: str, body: Body
+    subject: Context, materials: ModelMaterials, link: str, role: str, body: Body
 ) -> Iterator[SceneItem]:
     """What one visual or collision shows; nothing if its mesh is not to be had."""
     shape = body.shape
@@ -256,7 +256,7 @@ def _primitive(shape: Shape) -> primitives.Triangles | None:
     return None
 
 
-def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: float) -> SceneItem:
+def _placeholder(subject: Context, link: Link, role: str, body: Body, least: float) -> SceneItem:
     """A marked box where a mesh should be.
 
     It is as large as another shape or mesh of the link; else it reaches to the joints
@@ -274,7 +274,7 @@ def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: flo
 
 
 def _target_bounds(
-    subject: Subject, link: Link, body: Body, least: float
+    subject: Context, link: Link, body: Body, least: float
 ) -> tuple[Vector, Transform]:
     """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""
     bodies = (*link.collisions, *link.visuals)
@@ -296,7 +296,7 @@ def _target_bounds(
     return (x, y, z), Transform(position=(a, b, c))
 
 
-def _extent(subject: Subject, body: Body) -> tuple[Floats, Floats] | None:
+def _extent(subject: Context, body: Body) -> tuple[Floats, Floats] | None:
     """The least and the greatest coordinates of a mesh in its link; None if it is not to be had."""
     if body.shape is None or body.shape.kind != "mesh":
         return None

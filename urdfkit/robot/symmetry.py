@@ -103,26 +103,25 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
     By their names, or, numbered, by mirrored places on one link; the links of two are on
     different branches.
     """
-    joints: dict[str, Joint] = {}
-    parents: dict[str, str] = {}
+    above = {
+        child: (joints[0], joints[0].parent.value)
+        for child, joints in tree.parents.items()
+        if joints and joints[0].parent and joints[0].child
+    }
+    children: dict[str, str] = {}  # of moving joints
     siblings: dict[str, dict[str, Vector]] = {}
-    for child, above in tree.parents.items():
-        joint = above[0] if above else None
-        if joint is None or joint.parent is None or joint.child is None:
-            continue
-        parents[child] = joint.parent.value
+    for child, (joint, parent) in above.items():
         if joint.kind in MOVING and joint.name:
-            joints[joint.name] = joint
-            siblings.setdefault(joint.parent.value, {})[joint.name] = joint.origin.position
-    found = pairs(joints)
+            children[joint.name] = child
+            siblings.setdefault(parent, {})[joint.name] = joint.origin.position
+    found = pairs(children)
     taken = {name for pair in found for name in pair}
     for places in siblings.values():
         free = {name: place for name, place in places.items() if name not in taken}
         found += numbered_pairs(free) if len(free) > 1 else []
-    children = {joint.child.value: joint for joint in joints.values() if joint.child}
-    links = [(joints[a].child, joints[b].child) for a, b in found]
-    both = apart([(a.value, b.value) for a, b in links if a and b], parents)
-    return [(children[a], children[b]) for a, b in both]
+    links = [(children[a], children[b]) for a, b in found]
+    both = apart(links, {child: parent for child, (_, parent) in above.items()})
+    return [(above[a][0], above[b][0]) for a, b in both]
 
 
 def apart(found: Iterable[tuple[str, str]], parents: Mapping[str, str]) -> list[tuple[str, str]]:

@@ -62,6 +62,12 @@ class KinematicTree:
         links = self.model.links_by_name
         return tuple(links[name] for name, joints in self.parents.items() if not joints)
 
+    @property
+    def has_base(self) -> bool:
+        """False if all links are below a joint whose parent is missing, as in a part of a robot."""
+        children = {joint.child.value for joint in self.model.joints if joint.child}
+        return any(root.name not in children for root in self.roots)
+
     def below(self, name: str) -> list[str]:
         """A link and everything below it, depth first: every subtree is one run of the list."""
         found: dict[str, None] = {}
@@ -74,7 +80,7 @@ class KinematicTree:
                 stack.extend(reversed(below))
         return list(found)
 
-    @cached_property
+    @property
     def cycles(self) -> tuple[tuple[Joint, ...], ...]:
         """The first ``MAX_LOOPS`` closed loops, each as its joints in order; every loop once."""
         state: dict[str, int] = {}  # the place on the present way; DONE when it is left

@@ -11,7 +11,7 @@ from functools import lru_cache
 from urdfkit.core import limits
 from urdfkit.core.record import Record
 from urdfkit.errors import NotEnoughMemory, UrdfkitError
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.lint.engine import check_robots
 from urdfkit.lint.options import Options
 from urdfkit.robot.kinematics import frames
@@ -130,7 +130,7 @@ def _row(model: Model, options: Options, resolver: Resolver) -> ModelRow:
     )
 
 
-def _measured(model: Model, subject: Subject) -> ModelRow:
+def _measured(model: Model, subject: Context) -> ModelRow:
     """The facts of a robot; of one that cannot be read, why."""
     try:
         text, robot = subject.text, subject.model
@@ -157,7 +157,7 @@ def _measured(model: Model, subject: Subject) -> ModelRow:
     )
 
 
-def _size(subject: Subject) -> tuple[float | None, float | None, float | None]:
+def _size(subject: Context) -> tuple[float | None, float | None, float | None]:
     """The edges of the box around all shapes in the zero configuration, along the root's axes.
 
     Meshes count by their measures, which are cached, so that no triangle is read.

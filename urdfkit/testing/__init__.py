@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.config import Config
 from urdfkit.lint.config_reader import load
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import subject_of
 from urdfkit.lint.report import Report
@@ -93,7 +93,7 @@ class Description:
         return self.subject.model
 
     @cached_property
-    def subject(self) -> Subject:
+    def subject(self) -> Context:
         """The robot, with all that can be computed of it.
 
         Raises:

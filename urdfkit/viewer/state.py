@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.options import Options
 from urdfkit.output.report import html
 from urdfkit.output.report.document import ReportDocument, ReportInput, describe
@@ -97,7 +97,7 @@ def completed(state: ViewerState) -> ViewerState:
     return state._replace(document=document, drawings=drawings, reported=reported, is_whole=True)
 
 
-def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
+def files_of(subject: Context, diagnostics: Iterable[Diagnostic]) -> set[str]:
     """Every file that a robot is made from, those included that are missing."""
     found = {subject.source.path}
     xacro = subject.reading.xacro
@@ -110,7 +110,7 @@ def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
     return found | {one.span.source.path for one in diagnostics}
 
 
-def _images(subject: Subject) -> set[str]:
+def _images(subject: Context) -> set[str]:
     """The files that the appearance of a robot needs besides its meshes, such as images."""
     found: set[str] = set()
     for body in (body for link in subject.model.links for body in link.visuals):
@@ -121,7 +121,7 @@ def _images(subject: Subject) -> set[str]:
     return found - {""}
 
 
-def _declared(subject: Subject) -> dict[str, str]:
+def _declared(subject: Context) -> dict[str, str]:
     """The arguments of a xacro, each with the value that was given, or its default as written."""
     xacro = subject.reading.xacro
     if xacro is None:

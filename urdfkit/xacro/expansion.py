@@ -22,7 +22,7 @@ from urdfkit.xacro.expansion_log import ANY, ExpansionLog, Message
 from urdfkit.xacro.file_reader import FileReader
 from urdfkit.xacro.locator import LocatedExpression
 from urdfkit.xacro.sandbox import Sandbox
-from urdfkit.xacro.substitution import Context, SubstitutionError, substitute
+from urdfkit.xacro.substitution import SubstitutionContext, SubstitutionError, substitute
 
 if TYPE_CHECKING:
     from urdfkit.text.source import Source
@@ -185,7 +185,7 @@ class ExpansionRun:
     def substitute(self, content: str, symbols: Any) -> str:
         """The value of ``$(content)``; the counterpart of ``xacro.eval_extension``."""
         xacro = self.xacro
-        context = Context(
+        context = SubstitutionContext(
             self._find_package,
             lambda name: self.argument(name, symbols),
             os.path.dirname(xacro.filestack[-1] or ""),

@@ -39,7 +39,7 @@ class EnvironmentRefused(SubstitutionError):
     """A variable that is not on the allow-list, but set."""
 
 
-class Context(Record):
+class SubstitutionContext(Record):
     """What the commands refer to.
 
     Attributes:
@@ -63,7 +63,7 @@ class Context(Record):
     ros_version: Callable[[], str]
 
 
-def substitute(content: str, context: Context) -> str:
+def substitute(content: str, context: SubstitutionContext) -> str:
     """The value of ``$(content)``.
 
     Raises:
@@ -97,12 +97,12 @@ def _only(command: str, arguments: list[str]) -> str:
     return arguments[0]
 
 
-def may_read(name: str, context: Context) -> bool:
+def may_read(name: str, context: SubstitutionContext) -> bool:
     """True if the model may see an environment variable."""
     return context.sandbox is None or name in ENVIRONMENT
 
 
-def _variable(name: str, context: Context) -> str:
+def _variable(name: str, context: SubstitutionContext) -> str:
     if name not in context.environment:
         if name == "ROS_VERSION":
             return context.ros_version()
@@ -112,13 +112,13 @@ def _variable(name: str, context: Context) -> str:
     return context.environment[name]
 
 
-def _optional_variable(name: str, default: str, context: Context) -> str:
+def _optional_variable(name: str, default: str, context: SubstitutionContext) -> str:
     if may_read(name, context):
         return context.environment.get(name, default)
     return default
 
 
-def _evaluate(expression: str, context: Context) -> Any:
+def _evaluate(expression: str, context: SubstitutionContext) -> Any:
     if "__" in expression:
         raise UnsafeExpression("$(eval ...) may not contain double underscores")
     names = _EvalNames(context)
@@ -130,7 +130,7 @@ def _evaluate(expression: str, context: Context) -> Any:
 class _EvalNames(dict[str, Any]):
     """The names of a ``$(eval ...)``: functions, then arguments as numbers where they are."""
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: SubstitutionContext) -> None:
         super().__init__(context.functions)
         self.context = context
         self.update(

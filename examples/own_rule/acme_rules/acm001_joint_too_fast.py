@@ -6,7 +6,7 @@ follows late, and the controller then stops it for its position error. Write the
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
 
@@ -27,7 +27,7 @@ FIXED = BAD.replace('velocity="6"', 'velocity="3.14"')
 
 
 @rule(Severity.WARNING, help="write the limit of the drive")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "revolute" or joint.limit is None or joint.limit.velocity is None:
             continue

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.growth import executed_lines
 from tests.reported import messages
 
 LINK = (
@@ -42,3 +43,15 @@ def test_what_is_near_or_moves_there_is_calm(xyz: str, rpy: str, kind: str) -> N
 def test_frames_without_shapes_are_anywhere() -> None:
     bare = robot("0 0 5").replace(LINK.format("b"), '<link name="b"/>')
     assert messages("JNT037", bare) == []
+
+
+def test_the_cost_grows_with_the_links() -> None:
+    def lines(number: int) -> int:
+        text = LINK.format("hub") + "".join(
+            f'{LINK.format(f"l{n}")}<joint name="j{n}" type="revolute"><parent link="hub"/>'
+            f'<child link="l{n}"/><origin xyz="{n} 0 0"/></joint>'
+            for n in range(2, number + 2)
+        )
+        return executed_lines(lambda: messages("JNT037", text))
+
+    assert lines(400) < 50 * lines(10)

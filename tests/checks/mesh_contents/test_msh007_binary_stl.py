@@ -3,7 +3,8 @@ from pathlib import Path
 import pytest
 
 from tests.mesh import made
-from tests.meshed import SOUND, link, mesh, messages
+from tests.meshed import SOUND, link, mesh, messages, reported
+from urdfkit import Severity
 from urdfkit.mesh.samples import box, stl
 
 MISLEADING = stl(box((0, 0, 0), (1, 1, 1)), b"solid part")
@@ -25,3 +26,19 @@ def test_a_file_is_reported_once(tmp_path: Path) -> None:
 @pytest.mark.parametrize("data", [SOUND, TEXT])
 def test_others(tmp_path: Path, data: bytes) -> None:
     assert messages(tmp_path, "MSH007", link(mesh("a.stl")), {"a.stl": data}) == []
+
+
+def test_an_ascii_one_in_rviz_2(tmp_path: Path) -> None:
+    files = {"a.stl": TEXT, "b.stl": SOUND}
+    both = link(mesh("a.stl", "visual"), mesh("b.stl", "visual"))
+    (found,) = reported(tmp_path, "MSH007", both, files, ("ros2",))
+    assert found.message == (
+        "link 'arm': the visual mesh 'a.stl' is an ASCII STL, which RViz 2 does not load up to "
+        "ROS 2 Iron"
+    )
+    assert found.severity is Severity.INFO
+    assert reported(tmp_path, "MSH007", both, files, ("ros1",)) == []
+    collision = link(mesh("a.stl"))
+    assert reported(tmp_path, "MSH007", collision, files, ("ros2",)) == []
+    (error,) = reported(tmp_path, "MSH007", collision, files, ("mujoco",))
+    assert error.severity is Severity.ERROR

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -50,13 +50,13 @@ def mesh(path: Path, scale: str = "1 1 1") -> str:
     return f'<mesh filename="file://{path}" scale="{scale}"/>'
 
 
-def robot(*parts: str, directory: Path | None = None) -> Subject:
+def robot(*parts: str, directory: Path | None = None) -> Context:
     """The robot of some links and joints."""
     path = str(directory / "r.urdf") if directory else "r.urdf"
     text = f'<robot name="r">{"".join(parts)}</robot>'
     resolver = Resolver(environment={})
     resolver.admit(path, trust=True)  # meshes of a test lie in its own directory
-    return Subject(Source(path, text.encode()), resolver)
+    return Context(Source(path, text.encode()), resolver)
 
 
 def stl(path: Path, triangles: list[list[list[float]]]) -> Path:

@@ -15,7 +15,7 @@ import itertools
 from tests.conftest import MODELS, manifest, model_id, needs_corpus
 from tests.physics.collision.robots import joint, link, revolute, robot
 from tests.update_corpus_findings import arguments_of
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.batch_kinematics import chain, matrix, slopes
 from urdfkit.robot import kinematics
@@ -29,7 +29,7 @@ ENTRIES = [
 ]
 
 
-def agrees(subject: Subject) -> None:
+def agrees(subject: Context) -> None:
     """The frames of a few samples are those that `kinematics` computes one by one."""
     arrays = chain(subject.tree)
     rows = arrays.samples(3, 7, 0)

@@ -21,7 +21,7 @@ from tests.physics.collision.robots import (
     sphere,
 )
 from tests.update_corpus_findings import arguments_of
-from urdfkit.lint.context import MAX_BODIES, Subject, Unavailable
+from urdfkit.lint.context import MAX_BODIES, Context, Unavailable
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.bodies import TOUCH
 from urdfkit.physics.collision.contacts import Contacts
@@ -29,7 +29,7 @@ from urdfkit.physics.collision.contacts import Contacts
 SMALL = box(0.1, 0.1, 0.1)
 
 
-def contacts(subject: Subject) -> Contacts:
+def contacts(subject: Context) -> Contacts:
     return subject.collisions.contacts
 
 

@@ -10,13 +10,13 @@ np = pytest.importorskip("numpy")
 pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robot, sphere, stl
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.physics.collision.bodies import LARGEST, THINNEST
 from urdfkit.physics.collision.collision_geometry import form
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision, solids
 
 
-def made(subject: Subject) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
+def made(subject: Context) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
     return solids(subject.model, subject.meshes)
 
 

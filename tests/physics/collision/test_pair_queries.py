@@ -22,7 +22,7 @@ from tests.physics.collision.robots import (
     robot,
     sphere,
 )
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import Chain, chain
@@ -32,7 +32,7 @@ from urdfkit.physics.collision.geometry_arrays import solids
 from urdfkit.physics.collision.pair_queries import SLACK, Examiner, Pair
 
 
-def examiner(subject: Subject) -> Examiner:
+def examiner(subject: Context) -> Examiner:
     bodies, _ = solids(subject.model, subject.meshes)
     return Examiner(chain(subject.tree), map(form, bodies))
 
@@ -49,7 +49,7 @@ def everything(one: Examiner, pair: Pair, rows: Floats) -> Floats:
     return found
 
 
-def arm(directory: Path) -> Subject:
+def arm(directory: Path) -> Context:
     """Six links with all sorts of bodies, some of them surfaces, that often collide."""
     shell = mesh(cube(directory / "shell.stl", 0.06, 5))
     solid = mesh(cube(directory / "solid.stl", 0.05))

@@ -15,7 +15,7 @@ pytest.importorskip("coal")
 from tests.conftest import MODELS
 from tests.physics.collision.robots import box, joint, link, revolute, robot, sphere
 from urdfkit.core import child_process
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision import worker_pool
@@ -32,7 +32,7 @@ def verdicts(matrix: Matrix) -> dict[tuple[str, str], str]:
     return {(pair.first, pair.second): pair.verdict.value for pair in matrix.pairs}
 
 
-def spheres(radius: float, *arms: float, limits: str = revolute(-pi, pi)) -> Subject:
+def spheres(radius: float, *arms: float, limits: str = revolute(-pi, pi)) -> Context:
     """A base at the origin; an elbow joint; balls in the base, at the elbow and at the tip."""
     upper, lower = arms
     return robot(
@@ -250,7 +250,7 @@ class Crash(Task):
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
-def pool_of(subject: Subject) -> tuple[WorkerPool, Floats]:
+def pool_of(subject: Context) -> tuple[WorkerPool, Floats]:
     moving = chain(subject.tree)
     return WorkerPool(moving, solids(subject.model, subject.meshes)[0], 2), moving.default
 

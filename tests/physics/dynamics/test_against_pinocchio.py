@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import manifest, model_id, needs_corpus
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.physics.dynamics.conditioning import conditioning
 from urdfkit.physics.dynamics.robot import Dynamics
@@ -127,7 +127,7 @@ ENTRIES = [
 def test_every_robot_of_the_corpus(entry: tuple[Path, dict[str, Any]]) -> None:
     directory, model = entry
     source = Source.read(directory / model["path"])
-    subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    subject = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
     if not subject.tree.is_sound:
         return
     ours = Dynamics(subject.tree)

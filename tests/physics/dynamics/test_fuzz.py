@@ -11,7 +11,7 @@ from hypothesis import event, given
 from hypothesis import strategies as st
 
 from tests.output.test_overview import of
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.output.mass_table import mass_properties
 from urdfkit.output.overview import summarise
 from urdfkit.physics.dynamics.conditioning import conditioning
@@ -81,7 +81,7 @@ def test_odd_numbers(text: str, position: float) -> None:
     conditioning(dynamics)
 
 
-def settable(robot: Subject, position: float) -> dict[str, float]:
+def settable(robot: Context, position: float) -> dict[str, float]:
     """The joints that a pose may set, all at one position."""
     found: dict[str, float] = {}
     for name in robot.model.joints_by_name:

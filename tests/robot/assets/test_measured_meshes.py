@@ -12,7 +12,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import link, mesh, messages
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.measure_cache import Store
 from urdfkit.mesh.samples import BOX, box, collada, stl
@@ -34,7 +34,7 @@ def measured(directory: Path, robot: str, **files: bytes) -> MeasuredMeshes:
     for name, data in files.items():
         (directory / name.replace("_", ".")).write_bytes(data)
     source = Source(str(directory / "robot.urdf"), whole_robot(robot).encode())
-    subject = Subject(source, Resolver(environment={}))
+    subject = Context(source, Resolver(environment={}))
     return MeasuredMeshes(subject.model, subject.files, Store(None))
 
 

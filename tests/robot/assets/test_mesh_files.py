@@ -7,7 +7,7 @@ import pytest
 
 from tests.mesh import made
 from tests.workspaces import add_file, add_package, mesh_link
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.io import sniff
 from urdfkit.mesh.io.facts import MeshFacts
@@ -26,7 +26,7 @@ def package(tmp_path: Path) -> Path:
 
 def files(package: Path, text: str, path: str = "urdf/arm.urdf") -> MeshFiles:
     source = Source(str(package / path), whole_robot(text).encode())
-    return Subject(source, Resolver(environment={})).files
+    return Context(source, Resolver(environment={})).files
 
 
 def nearest(package: Path, *references: str) -> list[Suggestion | None]:

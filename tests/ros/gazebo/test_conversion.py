@@ -12,7 +12,7 @@ import pytest
 
 from tests.conftest import MODELS, manifest
 from tests.growth import executed_lines
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, Converter
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -136,9 +136,9 @@ def robots() -> Iterator[object]:
         yield pytest.param(directory / model["path"], model, id=f"{directory.name}/{model['path']}")
 
 
-def subject(path: Path, *arguments: str) -> Subject:
+def subject(path: Path, *arguments: str) -> Context:
     values = dict(argument.split(":=", 1) for argument in arguments)
-    return Subject(Source.read(path), Resolver(), values)
+    return Context(Source.read(path), Resolver(), values)
 
 
 @pytest.mark.parametrize(("path", "model"), list(robots()))
@@ -235,8 +235,8 @@ def test_corner_cases_are_converted_as_libsdformat_does(sdformat, tmp_path, text
     compare(Conversion(_subject(text).tree, OLD), convert(sdformat, tmp_path, text))
 
 
-def _subject(text: str) -> Subject:
-    return Subject(Source("robot.urdf", text.encode()), Resolver())
+def _subject(text: str) -> Context:
+    return Context(Source("robot.urdf", text.encode()), Resolver())
 
 
 def test_newer_versions_keep_what_moves_on_a_merged_massless_link():
@@ -285,7 +285,7 @@ def test_fixed_joints_in_a_circle_come_to_an_end(converter: Converter) -> None:
 <joint name="c" type="fixed"><parent link="base_footprint"/><child link="base_link"/></joint>
 <joint name="w" type="continuous"><parent link="omni_base"/><child link="wheel"/></joint>
 </robot>"""
-    subject = Subject(Source("rosie.urdf", text), Resolver())
+    subject = Context(Source("rosie.urdf", text), Resolver())
     assert set(Conversion(subject.tree, converter).dropped) == {"wheel"}
 
 
@@ -302,7 +302,7 @@ def test_its_work_grows_with_the_robot() -> None:
             for n in range(1, links)
         ]
         text = f'<robot name="r">{"".join(made)}</robot>'
-        subject = Subject(Source("r.urdf", text.encode()), Resolver({}, environment={}))
+        subject = Context(Source("r.urdf", text.encode()), Resolver({}, environment={}))
         tree = subject.tree
         return executed_lines(lambda: Conversion(tree))
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, WHEELS, wheel
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.gazebo.drives import DrivenWheel, rolling, wrong_direction
 from urdfkit.text.source import Source
@@ -11,7 +11,7 @@ from urdfkit.workspace.resolve import Resolver
 
 
 def rolling_of(robot: str, *names: str) -> list[DrivenWheel]:
-    subject = Subject(Source("r.urdf", whole_robot(robot).encode()), Resolver(environment={}))
+    subject = Context(Source("r.urdf", whole_robot(robot).encode()), Resolver(environment={}))
     joints = subject.model.joints_by_name
     found = [rolling(joints[f"{name}_joint"], subject.tree) for name in names]
     assert None not in found

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block, child, plugin, sensor
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.gazebo.plugins import PluginUse, conversion_result, generations
 from urdfkit.ros.targets import parse
@@ -15,9 +15,9 @@ from urdfkit.workspace.resolve import Resolver
 DRIVE = "libgazebo_ros_diff_drive.so"
 
 
-def subject(text: str, *targets: str) -> Subject:
+def subject(text: str, *targets: str) -> Context:
     source = Source("robot.urdf", whole_robot(BASE + text).encode())
-    return Subject(source, Resolver(environment={}), targets=parse(targets) if targets else None)
+    return Context(source, Resolver(environment={}), targets=parse(targets) if targets else None)
 
 
 def only(text: str, *targets: str) -> PluginUse:

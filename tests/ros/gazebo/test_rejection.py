@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.gazebos import BASE, BODY, block, child
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
 from urdfkit.ros.gazebo.rejection import CODES, rejections
 from urdfkit.text.source import Source
@@ -65,7 +65,7 @@ ROBOTS = {
 def test_it_is_known_why(name: str) -> None:
     parts, codes = ROBOTS[name]
     source = Source("r.urdf", f'<robot name="r">{parts}</robot>'.encode())
-    subject = Subject(source, Resolver())
+    subject = Context(source, Resolver())
     diagnostics = run_rules(subject, sorted(CODES)).diagnostics
     assert sorted({one.code for one in rejections(diagnostics, subject.gazebo)}) == codes
 

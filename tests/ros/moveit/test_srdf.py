@@ -7,7 +7,7 @@ import pytest
 from tests.conftest import CORPUS, needs_corpus
 from tests.srdfs import ROBOT
 from urdfkit import check
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.ros.moveit.srdf import Srdf, find
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
@@ -65,12 +65,12 @@ def test_of_several_the_one_with_the_name_of_the_robot_is_meant(tmp_path, names,
     for letter, name in zip("abc", names, strict=False):
         (tmp_path / f"{letter}.srdf").write_text(f'<robot name="{name}"/>')
     resolver = Resolver(environment={})
-    found = find(str(robot), Subject(Source.read(robot), resolver).tree, resolver, trust=False)
+    found = find(str(robot), Context(Source.read(robot), resolver).tree, resolver, trust=False)
     assert (found and Path(found.path).name) == chosen
 
 
 def srdf(text: str) -> Srdf:
-    subject = Subject(Source("r.urdf", ROBOT.encode()), Resolver(environment={}))
+    subject = Context(Source("r.urdf", ROBOT.encode()), Resolver(environment={}))
     document, _ = read_xml(Source("r.srdf", text.encode()))
     assert document is not None
     return Srdf("r.srdf", document.root, subject.tree)
@@ -108,7 +108,7 @@ def test_moveits_own_robots_are_calm(tmp_path: Path, robot: str, semantic: str):
     (tmp_path / "robot.srdf").write_bytes((directory / semantic).read_bytes())
     report = check(copied, select=["SRD"])
     assert report.diagnostics == ()
-    subject = Subject(Source.read(copied), Resolver(environment={}))
+    subject = Context(Source.read(copied), Resolver(environment={}))
     assert subject.srdf is not None
 
 
@@ -163,5 +163,5 @@ def test_srdf_of_the_packages_of_moveit(tmp_path, place, setup, srdf, is_found):
     known = "".join(f'<passive_joint name="{name}"/>' for name in ("shoulder", "wrist", "knuckle"))
     (tmp_path / place / "r.srdf").write_text(f'<robot name="r">{known}{srdf}</robot>')
     resolver = Resolver(environment={})
-    found = find(str(robot), Subject(Source.read(robot), resolver).tree, resolver, trust=False)
+    found = find(str(robot), Context(Source.read(robot), resolver).tree, resolver, trust=False)
     assert (found is not None) is is_found

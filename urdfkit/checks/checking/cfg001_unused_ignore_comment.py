@@ -7,7 +7,7 @@ next defect there: delete it.
 from __future__ import annotations
 
 from urdfkit.lint.rule_index import get, matching
-from urdfkit.lint.rules import Finding, Findings, Fix, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
 from urdfkit.text.editing.edits import remove_spans
 
 BAD = """\
@@ -21,7 +21,7 @@ FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE003] closed by the gripper -->\n"
 
 
 @rule(Severity.WARNING, needs=(), help="delete the comment")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     from urdfkit.lint.suppress import apply_suppressions
 
     hits = apply_suppressions(subject.run.diagnostics, subject.ignores).hits

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.rule_index import ignore_note, matching
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 
 BAD = """\
 <robot name="r">
@@ -21,7 +21,7 @@ GOOD = BAD.replace("TRE999", "TRE003")
 
 
 @rule(Severity.WARNING, needs=(), help="name a rule that exists; 'urdfkit rules' lists them")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for ignore in subject.ignores:
         for word, span in ignore.codes:
             try:

@@ -19,7 +19,7 @@ as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `u
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Location, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.source import Span
 
@@ -29,7 +29,7 @@ GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg pre
 
 
 @rule(Severity.WARNING, needs=())
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for one in subject.unchecked:
         yield Finding(
             Location(_top(subject)),
@@ -54,6 +54,6 @@ def check(subject: Subject) -> Findings:
     )
 
 
-def _top(subject: Subject) -> Span:
+def _top(subject: Context) -> Span:
     start = subject.source.data.find(b"<robot")
     return Span(subject.source, *((start, start + len("<robot")) if start >= 0 else (0, 0)))

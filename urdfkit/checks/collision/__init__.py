@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if collision geometries of two links may overlap."""
     return (
         sum(bool(link.collisions) for link in subject.model.links) > 1

@@ -18,7 +18,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
@@ -51,7 +51,7 @@ _NOTES = 5
     needs=(Need.MODEL, Need.COLLISIONS),
     help="make the outer geometry smaller, or move the inner one to where the part is",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     contained: dict[str, list[Contact]] = {}
     for pair in subject.collisions.contacts.pairs:
         if not pair.is_rigid and pair.is_out_of_reach and pair.is_permanent:
@@ -68,7 +68,7 @@ def check(subject: Subject) -> Findings:
             yield _single(subject.model, contacts[0])
 
 
-def _is_envelope(subject: Subject, name: str) -> bool:
+def _is_envelope(subject: Context, name: str) -> bool:
     """True for a link without an opaque visual that is fixed to one which has a visual."""
     colours = Colours(subject.model)
     if not all(

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if a launch file or a plugin names a parameter file."""
     return bool(subject.parameters) or any(
         plugin.child("parameters")

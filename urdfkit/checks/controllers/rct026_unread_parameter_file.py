@@ -19,7 +19,7 @@ from __future__ import annotations
 import os
 
 from urdfkit.core.suggest import nearest_file
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.controllers import parameter_files, syntax_errors, unread_keys
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 
@@ -36,7 +36,7 @@ _GENERATED = ("generated", "temp", "tmp")
 
 
 @rule(Severity.ERROR, help="fix the parameter file")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _missing(subject)
     for file, span, reason in syntax_errors(subject):
         yield Finding(Location(span), f"invalid YAML: {reason}", related=(file.note,))
@@ -45,7 +45,7 @@ def check(subject: Subject) -> Findings:
             yield Finding(Location(span), message, help, related=(file.note,))
 
 
-def _missing(subject: Subject) -> Findings:
+def _missing(subject: Context) -> Findings:
     for file in parameter_files(subject):
         if file.found is None and file.element:  # LAU003 reports those of launch files
             if os.path.basename(os.path.dirname(file.path)) in _GENERATED:

@@ -27,7 +27,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.catalog.controllers import (
     Parameters,
     classes,
@@ -75,7 +75,7 @@ _Problem = tuple[Span, str, str]
 
 
 @rule(Severity.ERROR)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for file, section in managers(subject):
         for span, message, help in _invalid_values(of_manager(), section):
             at = Location(span)
@@ -104,7 +104,7 @@ def check(subject: Subject) -> Findings:
                     )
 
 
-def _is_of_workspace(subject: Subject, controller: Controller) -> bool:
+def _is_of_workspace(subject: Context, controller: Controller) -> bool:
     """True if the sources of its class are in the workspace: the package of the same name."""
     directory = subject.resolver.packages.known(subject.source.path).get(
         controller.type.partition("/")[0]

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if there are wheels, plugins of Gazebo or parameter files of controllers."""
     model = subject.model
     names = [*(link.name for link in model.links), *(joint.name for joint in model.joints)]

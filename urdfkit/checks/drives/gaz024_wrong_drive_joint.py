@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.ros.gazebo.drives import drive_of, driven
 from urdfkit.ros.gazebo.plugins import Reference
@@ -36,7 +36,7 @@ ENDLESS = 1e4
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for use in subject.plugins:
         if drive_of(use) is None:
             continue

@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.gazebo.drives import driven
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
 from urdfkit.text.document import Element
@@ -24,7 +24,7 @@ GOOD = BAD[: BAD.index('  <plugin name="gz::sim::systems::ApplyJointForce"')] + 
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="let one of them drive it")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     drivers = _controlled(subject)
     for use in subject.plugins:
         for reference in driven(use):
@@ -37,7 +37,7 @@ def check(subject: Subject) -> Findings:
                 )
 
 
-def _controlled(subject: Subject) -> dict[str, tuple[str, Element]]:
+def _controlled(subject: Context) -> dict[str, tuple[str, Element]]:
     """The joints that ros2_control or gazebo_ros_control commands, each with what does."""
     found: dict[str, tuple[str, Element]] = {}
     names = " ".join(use.filename for use in subject.plugins)

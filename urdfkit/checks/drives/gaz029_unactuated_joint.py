@@ -11,7 +11,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.gazebo.drives import driven
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
@@ -39,7 +39,7 @@ _MOST = 4
     needs=(Need.MODEL, Need.GAZEBO),
     help="add a drive plugin or ros2_control, unless they are intended to turn freely",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     model = subject.model
     if model.transmissions or model.ros2_controls or not subject.plugins or subject.is_part:
         return

@@ -25,7 +25,7 @@ from urdfkit.ros.gazebo.drives import DrivenWheel, drive_of, given, pairs, rolli
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.ros.catalog.plugins import Drive
     from urdfkit.ros.catalog.ros_control import Measure
     from urdfkit.ros.controllers import Controller
@@ -53,7 +53,7 @@ _MEASURED = {
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for use in subject.plugins:
         if kind := drive_of(use):
             yield from _of_plugin(use, kind, subject)
@@ -63,7 +63,7 @@ def check(subject: Subject) -> Findings:
                 yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, kind: Drive, subject: Subject) -> Findings:
+def _of_plugin(use: PluginUse, kind: Drive, subject: Context) -> Findings:
     driven = list(wheels(use, subject.tree))
     size = "diameter" if kind.diameter else "radius"
     radius = _radius([wheel.rolling for wheel in driven])
@@ -90,7 +90,7 @@ def _of_plugin(use: PluginUse, kind: Drive, subject: Subject) -> Findings:
             )
 
 
-def _of_controller(controller: Controller, subject: Subject) -> Findings:
+def _of_controller(controller: Controller, subject: Context) -> Findings:
     kind = catalogue().get(controller.type)
     for measure in kind.measures if kind else ():
         written = controller.values([measure.parameter])
@@ -116,7 +116,7 @@ def _differs(value: float, real: list[float]) -> bool:
     return all(abs(value - one) > TOLERANCE * one for one in real)
 
 
-def _real(measure: Measure, controller: Controller, subject: Subject) -> list[float]:
+def _real(measure: Measure, controller: Controller, subject: Context) -> list[float]:
     """What the model says, in m: from the tyres and from the joints. Empty if it says nothing."""
     sides = [_wheels(controller, names, subject) for names in measure.sides]
     if not all(sides):
@@ -132,7 +132,7 @@ def _real(measure: Measure, controller: Controller, subject: Subject) -> list[fl
     return _distances(left, right, left.axis) if left.is_parallel(right) else []
 
 
-def _wheels(controller: Controller, names: tuple[str, ...], subject: Subject) -> list[DrivenWheel]:
+def _wheels(controller: Controller, names: tuple[str, ...], subject: Context) -> list[DrivenWheel]:
     """The wheels that some parameters name; empty if one of them is unknown."""
     joints = (subject.model.joints_by_name.get(name.text) for name in controller.values(names))
     found = [rolling(joint, subject.tree) if joint else None for joint in joints]

@@ -32,7 +32,7 @@ from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Related
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.robot.model import Joint
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.text.document import Element
@@ -57,14 +57,14 @@ _PARALLEL = 0.95
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for explain in (_one_of_four, _of_drives, _opposite):  # the most precise explanation first
         if found := list(explain(subject)):
             yield from found
             return
 
 
-def _of_drives(subject: Subject) -> Findings:
+def _of_drives(subject: Context) -> Findings:
     """The drive plugins and controllers that take wheels for those of the wrong side."""
     for use in subject.plugins:
         yield from _of_plugin(use, subject)
@@ -81,7 +81,7 @@ def _of_drives(subject: Subject) -> Findings:
                 yield Finding(at, message, wrong[1], related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
+def _of_plugin(use: PluginUse, subject: Context) -> Findings:
     kind = drive_of(use)
     if kind is None or kind.steered or use.values("legacyMode"):
         return
@@ -93,7 +93,7 @@ def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
             return
 
 
-def _one_of_four(subject: Subject) -> Findings:
+def _one_of_four(subject: Context) -> Findings:
     """The one of four wheels whose axis is opposite to the others."""
     found = [(joint, _axle(subject, joint)) for joint in subject.model.joints if _rolls(joint)]
     axles = [(joint, axle) for joint, axle in found if axle]
@@ -114,7 +114,7 @@ def _one_of_four(subject: Subject) -> Findings:
             )
 
 
-def _opposite(subject: Subject) -> Findings:
+def _opposite(subject: Context) -> Findings:
     """The only pair of wheels, if their axes are opposite."""
     wheeled = [pair for pair in subject.symmetric_joints if all(map(_rolls, pair))]
     if len(wheeled) != 1:
@@ -147,7 +147,7 @@ def _rolls(joint: Joint) -> bool:
     return is_wheel and joint.kind == "continuous" and joint.mimic is None
 
 
-def _axle(subject: Subject, joint: Joint) -> Vector | None:
+def _axle(subject: Context, joint: Joint) -> Vector | None:
     """The axis of a joint in the frame of the root."""
     frame = subject.tree.frames.get(joint.child.value) if joint.child else None
     return rotate(frame.rotation, direction(joint)) if frame else None

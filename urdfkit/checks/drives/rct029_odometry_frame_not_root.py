@@ -23,7 +23,7 @@ from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.ros.controllers import Controller
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.text.located_yaml import Value
@@ -48,7 +48,7 @@ _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for use in subject.plugins:
         yield from _of_plugin(use, subject)
     if subject.is_part or len(subject.tree.roots) != 1:
@@ -60,19 +60,16 @@ def check(subject: Subject) -> Findings:
                     yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
-    parameters = use.plugin.parameters if use.plugin and use.plugin.generation != "gz" else {}
-    parameter = next((name for name in _FRAMES if name in parameters), None)
-    odometry = next((name for name in _ODOMETRY if name in parameters), None)
-    switches = [use.value(name) for name in _SWITCHES if name in parameters]
-    is_sent = all(value.lower() in ("true", "1") for value in switches)
-    if parameter is None or odometry is None or not is_sent:
+def _of_plugin(use: PluginUse, subject: Context) -> Findings:
+    frames = _sent_frames(use)
+    if frames is None:
         return
+    parameter, frame = frames
     written, name = use.values(parameter), use.value(parameter)
     above = subject.tree.parents.get(name.lstrip("/"), [])
     if len(above) != 1 or above[0].parent is None:
         return
-    parent, frame = above[0].parent.value, use.value(odometry) or "odom"
+    parent = above[0].parent.value
     if parent == frame.lstrip("/"):
         return
     roots = subject.tree.roots
@@ -86,7 +83,17 @@ def _of_plugin(use: PluginUse, subject: Subject) -> Findings:
     )
 
 
-def _of_controller(controller: Controller, frame: Value, subject: Subject) -> Findings:
+def _sent_frames(use: PluginUse) -> tuple[str, str] | None:
+    """The parameter for the child of the transform that a plugin sends, and the parent."""
+    parameters = use.plugin.parameters if use.plugin and use.plugin.generation != "gz" else {}
+    child = next((name for name in _FRAMES if name in parameters), None)
+    parent = next((name for name in _ODOMETRY if name in parameters), None)
+    switches = [use.value(name) for name in _SWITCHES if name in parameters]
+    is_sent = all(value.lower() in ("true", "1") for value in switches)
+    return (child, use.value(parent) or "odom") if child and parent and is_sent else None
+
+
+def _of_controller(controller: Controller, frame: Value, subject: Context) -> Findings:
     root, name = subject.tree.roots[0].name, frame.text.strip("/")
     links = subject.model.links_by_name
     if name == root:

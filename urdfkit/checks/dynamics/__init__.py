@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if a joint moves and a link has a mass, or Pinocchio is a target."""
     model = subject.model
     if "pinocchio" in subject.given_targets:

@@ -15,7 +15,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.lint.requirements import need_pinocchio
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.document import Element
@@ -32,7 +32,7 @@ _NAME = r"[\[']([^\]']+)[\]']"
     needs=(Need.MODEL, Need.DYNAMICS),
     help="correct what it complains about; the other findings may say more",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if "pinocchio" in subject.targets.names and not subject.is_part:
         need_pinocchio()
         from urdfkit.physics.dynamics.pinocchio_reading import opinion

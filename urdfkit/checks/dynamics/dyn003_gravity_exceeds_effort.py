@@ -20,7 +20,7 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.context import Unavailable
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import effort, overloadable
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.model import Joint, RobotModel
@@ -55,7 +55,7 @@ _SAMPLES = 20
     needs=(Need.MODEL,),
     help="raise the effort to what the motor has, or correct the masses (urdfkit statics)",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     overloaded = overloadable(subject.tree)
     if not overloaded or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return
@@ -86,7 +86,7 @@ def _flies(model: RobotModel) -> bool:
     return sum(bool(re.search(_ROTOR, joint.name.lower())) for joint in model.joints) >= _ROTORS
 
 
-def _weightless(subject: Subject) -> set[str]:
+def _weightless(subject: Context) -> set[str]:
     """Names of the links without gravity; the flag of one holds for all that are merged with it."""
     flagged = {
         block.get("reference")

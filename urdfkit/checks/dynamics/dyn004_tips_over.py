@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.lint.context import Unavailable
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.bounding_box import WITHOUT_MESHES
 from urdfkit.robot.model import RobotModel, Shape
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
@@ -60,7 +60,7 @@ _TOLERANCE = 1e-3
     needs=(Need.MODEL, Need.MESHES),
     help="move wheels, casters or heavy parts until it stands (urdfkit statics)",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if subject.is_part or not subject.tree.is_sound or _is_serial(subject.tree):
         return
     standing = stand(subject, meshes=False)
@@ -91,7 +91,7 @@ def _is_serial(tree: KinematicTree) -> bool:
     return all(len(joints) < 2 for joints in tree.children.values())
 
 
-def _falls(subject: Subject, standing: Stability | None) -> bool:
+def _falls(subject: Context, standing: Stability | None) -> bool:
     """True if it falls, off several links of which a joint moves one; not what is bolted down."""
     return (
         standing is not None

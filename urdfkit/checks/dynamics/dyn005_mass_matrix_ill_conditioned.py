@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from math import isinf
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import light
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.samples import solid_xml
@@ -35,7 +35,7 @@ GOOD = BAD.replace("1e-9", "1").replace("1e-11", "0.01")
     needs=(Need.MODEL, Need.DYNAMICS),
     help="give the light link the mass and inertia of the real part, or fix one of the joints",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     light_joints = light(subject.tree)
     if not light_joints or subject.is_part:
         return

@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint_loads import idle
 from urdfkit.robot.joints import driven
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -22,7 +22,7 @@ GOOD = BAD.replace("continuous", "fixed")
 
 
 @rule(Severity.INFO, help='make it type="fixed", or give the link below it a mass')
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if subject.is_part or not any(link.mass for link in subject.model.links):
         return
     moved = driven(subject.model)

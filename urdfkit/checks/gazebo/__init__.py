@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if there are ``<gazebo>`` elements."""
     return bool(subject.model.gazebo)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.values import is_true
@@ -14,7 +14,7 @@ from urdfkit.text.editing.edits import insert_before
 _KEEP = "<preserveFixedJoint>true</preserveFixedJoint>"
 
 
-def merged_force_sensors(subject: Subject) -> Findings:
+def merged_force_sensors(subject: Context) -> Findings:
     """The fixed joints whose forces are measured, but which are not simulated."""
     kept = {joint.joint.name for joint in subject.gazebo.joints}
     for name, at, who in _measuring(subject.model):

@@ -13,7 +13,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.document import Attribute
@@ -24,7 +24,7 @@ FIXED = GOOD = BAD.replace("whel", "wheel")
 
 
 @rule(Severity.ERROR, help="name a link or a joint of this robot", reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     model = subject.model
     known = {**model.links_by_name, **model.joints_by_name}
     suggester = Suggester(known)

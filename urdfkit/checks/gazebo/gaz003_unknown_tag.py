@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import Suggester, did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions, suggested
@@ -44,7 +44,7 @@ _TYPO = 0.8
 
 
 @rule(Severity.WARNING, help="remove it, or write a tag of Gazebo's URDF extensions")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     known = {*extensions(), *(tag for kind in ("link", "joint", "model") for tag in copied(kind))}
     unknown: dict[str, list[Element]] = {}
     for block in subject.model.gazebo:

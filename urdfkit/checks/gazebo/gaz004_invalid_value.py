@@ -33,7 +33,7 @@ from math import isnan
 
 from urdfkit.checks.gazebo.plugin_values import invalid_in_plugins
 from urdfkit.checks.gazebo.sensor_values import invalid_in_sensors
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.robot.values import number
@@ -55,7 +55,7 @@ _COPIED = ("gravity", "self_collide", "kinematic", "enable_wind", "must_be_base_
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     handled = extensions()
     for block in subject.model.gazebo:
         for child in block.children:

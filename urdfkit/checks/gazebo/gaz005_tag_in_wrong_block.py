@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Joint, Link, RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -41,7 +41,7 @@ _NAMED = 4
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     model = subject.model
     handled = extensions()
     owners = _owners(handled)
@@ -55,7 +55,7 @@ def check(subject: Subject) -> Findings:
 
 
 def _of_other_kind(
-    subject: Subject, block: Element, handled: Mapping[str, Extension], joint: Joint | None
+    subject: Context, block: Element, handled: Mapping[str, Extension], joint: Joint | None
 ) -> Findings:
     """The tags of joints in the block of a link, and those of links in the block of a joint."""
     name, kind = block.get("reference") or "", "joint" if joint else "link"
@@ -105,7 +105,7 @@ def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, s
     )
 
 
-def _other(subject: Subject, name: str, kind: str) -> Link | Joint | None:
+def _other(subject: Context, name: str, kind: str) -> Link | Joint | None:
     """The joint above a link, if there is one alone; the link below a joint."""
     model = subject.model
     if kind == "link":

@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
@@ -29,7 +29,7 @@ _SCALARS = ("float", "int", "bool", "string", "vector3")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="keep one of the two")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     handled = extensions()
     first: dict[tuple[str, str], Element] = {}
     for block in subject.model.gazebo:

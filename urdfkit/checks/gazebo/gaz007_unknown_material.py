@@ -17,7 +17,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
@@ -32,7 +32,7 @@ FIXED = GOOD = BAD.replace("Orange", "Gazebo/Orange")
     Severity.WARNING,
     help="use one of Gazebo's materials, or give the colour in the URDF's <material>",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     known = materials()
     # By their last words: all begin with "Gazebo/", which would make them alike.
     bare = {name.rpartition("/")[2]: name for name in known if not known[name].internal}

@@ -28,7 +28,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
@@ -44,7 +44,7 @@ FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for use in subject.plugins:
         yield from _missing(subject, use)
         if use.plugin and use.plugin.node and use.name:
@@ -58,7 +58,7 @@ def check(subject: Subject) -> Findings:
     yield from _duplicate_sensors(subject)
 
 
-def _missing(subject: Subject, use: PluginUse) -> Findings:
+def _missing(subject: Context, use: PluginUse) -> Findings:
     for attribute in ("name", "filename"):
         if (use.at.get(attribute) or "").strip():
             continue
@@ -69,7 +69,7 @@ def _missing(subject: Subject, use: PluginUse) -> Findings:
         yield Finding(use.at, f"{who} has no {attribute}: {REJECTED}", help, fix)
 
 
-def _duplicate_plugins(subject: Subject) -> Findings:
+def _duplicate_plugins(subject: Context) -> Findings:
     """The ROS nodes of one name in one namespace."""
     first: dict[tuple[str, str], PluginUse] = {}
     for use in subject.plugins:
@@ -88,7 +88,7 @@ def _duplicate_plugins(subject: Subject) -> Findings:
             )
 
 
-def _duplicate_sensors(subject: Subject) -> Findings:
+def _duplicate_sensors(subject: Context) -> Findings:
     first: dict[tuple[str, str], Sensor] = {}
     for sensor in sensors(subject.model):
         if not sensor.name or not sensor.reference:
@@ -105,7 +105,7 @@ def _duplicate_sensors(subject: Subject) -> Findings:
             )
 
 
-def _named(subject: Subject, use: PluginUse) -> Fix | None:
+def _named(subject: Context, use: PluginUse) -> Fix | None:
     """Name a plugin without a name after its library, if no other plugin has that name."""
     name = use.filename.removeprefix("lib").removesuffix(".so")
     taken = {other.name for other in subject.plugins}

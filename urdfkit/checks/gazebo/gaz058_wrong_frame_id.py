@@ -23,7 +23,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Confidence, Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.plugins import PluginUse
@@ -51,13 +51,13 @@ _ELSEWHERE = ("odom", "map", "world", "earth", "utm")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _missing(subject)
     if not subject.is_part:
         yield from _unknown(subject)
 
 
-def _unknown(subject: Subject) -> Findings:
+def _unknown(subject: Context) -> Findings:
     known = subject.model.links_by_name
     suggester = Suggester(known)
     for who, at, name in _frames(subject):
@@ -79,7 +79,7 @@ def _unknown(subject: Subject) -> Findings:
             )
 
 
-def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
+def _frames(subject: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
     """Each frame that is named: by whom, where, its name."""
     spaced = {link.rpartition("/")[2] for link in subject.model.links_by_name if "/" in link}
     for use in subject.plugins:
@@ -98,7 +98,7 @@ def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
                 yield sensor.who, element, element.text.strip()
 
 
-def _missing(subject: Subject) -> Findings:
+def _missing(subject: Context) -> Findings:
     """One finding for all sensors: usually all of them lack it."""
     targets = subject.targets
     if targets.names and not targets.any_of(_READ):

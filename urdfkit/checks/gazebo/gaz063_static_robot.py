@@ -9,7 +9,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
 from urdfkit.ros.gazebo.values import is_true
@@ -20,7 +20,7 @@ GOOD = BAD.replace("true", "false")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="remove the tag")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if not subject.plugins:
         return  # a model that is only displayed
     moving = [joint.name for joint in subject.model.joints if joint.kind in DEGREES_OF_FREEDOM]

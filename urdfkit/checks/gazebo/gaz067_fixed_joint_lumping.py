@@ -34,7 +34,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.gazebo.force_sensors import merged_force_sensors
-from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.samples import collision_xml, robot_xml
@@ -72,7 +72,7 @@ _MERGED = "_fixed_joint_lump__"
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from merged_force_sensors(subject)
     yield from _flags(subject)
     yield from _kept_joints(subject)
@@ -80,7 +80,7 @@ def check(subject: Subject) -> Findings:
     yield from _lost_on_shapes(subject)
 
 
-def _flags(subject: Subject) -> Findings:
+def _flags(subject: Context) -> Findings:
     flags = [
         (block.get("reference") or "", tag)
         for block in subject.model.gazebo
@@ -100,7 +100,7 @@ def _flags(subject: Subject) -> Findings:
             )
 
 
-def _reaches(subject: Subject, top: str, tag: str, flagged: set[str]) -> bool:
+def _reaches(subject: Context, top: str, tag: str, flagged: set[str]) -> bool:
     """True if a flag matters to a link of the merged body that does not have it itself."""
     (simulated,) = (one for one in subject.gazebo.links if one.name == top)
     others = [link for link, _ in simulated.body.links if link.name not in flagged]
@@ -109,7 +109,7 @@ def _reaches(subject: Subject, top: str, tag: str, flagged: set[str]) -> bool:
     return any(link.mass for link in others)
 
 
-def _kept_joints(subject: Subject) -> Findings:
+def _kept_joints(subject: Context) -> Findings:
     joints = subject.model.joints_by_name
     massless = {body.top.name for body in subject.gazebo.massless}
     tags = [
@@ -139,7 +139,7 @@ def _kept_joints(subject: Subject) -> Findings:
             )
 
 
-def _added_joints(subject: Subject) -> Findings:
+def _added_joints(subject: Context) -> Findings:
     fatal = subject.targets.among(GZ)
     for joint, end, into in subject.gazebo.lost_joint_ends():
         name = end.text.strip()
@@ -154,7 +154,7 @@ def _added_joints(subject: Subject) -> Findings:
             )
 
 
-def _lost_on_shapes(subject: Subject) -> Findings:
+def _lost_on_shapes(subject: Context) -> Findings:
     for simulated in subject.gazebo.links:
         for kind in ("collision", "visual"):
             shapes = simulated.collisions if kind == "collision" else simulated.visuals

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import isnan
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.sensors import Setting
 from urdfkit.ros.gazebo.rejection import REJECTED_BY_GZ
@@ -35,7 +35,7 @@ _COMMON = {
 _MAX_WORDS = 7
 
 
-def invalid_in_sensors(subject: Subject) -> Findings:
+def invalid_in_sensors(subject: Context) -> Findings:
     """The values of sensors that are not of their type or range."""
     for sensor in sensors(subject.model):
         for at, name, text, setting in _settings(sensor):
@@ -51,7 +51,7 @@ def invalid_in_sensors(subject: Subject) -> Findings:
         yield from _clip(sensor)
 
 
-def _severity(subject: Subject, problem: str) -> Severity | None:
+def _severity(subject: Context, problem: str) -> Severity | None:
     """A warning for what gz-sim rejects, if the robot is for Gazebo Classic, with its defaults."""
     is_for_classic = subject.targets.any_of(CLASSIC) and not subject.targets.any_of(GZ)
     return Severity.WARNING if is_for_classic and REJECTED_BY_GZ in problem else None
@@ -71,6 +71,8 @@ def _settings(sensor: Sensor) -> Iterator[tuple[Element | Attribute, str, str, S
 
 def _problem(name: str, setting: Setting, text: str) -> tuple[str, str] | None:
     """The end of a message, and the help; None for a valid value."""
+    if setting.type == "pose" and not text:
+        return None  # its default
     if setting.words and text not in setting.words:
         return _word_problem(name, setting.words, text)
     if setting.type in _NUMBERS:
@@ -115,7 +117,7 @@ def _number_problem(name: str, setting: Setting, text: str) -> tuple[str, str] |
     return None
 
 
-def _lidar(sensor: Sensor, subject: Subject) -> Findings:
+def _lidar(sensor: Sensor, subject: Context) -> Findings:
     block = sensor.at.child(sensor.lidar) if sensor.lidar else None
     if block is None:
         return

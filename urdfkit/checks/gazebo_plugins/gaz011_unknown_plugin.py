@@ -21,7 +21,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Plugin, misspelt, of_same_words
 from urdfkit.ros.gazebo.plugins import PluginUse
@@ -39,7 +39,7 @@ FIXED = GOOD = BAD.replace("mvoe", "move")
     needs=(Need.MODEL, Need.GAZEBO),
     help="if it is a vendor's, add its package to your dependencies",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     reported: set[str] = set()
     for use in subject.plugins:
         if use.known:

@@ -17,7 +17,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
@@ -43,7 +43,7 @@ _NONE = "no successor is known"
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
     migrates=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     targets = [name for name in subject.targets.names if name in GENERATIONS]
     is_reported = False
     for use in subject.plugins:

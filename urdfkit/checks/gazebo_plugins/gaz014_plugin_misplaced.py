@@ -19,7 +19,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
@@ -55,7 +55,7 @@ _CAMERAS = ("depth", "wide_angle_camera")
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     known = {*subject.model.links_by_name, *subject.model.joints_by_name}
     for use in subject.plugins:
         reference = use.block.get("reference")

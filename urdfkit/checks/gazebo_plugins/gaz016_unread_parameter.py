@@ -20,7 +20,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import listed
-from urdfkit.lint.rules import Finding, Findings, Fix, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Plugin, renames
 from urdfkit.ros.gazebo.parameters import UnreadParameter, unread
@@ -43,7 +43,7 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it", migrates=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     foreign: dict[tuple[PluginUse, bool], list[UnreadParameter]] = {}
     found_unread = [(use, one) for use in subject.plugins for one in unread(use)]
     for use, found in found_unread:

@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Parameter, Plugin
 from urdfkit.ros.gazebo.plugins import PluginUse
@@ -27,14 +27,14 @@ GOOD = BAD.replace("    <topic", "    <bodyName>arm</bodyName>\n    <topic")
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for use in subject.plugins:
         found = list(_missing(use, use.plugin, subject)) if use.plugin else []
         if found and not _is_of_another(use):
             yield from found
 
 
-def _missing(use: PluginUse, plugin: Plugin, subject: Subject) -> Findings:
+def _missing(use: PluginUse, plugin: Plugin, subject: Context) -> Findings:
     given = {item.path for item in use.items if item.text or _is_of_argument(item.at)}
     blocks = {item.path for item in use.items}
     for parameter in plugin.parameters.values():

@@ -25,7 +25,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.ros.catalog.extensions import rewritten
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference, conversion_result
@@ -46,7 +46,7 @@ _STATES = "gazebo_ros_joint_state_publisher@classic-ros2"
     help="name a link or joint of this robot",
     reports_missing=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     conversion = subject.gazebo
     suggesters = {
         "link": Suggester(subject.model.links_by_name),
@@ -83,7 +83,7 @@ def _is_rewritten(use: PluginUse, reference: Reference) -> bool:
     return use.plugin is not None and use.plugin.id == _STATES
 
 
-def _merged(subject: Subject, use: PluginUse, reference: Reference) -> Finding:
+def _merged(subject: Context, use: PluginUse, reference: Reference) -> Finding:
     joint = _fixed_joint(subject, reference)
     child = joint.child.value if joint and joint.child else reference.name
     survivor = subject.gazebo.survivor.get(child, "")
@@ -101,7 +101,7 @@ def _merged(subject: Subject, use: PluginUse, reference: Reference) -> Finding:
     )
 
 
-def _fixed_joint(subject: Subject, reference: Reference) -> Joint | None:
+def _fixed_joint(subject: Context, reference: Reference) -> Joint | None:
     if reference.kind == "joint":
         return subject.model.joints_by_name[reference.name]
     above = subject.tree.parents[reference.name]
@@ -119,7 +119,7 @@ def _kept(use: PluginUse, joint: Joint) -> Fix | None:
     return Fix(f"keep joint '{joint.name}' in Gazebo", insert_before(use.block, lines))
 
 
-def _dropped(subject: Subject, use: PluginUse, reference: Reference) -> Finding:
+def _dropped(subject: Context, use: PluginUse, reference: Reference) -> Finding:
     link = reference.name
     if reference.kind == "joint":
         child = subject.model.joints_by_name[reference.name].child

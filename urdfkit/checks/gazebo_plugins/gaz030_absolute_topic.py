@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 
@@ -22,7 +22,7 @@ GOOD = BAD.replace("/cmd_vel<", "cmd_vel<")
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for use in subject.plugins:
         if use.plugin is None or use.plugin.generation not in ("classic-ros1", "classic-ros2"):
             continue  # in gz-sim a topic is absolute in any case

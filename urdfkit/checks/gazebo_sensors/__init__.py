@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if a ``<gazebo>`` element holds a sensor."""
     return any(part.tag == "sensor" for block in subject.model.gazebo for part in block.walk())

@@ -26,7 +26,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import SensorType, types
 from urdfkit.ros.gazebo.rejection import REJECTED, REJECTED_BY_GZ
@@ -57,7 +57,7 @@ _ON_JOINTS = {"force_torque"}
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
     migrates=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     known = types()
     for sensor in sensors(subject.model):
         if kind := known.get(sensor.type):
@@ -95,7 +95,7 @@ def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findin
     )
 
 
-def _of_wrong_element(subject: Subject, sensor: Sensor) -> Findings:
+def _of_wrong_element(subject: Context, sensor: Sensor) -> Findings:
     is_link = sensor.reference in subject.model.links_by_name
     is_joint = sensor.reference in subject.model.joints_by_name
     if is_joint in (is_link, sensor.type in _ON_JOINTS):

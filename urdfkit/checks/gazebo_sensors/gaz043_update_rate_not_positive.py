@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
@@ -28,7 +28,7 @@ _HEAVY = ("camera", "depth", "lidar", "ray")
 
 
 @rule(Severity.WARNING, help="give the rate of the real sensor in Hz")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for sensor in sensors(subject.model):
         is_heavy = bool(sensor.lidar) or any(word in sensor.type for word in _HEAVY)
         if is_heavy and sensor.find("update_rate") is None:

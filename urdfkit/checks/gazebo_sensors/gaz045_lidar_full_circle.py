@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from math import pi
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.ros.gazebo.samples import LIDAR
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.editing.edits import fix_value
@@ -24,7 +24,7 @@ FIXED = BAD.replace(">3.1415926<", ">3.12414<")
 
 
 @rule(Severity.INFO, help="end one step before the full circle")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for sensor in sensors(subject.model):
         scan = f"{sensor.lidar}/scan/horizontal"
         first, last = sensor.number(f"{scan}/min_angle"), sensor.number(f"{scan}/max_angle")

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from math import pi, radians
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.values import number, numbers
 from urdfkit.ros.gazebo.rejection import REJECTED
 from urdfkit.ros.gazebo.samples import LIDAR
@@ -34,7 +34,7 @@ _ANGLES = (
 
 
 @rule(Severity.WARNING, help="write the angle in radians")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for sensor in sensors(subject.model):
         for path in _ANGLES:
             angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None

@@ -12,7 +12,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import IDENTITY
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.model import Body
 from urdfkit.robot.samples import collision_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
@@ -29,7 +29,7 @@ GOOD = BAD.replace("<min>0.05</min>", "<min>0.2</min>")
 
 
 @rule(Severity.WARNING, help="raise the minimum range, or make the collision shape smaller")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for sensor in sensors(subject.model):
         link = subject.model.links_by_name.get(sensor.reference)
         least = sensor.number(f"{sensor.lidar}/range/min") if sensor.lidar else None

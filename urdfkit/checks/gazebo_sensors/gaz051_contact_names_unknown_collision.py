@@ -13,7 +13,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import collision_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
@@ -35,7 +35,7 @@ FIXED = GOOD = BAD.replace("base_colision", "base_collision")
     needs=(Need.MODEL, Need.GAZEBO),
     help="name the collision as Gazebo does; 'urdfkit gazebo' lists the names",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for sensor in sensors(subject.model):
         if sensor.type == "contact" and sensor.find("contact/collision") is None:
             message = f"{sensor.who}: no <collision> in <contact>, so it detects no contact"

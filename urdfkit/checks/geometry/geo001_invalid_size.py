@@ -24,7 +24,7 @@ from __future__ import annotations
 
 from math import prod
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.robot.shapes import shaped, sizes
 from urdfkit.text.document import Attribute
@@ -35,7 +35,7 @@ FIXED = GOOD = BAD.replace("-0.2", "0.2")
 
 
 @rule(Severity.ERROR, help="write a positive size in m")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for link, body, shape in shaped(subject.model):
         who = f"link '{link.name}': the <{shape.kind}> in its {body.at.tag} has"
         for attribute, values in sizes(shape):

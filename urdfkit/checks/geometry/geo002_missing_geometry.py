@@ -18,7 +18,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
@@ -40,7 +40,7 @@ _HEAVY = 1e-3
     help="add a <collision> with a simple shape if the link can collide",
     reports_missing=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     links = subject.model.links
     if any(link.visuals or link.collisions for link in links):
         yield from _without_collision(subject)
@@ -54,7 +54,7 @@ def check(subject: Subject) -> Findings:
         yield Finding(subject.model.root, message, help, severity=Severity.INFO)
 
 
-def _without_collision(subject: Subject) -> Findings:
+def _without_collision(subject: Context) -> Findings:
     links = [link for link in subject.model.links if link.visuals]
     if len(links) > 1 and not any(link.collisions for link in subject.model.links):
         message = f"none of the {len(links)} links with a visual has a collision"
@@ -74,7 +74,7 @@ def _without_collision(subject: Subject) -> Findings:
         )
 
 
-def _without_visual(subject: Subject) -> Findings:
+def _without_visual(subject: Context) -> Findings:
     for link in subject.model.links:
         if link.collisions and not link.visuals:
             yield Finding(
@@ -86,7 +86,7 @@ def _without_visual(subject: Subject) -> Findings:
             )
 
 
-def _without_both(subject: Subject) -> Findings:
+def _without_both(subject: Context) -> Findings:
     if not any(link.collisions for link in subject.model.links) or subject.is_part:
         return
     for body in rigid_bodies(subject.tree):
@@ -100,13 +100,13 @@ def _without_both(subject: Subject) -> Findings:
             )
 
 
-def _is_bare_end(body: RigidBody, subject: Subject) -> bool:
+def _is_bare_end(body: RigidBody, subject: Context) -> bool:
     links = [link for link, _ in body.links]
     children = sum(len(subject.tree.children[link.name]) for link in links)
     return children == len(links) - 1 and not any(link.visuals or link.collisions for link in links)
 
 
-def _needed(subject: Subject) -> tuple[str, ...]:
+def _needed(subject: Context) -> tuple[str, ...]:
     """The links whose visuals a robot on wheels stands on, if it falls over on its collisions.
 
     None where its meshes cannot be read.
@@ -130,7 +130,7 @@ def _holds(found: Stability | None) -> bool:
     return found is not None and not found.tips
 
 
-def _lacks_meshes(subject: Subject) -> bool:
+def _lacks_meshes(subject: Context) -> bool:
     """True if a collision may reach the ground in a mesh that cannot be read."""
     return any(
         body.shape and body.shape.filename and subject.meshes.mesh(body.shape) is None

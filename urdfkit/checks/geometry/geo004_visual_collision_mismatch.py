@@ -25,7 +25,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import Transform, minus
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.visual_collision import (
     LEAST_OVERLAP,
     Mismatch,
@@ -56,7 +56,7 @@ _NEAR = 1.08
 
 
 @rule(Severity.WARNING, help="compare both in RViz, and correct the one that is wrong")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     model, files = subject.model, subject.files
     pairs = VisualCollisionPairs(model, subject.mesh_solid, files.has_ambiguous_axes)
     for one in pairs.mismatches.get(Mismatch.APART, ()):
@@ -133,7 +133,7 @@ def _rotated(one: VisualCollisionPair) -> Finding:
     )
 
 
-def _diameters(subject: Subject) -> Findings:
+def _diameters(subject: Context) -> Findings:
     for link in subject.model.links:
         if len(link.visuals) != 1 or len(link.collisions) != 1:
             continue

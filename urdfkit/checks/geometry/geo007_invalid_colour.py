@@ -17,7 +17,7 @@ from __future__ import annotations
 import re
 from itertools import chain
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
@@ -37,7 +37,7 @@ _INTENDED = r"(?i)invisible|transparent|hidden|none|clear|glass"
 
 
 @rule(Severity.ERROR, help="write red, green, blue and alpha from 0 to 1")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     model = subject.model
     in_visuals = (body.material for link in model.links for body in link.visuals)
     for material in chain(model.materials, in_visuals):

@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
@@ -32,7 +32,7 @@ _TOLERANCE = 0.4
 
 
 @rule(Severity.INFO, help="give both the same colour")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     names = [name for name in subject.targets.names if name in GAZEBO]
     if names == ["gz-fortress"]:
         return  # which has no material scripts
@@ -48,7 +48,7 @@ def check(subject: Subject) -> Findings:
             yield _finding(name, element, rgb, seen[0])
 
 
-def _gazebo_materials(subject: Subject) -> dict[str, Element]:
+def _gazebo_materials(subject: Context) -> dict[str, Element]:
     """The element that gives each link its Gazebo material: the last one."""
     return {
         block.get("reference") or "": child

@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.robot.shapes import SIZES
@@ -28,7 +28,7 @@ GOOD = BAD.replace(_TEXTURE, '<color rgba="0 0 1 1"/>')
     Severity.INFO,
     help="use a mesh with texture coordinates, and give the material a <color> for the others",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     reported: set[Element | Attribute] = set()
     for link, body, material in Colours(subject.model).visuals():
         texture, kind = material.texture, body.shape.kind if body.shape else ""

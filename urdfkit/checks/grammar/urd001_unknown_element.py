@@ -23,7 +23,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
@@ -45,7 +45,7 @@ _SHOWN = 5
 @rule(
     Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     misplaced: list[Element] = []
     readers: dict[str, str | None] = {}
     for element, _, needed, suggested in subject.deviations.get("URD001", ()):

@@ -14,7 +14,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import listed, more_like_this
-from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text import schema
 from urdfkit.text.document import Attribute, Element
@@ -35,7 +35,7 @@ _SHOWN = 5
 @rule(
     Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     foreign: dict[tuple[str, bool], list[Attribute]] = {}
     for element, attribute, _, suggested in subject.deviations.get("URD002", ()):
         assert attribute is not None

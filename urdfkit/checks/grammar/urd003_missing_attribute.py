@@ -20,7 +20,7 @@ from __future__ import annotations
 import os
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
@@ -33,7 +33,7 @@ FIXED = GOOD = BAD.replace("radus", "radius")
 
 
 @rule(Severity.ERROR, help="add the attribute")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for element, attribute, missing, suggested in subject.deviations.get("URD003", ()):
         message = f"{owner(element)}: <{element.tag}> has no '{missing}'"
         if attribute is None and element.parent is None:

@@ -15,7 +15,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import inertial_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
@@ -27,17 +27,26 @@ GOOD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
 
 
 @rule(Severity.ERROR, help="add the element")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for element, _, missing, _ in subject.deviations.get("URD004", ()):
         who = owner(element)
         if not missing:
             yield _without_shape(subject, element, who)
             continue
+        if _calls_macro(subject, element):
+            continue  # without the prefix: XAC002
         inside = "" if who.startswith(element.tag) else f": <{element.tag}>"
         yield Finding(element, f"{who}{inside} has no <{missing}>", f"add <{missing}>")
 
 
-def _without_shape(subject: Subject, element: Element, who: str) -> Finding:
+def _calls_macro(subject: Context, element: Element) -> bool:
+    """True if a child has the name of a macro, which may make what is missing."""
+    xacro = subject.reading.xacro
+    macros = {macro.name for macro in xacro.macros} if xacro else set()
+    return any(child.tag in macros for child in element.children)
+
+
+def _without_shape(subject: Context, element: Element, who: str) -> Finding:
     """A geometry without a shape, or what comes first in it."""
     message, severity = f"{who}: <geometry> has no shape", Severity.ERROR
     if has_element("geometry", element.tag):

@@ -21,7 +21,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import counted
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text import schema
 from urdfkit.text.document import Attribute
@@ -36,7 +36,7 @@ FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.0
     Severity.ERROR,
     help="write the required count of numbers, with decimal points, separated by spaces",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for element, attribute, kind, _ in subject.deviations.get("URD005", ()):
         assert attribute is not None
         if "|" in kind:

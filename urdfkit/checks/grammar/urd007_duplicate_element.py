@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from itertools import zip_longest
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import remove_element
@@ -33,7 +33,7 @@ FIXED = GOOD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIG
 
 
 @rule(Severity.WARNING, help="remove one of them")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     rejecting = [one for one in subject.given_facts if one.rejects_repeated]
     names = " and ".join(one.title for one in rejecting)
     for element, *_ in subject.deviations.get("URD007", ()):

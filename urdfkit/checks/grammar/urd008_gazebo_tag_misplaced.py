@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import element_xml, link_xml, robot_xml
 from urdfkit.ros.catalog.extensions import extensions
 from urdfkit.text.document import Element
@@ -27,11 +27,13 @@ FIXED = GOOD.replace('"wheel"/>', '"wheel">\n</link>')
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     misplaced = [element for element, *_ in subject.deviations.get("URD008", ())]
     fixes = _fixes(subject, misplaced)
     for element in misplaced:
         assert element.parent is not None
+        if element.parent.tag == "mujoco":
+            continue  # such a <sensor> is MuJoCo's
         yield Finding(
             element,
             f"{owner(element.parent)}: <{element.tag}> inside <{element.parent.tag}> is ignored",
@@ -42,7 +44,7 @@ def check(subject: Subject) -> Findings:
         )
 
 
-def _fixes(subject: Subject, misplaced: list[Element]) -> dict[Element, Fix]:
+def _fixes(subject: Context, misplaced: list[Element]) -> dict[Element, Fix]:
     """The move of all tags of one link or joint at once, for each of those tags."""
     groups: dict[Element, list[Element]] = {}
     for element in misplaced:
@@ -62,7 +64,7 @@ def _is_for(element: Element, owner: Element) -> bool:
     return extension is not None and extension.on in (owner.tag, "both")
 
 
-def _moved(subject: Subject, owner: Element, elements: list[Element]) -> Fix | None:
+def _moved(subject: Context, owner: Element, elements: list[Element]) -> Fix | None:
     """Into the block that there is for the owner, else into a new one behind it."""
     name = owner.attributes.get("name")
     if name is None or name.written_in is not None:

@@ -20,7 +20,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import owner, version_of
@@ -32,7 +32,7 @@ FIXED = BAD.replace("2.3", "1.0")
 
 
 @rule(Severity.ERROR)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     version = version_of(subject.document.root)
     for element, attribute, _, since in subject.deviations.get("URD011", ()):
         if not since:

@@ -14,7 +14,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_element
 
@@ -29,7 +29,7 @@ FIXED = GOOD = BAD.replace("Robot", "robot")
 
 
 @rule(Severity.ERROR, help="check the file that holds the <robot>")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     xacro = subject.reading.xacro
     if xacro is not None and xacro.is_library:
         return

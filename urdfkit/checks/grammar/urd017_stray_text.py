@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import link_xml, visual_xml
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import owner
@@ -28,7 +28,7 @@ _SHOWN = 40
 
 
 @rule(Severity.WARNING, help="write the value as an attribute, or remove it")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for deviation in subject.deviations.get("URD017", ()):
         element = deviation.element
         text = element.text.strip().split("\n")[0].rstrip()

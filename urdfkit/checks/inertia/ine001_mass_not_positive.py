@@ -14,7 +14,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import can_move
 from urdfkit.robot.model import Link
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
@@ -28,7 +28,7 @@ GOOD = BAD.replace('"0"/>\n    <inertia ixx="0.001"', '"0.5"/>\n    <inertia ixx
 
 
 @rule(Severity.ERROR, help="write the mass of the link in kg")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     masses = subject.masses
     for link in subject.model.links:
         mass = link.inertial.mass if link.inertial else None
@@ -49,7 +49,7 @@ def check(subject: Subject) -> Findings:
             )
 
 
-def _is_between_axes(link: Link, subject: Subject) -> bool:
+def _is_between_axes(link: Link, subject: Context) -> bool:
     """True for a link without shape and inertia between two moving joints, such as in a ball joint.
 
     Only simulators need its mass.

@@ -24,7 +24,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
@@ -43,7 +43,7 @@ FIXED = GOOD = BAD.replace('"0.15"', '"0.015"')
     help="take the tensor about the centre of mass from the CAD program, or compute it",
     computes_fix=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     masses = subject.masses
     for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
         links = masses.defects.get(defect, ())
@@ -58,7 +58,7 @@ def check(subject: Subject) -> Findings:
                 yield _finding(one, masses)._replace(targets=exact)
 
 
-def _is_balanced(subject: Subject) -> bool:
+def _is_balanced(subject: Context) -> bool:
     """True if only MuJoCo, which is as strict, reads the tensors, and it corrects them."""
     given = subject.given_facts
     is_exact = bool(given) and all(one.rejects_rounding for one in given)

@@ -26,7 +26,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import few, listed
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, Conversion
@@ -53,7 +53,7 @@ _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
     reports_missing=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     strict = [one for one in subject.given_facts if one.rejects_massless or one.density]
     if strict and not subject.is_part and not subject.mujoco.least_mass:
         for target in strict:
@@ -62,7 +62,7 @@ def check(subject: Subject) -> Findings:
         yield from _in_gazebo(subject)
 
 
-def _in_gazebo(subject: Subject) -> Findings:
+def _in_gazebo(subject: Context) -> Findings:
     if subject.masses.total == 0:
         yield from _without_any_mass(subject)
     elif not subject.is_part:  # what a part lacks, the whole may have
@@ -71,7 +71,7 @@ def _in_gazebo(subject: Subject) -> Findings:
     yield from _on_massless_frames(subject)
 
 
-def _in_target(subject: Subject, target: TargetFacts) -> Findings:
+def _in_target(subject: Context, target: TargetFacts) -> Findings:
     """What joints move without a mass, and what they move with one that nobody wrote."""
     for body in subject.masses.bodies:
         if body.joint is None:
@@ -102,7 +102,7 @@ def _in_target(subject: Subject, target: TargetFacts) -> Findings:
             )
 
 
-def _without_any_mass(subject: Subject) -> Findings:
+def _without_any_mass(subject: Context) -> Findings:
     links = subject.model.links
     if links and not subject.is_part:
         count = f"none of the {len(links)} links has a mass"
@@ -116,7 +116,7 @@ def _without_any_mass(subject: Subject) -> Findings:
         )
 
 
-def _without_mass(subject: Subject) -> Findings:
+def _without_mass(subject: Context) -> Findings:
     if subject.masses.total < 0:
         return
     for body in subject.gazebo.massless:
@@ -128,7 +128,7 @@ def _without_mass(subject: Subject) -> Findings:
                 yield finding
 
 
-def _finding(body: RigidBody, subject: Subject) -> Finding | None:
+def _finding(body: RigidBody, subject: Context) -> Finding | None:
     """None where only frames without shape and mass are dropped."""
     name, links = body.top.name, subject.model.links_by_name
     dropped = subject.tree.below(name)
@@ -149,7 +149,7 @@ def _finding(body: RigidBody, subject: Subject) -> Finding | None:
     )
 
 
-def _of_tiny_mass(subject: Subject) -> Findings:
+def _of_tiny_mass(subject: Context) -> Findings:
     old = subject.targets.among(_OLD_GAZEBO)
     for body in subject.masses.bodies:
         if body.joint is None or not 0 < body.mass <= NO_MASS:
@@ -166,7 +166,7 @@ def _of_tiny_mass(subject: Subject) -> Findings:
         )
 
 
-def _on_massless_frames(subject: Subject) -> Findings:
+def _on_massless_frames(subject: Context) -> Findings:
     old = subject.targets.among(_OLD_GAZEBO)
     for body in Conversion(subject.tree, OLD).stranded:
         joint = body.joint

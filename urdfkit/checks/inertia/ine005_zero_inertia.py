@@ -24,7 +24,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.inertia.copies import together
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, as_solid, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
@@ -54,7 +54,7 @@ MIN_DENSITY = 1.0
     help="compute the tensor from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from together(_zero(subject))
     thin = sorted(_thin(subject), key=lambda finding: -finding.weight)
     if thin:
@@ -66,7 +66,7 @@ def check(subject: Subject) -> Findings:
         )
 
 
-def _zero(subject: Subject) -> Iterator[tuple[LinkInertia, Finding]]:
+def _zero(subject: Context) -> Iterator[tuple[LinkInertia, Finding]]:
     masses = subject.masses
     is_rejected = any(one.least_moment for one in subject.given_facts)
     for body in masses.without_inertia:
@@ -98,7 +98,7 @@ def _finding(one: LinkInertia, joint: Joint) -> Finding:
     )
 
 
-def _thin(subject: Subject) -> Findings:
+def _thin(subject: Context) -> Findings:
     masses = subject.masses
     rejected = list(_rejected(subject))
     yield from rejected
@@ -119,7 +119,7 @@ def _thin(subject: Subject) -> Findings:
             )
 
 
-def _rejected(subject: Subject) -> Findings:
+def _rejected(subject: Context) -> Findings:
     """The tensors that a target rejects, of links that joints move or not."""
     targets = [one for one in subject.given_facts if one.least_moment]
     if not targets or subject.mujoco.least_moment:

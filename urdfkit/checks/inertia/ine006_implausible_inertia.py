@@ -30,7 +30,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import (
@@ -72,7 +72,7 @@ _SHARE = 0.1
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     masses = subject.masses
     too_large = masses.defects.get(InertiaDefect.TOO_LARGE, ())
     # One value for all small links, below which no moment goes, is one decision.

@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
@@ -29,7 +29,7 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     masses = subject.masses
     for one in masses.defects.get(InertiaDefect.UNLIKE_SHAPE, ()):
         assert one.expected is not None

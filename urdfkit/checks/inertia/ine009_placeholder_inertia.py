@@ -13,7 +13,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.inertia.copies import together
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import values
@@ -31,7 +31,7 @@ FILES = {"arm.stl": PLATE}
     Severity.WARNING,
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     links = subject.masses.defects.get(InertiaDefect.PLACEHOLDER, ())
     yield from together((one, _finding(one)) for one in links)
 

@@ -14,7 +14,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.inertia.copies import and_more, together
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.inertia import scaled
 from urdfkit.robot.inertials.defects import (
     HEAVIEST,
@@ -44,7 +44,7 @@ _ROOM = 1.0
 
 
 @rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     found = [(one, _finding(one)) for one in subject.masses.defects.get(InertiaDefect.DENSITY, ())]
     if subject.masses.consistently_wrong:
         yield _of_the_robot(found)

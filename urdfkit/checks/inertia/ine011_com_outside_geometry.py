@@ -18,7 +18,7 @@ from __future__ import annotations
 from math import inf
 
 from urdfkit.core.spatial import Vector
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside, center_mistake
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 
@@ -29,7 +29,7 @@ BAD = GOOD.replace("<mass", '<origin xyz="-0.4 0 0"/>\n    <mass')
 
 
 @rule(Severity.WARNING, help="write the <origin> of the <inertial> in the link's own frame, in m")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for one in subject.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ()):
         distance = center_is_outside(one)
         assert distance is not None

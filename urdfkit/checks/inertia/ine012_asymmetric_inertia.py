@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import unlike
@@ -23,7 +23,7 @@ BAD = '"0.15"'.join(GOOD.rsplit('"0.015"', 1))
 
 
 @rule(Severity.WARNING, help="compare the two, and give both the right value")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for left, right in subject.masses.asymmetric_pairs:
         yield _of_mass(left, right) if unlike(left, right) == "mass" else _of_inertia(left, right)
 

@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
 
@@ -32,7 +32,7 @@ GOOD = BAD.replace('"0.005"', '"1"').replace('"1e-6"', '"0.001"')
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
     options={"ratio": 1000.0},
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     bound = check.option(subject, "ratio")
     for body, load in subject.masses.overloaded(bound):
         link = body.top

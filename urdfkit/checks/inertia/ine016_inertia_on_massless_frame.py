@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import NOISE
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
@@ -29,7 +29,7 @@ GOOD = BAD.replace('"1"', '"0"')
     help="remove the <inertial>, or write the mass of the part",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     masses = subject.masses
     for link in subject.model.links:
         inertial, body = link.inertial, masses.body_of.get(link.name)

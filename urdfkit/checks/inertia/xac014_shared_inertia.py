@@ -20,7 +20,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.model import Link
@@ -73,7 +73,7 @@ FIXED = """\
 
 
 @rule(Severity.WARNING, computes_fix=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for tag, links in subject.masses.shared_by_macro.items():
         from urdfkit.robot.inertials.macro_fixes import computing
 

@@ -15,7 +15,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
@@ -29,7 +29,7 @@ _SIMILAR = 0.75
 
 
 @rule(Severity.ERROR, help=f"use one of {', '.join(JOINT_TYPES)}")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         kind = joint.at.attributes.get("type")
         if kind is None or kind.value in JOINT_TYPES or is_expression(kind.value):

@@ -17,7 +17,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import BOUNDED, effort_unit, unit
 from urdfkit.robot.model import Joint, Limit, RobotModel
 from urdfkit.robot.samples import arm_xml
@@ -27,7 +27,7 @@ GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')
 
 
 @rule(Severity.ERROR)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _unequal(subject.model)
     lacking = list(_lacking(subject.model))
     if lacking and not subject.targets.all_are("ignores_limits"):

@@ -18,7 +18,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint, Limit
 from urdfkit.robot.samples import arm_xml
@@ -33,7 +33,7 @@ _FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))
 
 
 @rule(Severity.ERROR)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         ends = bounds(joint)
         if joint.limit and ends and ends[0] > ends[1]:

@@ -24,7 +24,7 @@ from __future__ import annotations
 from math import hypot
 
 from urdfkit.core.spatial import Vector, length
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import arm_xml
@@ -48,7 +48,7 @@ _MIN_NOISE = 1e-9
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         at = joint.at.child("axis")
         if at is None or joint.kind not in (*MOVING, "planar"):

@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING
 from urdfkit.robot.samples import arm_xml
 
@@ -21,7 +21,7 @@ _DOES = {"prismatic": "moves along", "planar": "moves in the plane across"}
 
 
 @rule(Severity.INFO, help="write the axis, also if it is x")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         if joint.kind in (*MOVING, "planar") and joint.at.child("axis") is None:
             does = _DOES.get(joint.kind, "turns about")

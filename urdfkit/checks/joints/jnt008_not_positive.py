@@ -27,7 +27,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import (
     MOVING,
     can_move,
@@ -52,7 +52,7 @@ _HELP = {
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     """One finding for each limit: exporters write the same number for every joint."""
     joints = [joint for joint in subject.model.joints if joint.kind in MOVING]
     active = driven(subject.model)

@@ -27,7 +27,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from math import pi, radians
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint, Placed, RobotModel
 from urdfkit.robot.samples import arm_xml
@@ -69,43 +69,41 @@ _SLOW = 10.0
 
 
 @rule(Severity.WARNING, help="write it in radians, or radians per second")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _limits(subject.model)
     yield from _rotations(subject.document.root)
     yield from _speeds(subject.model)
 
 
 def _limits(model: RobotModel) -> Findings:
-    suspects: list[tuple[Joint, tuple[float, float]]] = []
-    for joint in model.joints:
-        ends = bounds(joint)
-        if ends and joint.kind == "revolute" and _whole(ends) and max(map(abs, ends)) > _FAR:
-            suspects.append((joint, ends))
+    revolute = [(one, ends) for one in model.joints if (ends := _ends(one))]
+    suspects = [one for one in revolute if _whole(one[1]) and max(map(abs, one[1])) > _FAR]
     sizes = {abs(end) for _, ends in suspects for end in ends if abs(end) > _ONE_TURN}
-    rest = [ends for joint in model.joints if (ends := _small(joint))]
-    lonely = len(rest) >= max(2, len(suspects)) and not sizes & _ROUND
+    # Of a joint that turns about once at most, somebody thought in radians.
+    in_radians = sum(0 < max(map(abs, ends)) < _ONE_TURN for _, ends in revolute)
+    lonely = in_radians >= max(2, len(suspects)) and not sizes & _ROUND
     many = len(sizes) > 1 and all(size % 5 == 0 for size in sizes) and not sizes <= _ROUND
-    for joint, (lower, upper) in suspects:
-        if not (many or lonely) and not {abs(lower), abs(upper)} & _NAMED:
-            continue
-        assert joint.limit is not None
-        turns = max(abs(lower), abs(upper)) / (2 * pi)
-        both = lower == int(lower) and upper == int(upper)
-        edits = scale_limits(joint.limit.at, pi / 180) if both else None
-        yield Finding(
-            joint.limit.at,
-            f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] rad, {turns:.1f} turns, which "
-            f"looks like degrees{'' if both else ' or a missing decimal point'}",
-            fix=Fix.of("write the limits in radians", edits),
-            confidence=Confidence.INFERRED,
-        )
+    for joint, ends in suspects:
+        if many or lonely or {abs(end) for end in ends} & _NAMED:
+            yield _limit(joint, *ends)
 
 
-def _small(joint: Joint) -> tuple[float, float] | None:
-    """The limits of a joint that turns about once at most: there somebody thought in radians."""
-    ends = bounds(joint)
-    is_small = ends is not None and 0 < max(map(abs, ends)) < _ONE_TURN
-    return ends if joint.kind == "revolute" and is_small else None
+def _ends(joint: Joint) -> tuple[float, float] | None:
+    return bounds(joint) if joint.kind == "revolute" else None
+
+
+def _limit(joint: Joint, lower: float, upper: float) -> Finding:
+    assert joint.limit is not None
+    turns = max(abs(lower), abs(upper)) / (2 * pi)
+    both = lower == int(lower) and upper == int(upper)
+    edits = scale_limits(joint.limit.at, pi / 180) if both else None
+    return Finding(
+        joint.limit.at,
+        f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] rad, {turns:.1f} turns, which "
+        f"looks like degrees{'' if both else ' or a missing decimal point'}",
+        fix=Fix.of("write the limits in radians", edits),
+        confidence=Confidence.INFERRED,
+    )
 
 
 def _whole(ends: tuple[float, float]) -> bool:

@@ -22,7 +22,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import length
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.joints import bounds, related, several
 from urdfkit.robot.model import Body, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
@@ -54,7 +54,7 @@ _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "fiel
 
 
 @rule(Severity.WARNING, help="divide by 1000: lengths are metres")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _origins(subject.model)
     yield from _limits(subject.model)
     yield from _shapes(subject.model)
@@ -123,29 +123,20 @@ def _limits(model: RobotModel) -> Findings:
 
 
 def _shapes(model: RobotModel) -> Findings:
-    sizes: dict[str, list[tuple[float, float, Body]]] = {}
-    for link in model.links:
-        for body in (*link.visuals, *link.collisions):
-            if body.shape and (half := body.shape.half_extents):
-                sizes.setdefault(link.name, []).append((2 * max(half), 2 * min(half), body))
-    rest = [size for found in sizes.values() for size, _, _ in found if size < _MIN_SIZE]
-    longest = max(rest, default=0.0)
-    suspects: list[tuple[str, list[tuple[float, Body]]]] = []
-    for name, bodies in sizes.items() if rest else ():
+    sizes = _sizes(model)
+    usual = [size for found in sizes.values() for size, _, _ in found if size < _MIN_SIZE]
+    longest = max(usual, default=0.0)
+    suspects: dict[str, list[tuple[float, Body]]] = {}
+    for name, bodies in sizes.items() if usual else ():
         # A rail may be long; what is in millimetres is thick as well.
-        found = [
-            (size, body)
-            for size, thickness, body in bodies
-            if size >= max(_MIN_SIZE, _TIMES_THE_REST * longest) and thickness > longest
-        ]
+        least = max(_MIN_SIZE, _TIMES_THE_REST * longest)
+        found = [(size, body) for size, thick, body in bodies if size >= least and thick > longest]
         if found and not any(word in name.lower() for word in _GROUNDS):
-            suspects.append((name, found))
-    usual = [
-        name for name, bodies in sizes.items() if min(size for size, _, _ in bodies) < _MIN_SIZE
-    ]
-    if len(suspects) > len(usual):
+            suspects[name] = found
+    usual_links = sum(any(size < _MIN_SIZE for size, _, _ in found) for found in sizes.values())
+    if len(suspects) > usual_links:
         return  # the walls of a scene
-    for name, ((size, body), *others) in suspects:
+    for name, ((size, body), *others) in suspects.items():
         yield Finding(
             body.shape.at if body.shape else body.at,
             f"link '{name}': the {body.at.tag} is {size:g} m long, the rest of the robot at most "
@@ -153,3 +144,13 @@ def _shapes(model: RobotModel) -> Findings:
             related=tuple(Related(other.at.span, f"{one:g} m, too") for one, other in others),
             confidence=Confidence.INFERRED,
         )
+
+
+def _sizes(model: RobotModel) -> dict[str, list[tuple[float, float, Body]]]:
+    """The longest and the shortest edge of each shape, in m, by the name of the link."""
+    sizes: dict[str, list[tuple[float, float, Body]]] = {}
+    for link in model.links:
+        for body in (*link.visuals, *link.collisions):
+            if body.shape and (half := body.shape.half_extents):
+                sizes.setdefault(link.name, []).append((2 * max(half), 2 * min(half), body))
+    return sizes

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from math import pi
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Limit
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
@@ -33,7 +33,7 @@ _TURN = 2 * pi - 0.01
 
 
 @rule(Severity.WARNING, help="remove lower and upper, or make the joint revolute")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "continuous" or joint.limit is None:
             continue

@@ -24,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.samples import arm_xml
@@ -66,7 +66,7 @@ class _Soft(Record):
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     """One finding for all soft limits with one defect: mostly every joint has the same margin."""
     soft = list(_soft_limits(subject.model))
     if outside := [one for one in soft if one.is_outside and not one.is_empty]:

@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.editing.edits import remove_element
 
@@ -20,7 +20,7 @@ FIXED = GOOD = BAD.replace('  <axis xyz="0 1 0"/>\n', "")
 
 
 @rule(Severity.INFO)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "fixed":
             continue

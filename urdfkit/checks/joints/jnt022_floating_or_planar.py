@@ -15,7 +15,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import arm_xml, link_xml
 from urdfkit.ros.targets import GAZEBO
 
@@ -28,7 +28,7 @@ GOOD = link_xml("base")
     help="remove it if the robot is to move freely, or use prismatic and revolute joints",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         if joint.kind in ("floating", "planar") and joint.type:
             yield Finding(

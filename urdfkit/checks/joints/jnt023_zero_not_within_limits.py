@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import bounds, related, several, unit
 from urdfkit.robot.model import Joint, Limit
 from urdfkit.robot.samples import arm_xml
@@ -27,7 +27,7 @@ _MARGIN = 0.01
     Severity.INFO,
     help="set an initial position, or rotate its origin so that 0 is within the limits",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     """One finding for all: the legs of a quadruped are alike."""
     found: list[tuple[Joint, Limit]] = []
     for joint in subject.model.joints:

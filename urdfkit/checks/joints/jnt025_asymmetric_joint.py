@@ -26,7 +26,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.joints.mirrored import misplaced
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
-from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.kinematics import TURNING, direction
 from urdfkit.robot.model import Joint, Placed
@@ -51,7 +51,7 @@ _RANGE_TOLERANCE = 0.05
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for first, second in subject.symmetric_joints:
         if differences := list(_differences(first, second)):
             yield Finding(
@@ -120,7 +120,7 @@ def _same(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
     return abs(ours[0] - theirs[0]) <= allowed and abs(ours[1] - theirs[1]) <= allowed
 
 
-def _axes(subject: Subject) -> Findings:
+def _axes(subject: Context) -> Findings:
     """Joints that turn about another axis than their counterparts."""
     frames = subject.tree.frames
     for left, right in subject.symmetric_joints:

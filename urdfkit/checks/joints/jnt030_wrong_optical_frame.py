@@ -20,7 +20,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import Rotation, multiply, rotate
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.robot.values import numbers
@@ -50,7 +50,7 @@ _FRAME_IDS = ("frameName", "frame_name", "gz_frame_id", "frame_id", "ignition_fr
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         if joint.kind != "fixed" or joint.parent is None or joint.child is None:
             continue
@@ -80,7 +80,7 @@ def check(subject: Subject) -> Findings:
         yield from _of_gazebo(subject)
 
 
-def _from_mount(subject: Subject, camera: str, rotation: Rotation) -> Rotation:
+def _from_mount(subject: Context, camera: str, rotation: Rotation) -> Rotation:
     """The rotation of an optical frame from what the frame of its camera is fixed to."""
     for joint in subject.tree.parents.get(camera, ()):
         if joint.kind == "fixed":
@@ -88,7 +88,7 @@ def _from_mount(subject: Subject, camera: str, rotation: Rotation) -> Rotation:
     return rotation
 
 
-def _of_gazebo(subject: Subject) -> Findings:
+def _of_gazebo(subject: Context) -> Findings:
     from urdfkit.ros.gazebo.sensors import sensors
 
     for sensor in sensors(subject.model):
@@ -117,7 +117,7 @@ def _of_gazebo(subject: Subject) -> Findings:
                     )
 
 
-def _looks_aside(subject: Subject, optical: str) -> bool:
+def _looks_aside(subject: Context, optical: str) -> bool:
     """True if z of an optical frame points forward, so that x does not."""
     joints = subject.tree.parents.get(optical, ())
     return any(rotate(joint.origin.rotation, (0.0, 0.0, 1.0))[0] > 0.99 for joint in joints)
@@ -128,7 +128,7 @@ def _is_rotated(pose: Element | None) -> bool:
     return values is not None and any(abs(angle) > 1e-6 for angle in values[3:])
 
 
-def _is_z_down(subject: Subject, camera: str) -> bool:
+def _is_z_down(subject: Context, camera: str) -> bool:
     """True if z of a camera's frame points down: it is mounted so, or all frames may be."""
     frame = subject.tree.frames.get(camera)
     if frame is not None and frame.rotation[2][2] < 0:
@@ -137,7 +137,7 @@ def _is_z_down(subject: Subject, camera: str) -> bool:
     return any(word.rstrip("0123456789") in _UNDER_WATER for word in words)
 
 
-def _has_sensor(subject: Subject, link: str) -> bool:
+def _has_sensor(subject: Context, link: str) -> bool:
     """True if a sensor of Gazebo is on a link: it looks along x, and would be rotated away."""
     blocks = (block for block in subject.model.gazebo if block.get("reference") == link)
     return any(block.child("sensor") for block in blocks)

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from urdfkit.core.spatial import Vector, dot, rotate
-from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Joint, Link
@@ -45,7 +45,7 @@ _ROUND, _FLAT = 0.94, 0.75
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
         if link := links.get(joint.child.value) if joint.child else None:

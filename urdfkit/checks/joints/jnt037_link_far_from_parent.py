@@ -10,10 +10,12 @@ Sources:
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from urdfkit.core.spatial import Transform
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
-from urdfkit.robot.model import Link
-from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
+from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import LinkSolid, solid
 
@@ -35,18 +37,12 @@ _HELD = ("fixed", "revolute", "continuous")
     Severity.WARNING,
     help="check the decimal point; the origin is measured from the parent link, in m",
 )
-def check(subject: Subject) -> Findings:
-    links = subject.model.links_by_name
-    for joint in subject.model.joints:
-        if max(map(abs, joint.origin.position)) < _LEAST or joint.kind not in _HELD:
-            continue
-        ends = (joint.parent, joint.child)
-        parent, child = (links.get(end.value) if end else None for end in ends)
-        if parent is None or child is None:
-            continue
-        found = _gap(subject, parent, child, joint.origin)
-        if found and not _is_bridged(subject, parent, child):
-            gap, longest = found
+def check(subject: Context) -> Findings:
+    far = list(_far(subject))
+    bodies = rigid_bodies(subject.tree) if far else ()
+    body_of = {link.name: body for body in bodies for link, _ in body.links}
+    for joint, parent, child, (gap, longest) in far:
+        if not _is_bridged(subject, parent, child, body_of):
             yield Finding(
                 joint.at.child("origin") or joint.at,
                 f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
@@ -55,7 +51,21 @@ def check(subject: Subject) -> Findings:
             )
 
 
-def _gap(subject: Subject, here: Link, there: Link, frame: Transform) -> tuple[float, float] | None:
+def _far(subject: Context) -> Iterator[tuple[Joint, Link, Link, tuple[float, float]]]:
+    """The joints whose links are far from each other, with parent, child, gap and longest edge."""
+    links = subject.model.links_by_name
+    for joint in subject.model.joints:
+        if max(map(abs, joint.origin.position)) < _LEAST or joint.kind not in _HELD:
+            continue
+        ends = (joint.parent, joint.child)
+        parent, child = (links.get(end.value) if end else None for end in ends)
+        if parent is None or child is None:
+            continue
+        if gap := _gap(subject, parent, child, joint.origin):
+            yield joint, parent, child, gap
+
+
+def _gap(subject: Context, here: Link, there: Link, frame: Transform) -> tuple[float, float] | None:
     """The gap between two links and the length of the longer one, in m; None if there is none.
 
     Args:
@@ -73,16 +83,23 @@ def _gap(subject: Subject, here: Link, there: Link, frame: Transform) -> tuple[f
     return (gap, longest) if gap > max(_TIMES * longest, _LEAST) else None
 
 
-def _is_bridged(subject: Subject, parent: Link, child: Link) -> bool:
-    """True if a link that is merged with one of two links is near the other, or may be."""
+def _is_bridged(
+    subject: Context, parent: Link, child: Link, body_of: Mapping[str, RigidBody]
+) -> bool:
+    """True if a link that is merged with one of two links is near the other, or may be.
+
+    Args:
+        subject: the robot.
+        parent: one of the links.
+        child: the other one.
+        body_of: the links that are merged with each link, by its name.
+    """
     frames = subject.tree.frames
     if not {parent.name, child.name} <= frames.keys():
         return False
     below = set(subject.tree.below(child.name))
-    bodies = [[link for link, _ in body.links] for body in rigid_bodies(subject.tree)]
     for end, other in ((parent, child), (child, parent)):
-        body = next(links for links in bodies if any(link.name == end.name for link in links))
-        for link in body:
+        for link, _ in body_of[end.name].links:
             is_on_this_side = (link.name in below) == (end is child)
             if (
                 link.name == end.name
@@ -96,5 +113,5 @@ def _is_bridged(subject: Subject, parent: Link, child: Link) -> bool:
     return False
 
 
-def _solid(subject: Subject, link: Link) -> LinkSolid | None:
+def _solid(subject: Context, link: Link) -> LinkSolid | None:
     return solid(link.visuals, subject.mesh_solid) or solid(link.collisions, subject.mesh_solid)

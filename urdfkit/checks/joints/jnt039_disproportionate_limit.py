@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -39,7 +39,7 @@ _OTHERS = 3
 
 
 @rule(Severity.WARNING, help="check the unit (N·m or N, rad/s or m/s) and the decimal point")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     joints = [joint for joint in subject.model.joints if joint.kind in MOVING and joint.limit]
     for kind in MOVING:  # wheels are other motors than arms
         alike = [joint for joint in joints if joint.kind == kind]

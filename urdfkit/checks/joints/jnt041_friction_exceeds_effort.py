@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint
@@ -36,7 +36,7 @@ _SLOW = 0.05
 
 
 @rule(Severity.WARNING, help="write friction in N·m (N for a slide), damping in N·m·s/rad (N·s/m)")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         dynamics = joint.at.child("dynamics")
         most = effort(joint)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.symmetry import pairs
 
@@ -33,7 +33,7 @@ class _Pair(Record):
         return max(map(abs, self.off))
 
 
-def misplaced(subject: Subject) -> Iterator[tuple[Joint, Joint, str]]:
+def misplaced(subject: Context) -> Iterator[tuple[Joint, Joint, str]]:
     """Counterparts that are not mirror images: the right one, the misplaced one, and the reason."""
     reported = set()
     for one, other, reason in _on_one_link(subject.model):
@@ -98,7 +98,7 @@ def _is_equal(one: Vector, other: Vector) -> bool:
     return all(abs(a - b) < _NEAR for a, b in zip(one, other, strict=True))
 
 
-def _pairs(subject: Subject) -> Iterator[_Pair]:
+def _pairs(subject: Context) -> Iterator[_Pair]:
     frames = subject.tree.frames
     for left, right in subject.symmetric_joints:
         here, there = (frames.get(joint.child.value) for joint in (left, right) if joint.child)

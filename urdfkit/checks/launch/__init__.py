@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True for a launch file."""
     return is_launch(subject.source.path)

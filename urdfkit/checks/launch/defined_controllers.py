@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Subject
+from urdfkit.lint.rules import Context
 from urdfkit.ros.controllers import Controller, read
 
 
-def defined_controllers(subject: Subject) -> dict[str, Controller]:
+def defined_controllers(subject: Context) -> dict[str, Controller]:
     """The controllers in the parameter files of a launch file and of its robots, by name."""
     found: dict[str, Controller] = {}
     for file in subject.launch.parameters:

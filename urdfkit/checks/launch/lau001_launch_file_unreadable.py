@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Need, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"
 BAD = "<launch><node></launch>"
@@ -18,5 +18,5 @@ GOOD = "<launch/>"
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="fix the file; the parser stopped here")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from reported(subject, "LAU001")

@@ -16,7 +16,7 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.worlds import GZ, worlds
@@ -34,7 +34,7 @@ _MAX_DIRECTORIES = 2000
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="create the file, or fix its name")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for file in subject.launch.files:
         if file.is_outside:
             message = f"{file.purpose} {file.path} {OUTSIDE}: not read"
@@ -46,7 +46,7 @@ def check(subject: Subject) -> Findings:
     yield from _worlds(subject)
 
 
-def _worlds(subject: Subject) -> Findings:
+def _worlds(subject: Context) -> Findings:
     """The worlds that Gazebo is to find by their paths, and misspelt ones of its own."""
     packages = subject.resolver.packages
     for started in worlds(subject.launch):
@@ -68,7 +68,7 @@ def _worlds(subject: Subject) -> Findings:
                 yield Finding(Location(started.span), f"Gazebo has no world '{name}'", hint)
 
 
-def _may_come_from_elsewhere(subject: Subject, path: str) -> bool:
+def _may_come_from_elsewhere(subject: Context, path: str) -> bool:
     """True if a build or a user makes a file, or the computer of the robot has it.
 
     Its name is not known either where an argument is empty unless given: ``$(arg model).yaml``, and

@@ -19,7 +19,7 @@ from __future__ import annotations
 from typing import Any
 
 from urdfkit.lint.rule_index import get
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.contents import LaunchedDescription
 from urdfkit.text.diagnostic import Problem
 
@@ -35,7 +35,7 @@ GOOD = BAD.replace("bad.xacro", "good.xacro")
     needs=(Need.LAUNCH,),
     help="fix the errors in the xacro, or pass the arguments that it needs",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for description in subject.launch.descriptions:
         robot = subject.other_robot(description.path, description.arguments)
         if robot.reading.document is None and not _may_expand(description, robot):
@@ -49,7 +49,7 @@ def check(subject: Subject) -> Findings:
             yield Finding(place, message, "write ParameterValue(Command(...), value_type=str)")
 
 
-def _may_expand(description: LaunchedDescription, robot: Subject) -> bool:
+def _may_expand(description: LaunchedDescription, robot: Context) -> bool:
     """True if it lacks arguments only, and is given some whose values are not known here.
 
     Or packages only, that this machine lacks: that is reported where they are needed.
@@ -58,13 +58,13 @@ def _may_expand(description: LaunchedDescription, robot: Subject) -> bool:
     return codes == {"XAC011"} or (not description.is_whole and codes == {"XAC010"})
 
 
-def _errors(robot: Subject) -> list[Problem]:
+def _errors(robot: Context) -> list[Problem]:
     """The errors of an expansion, a package that is not on this machine last."""
     found = [one for one in robot.reading.problems if get(one.code).severity is Severity.ERROR]
     return sorted(found, key=lambda problem: problem.code == "XAC011")
 
 
-def _why_no_text(robot: Subject) -> str:
+def _why_no_text(robot: Context) -> str:
     """Why YAML finds no text in an expanded robot; empty if it does, or the robot is broken."""
     if robot.reading.document is None or robot.reading.problems:
         return ""

@@ -19,7 +19,7 @@ from __future__ import annotations
 import os
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
 NAME = "robot.launch"
@@ -38,7 +38,7 @@ FILES = {
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="pass an argument that the file has")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for finding in reported(subject, "LAU005"):
         _, _, argument = finding.message.partition("': ")
         yield finding._replace(group_key=argument)

@@ -14,7 +14,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Need, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"
 BAD = """\
@@ -27,5 +27,5 @@ GOOD = BAD.replace("use_giu", "use_gui")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="declare the argument, or fix its name")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from reported(subject, "LAU006")

@@ -18,7 +18,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Need, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"
 BAD = '<launch><node name="rviz" pkg="rviz" type="rviz" respwan="true"/></launch>'
@@ -26,5 +26,5 @@ GOOD = BAD.replace("respwan", "respawn")
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from reported(subject, "LAU010")

@@ -16,9 +16,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
-from urdfkit.core.suggest import Suggester, did_you_mean, nearest
+from urdfkit.core.suggest import Suggester, nearest
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.controllers import controllers as in_files
 from urdfkit.ros.controllers import read
 from urdfkit.ros.launch.spawned_controllers import controllers
@@ -48,7 +48,7 @@ _MAX_FILES, _MAX_DIRECTORIES = 200, 2000
     needs=(Need.LAUNCH,),
     help="fix the name, or define the controller in the YAML file",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     wanted = [(word, s.frame) for s in subject.launch.started for word in controllers(s)]
     if not wanted or subject.launch.names_parameters:
         return
@@ -63,12 +63,11 @@ def check(subject: Subject) -> Findings:
         if name not in known and (is_whole or is_typo):
             yield Finding(
                 Location(word.span, frame),
-                f"controller '{name}' is not defined in any parameter file"
-                + did_you_mean(name, known),
+                f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
             )
 
 
-def _loaded(subject: Subject) -> set[str]:
+def _loaded(subject: Context) -> set[str]:
     """The controllers in the files that the launch file or its robots load."""
     found: set[str] = set()
     for file in subject.launch.parameters:
@@ -80,14 +79,14 @@ def _loaded(subject: Subject) -> set[str]:
     return found
 
 
-def _is_whole(subject: Subject) -> bool:
+def _is_whole(subject: Context) -> bool:
     """True if nothing that is not at hand may define controllers."""
     launch = subject.launch
     is_known = (p.searched is None or comes_with_ros(p.name) for p in launch.packages)
     return all(file.exists for file in launch.parameters) and all(is_known)
 
 
-def _package_files(subject: Subject) -> Iterator[str]:
+def _package_files(subject: Context) -> Iterator[str]:
     """The YAML files of the packages that the launch file is in and names."""
     home = subject.resolver.packages.enclosing(subject.source.path)
     directories = {home[1]} if home else set()
@@ -99,7 +98,7 @@ def _package_files(subject: Subject) -> Iterator[str]:
         yield from islice((file for file in files if file.endswith((".yaml", ".yml"))), _MAX_FILES)
 
 
-def _defined(subject: Subject, path: str) -> set[str]:
+def _defined(subject: Context, path: str) -> set[str]:
     """The controllers of a YAML file."""
     try:
         source = subject.resolver.read(path)

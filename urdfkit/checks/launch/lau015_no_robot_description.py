@@ -10,7 +10,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -28,9 +28,9 @@ _PARAMETER = "robot_description"
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="give the node the parameter robot_description")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for node in subject.launch.started:
-        given = node.parameters
+        given = node.parameters.every
         if node.package != "robot_state_publisher" or given is None or node.words:
             continue
         if _PARAMETER not in given:

@@ -18,7 +18,7 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawning import Spawner, options, spawner_of
@@ -45,7 +45,7 @@ _TOPIC = "robot_description"
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for started in subject.launch.started:
         spawner = spawner_of(started)
         if spawner is None:
@@ -64,7 +64,7 @@ def check(subject: Subject) -> Findings:
                 )
             else:
                 yield from _value(option, word, place)
-        if is_known and started.words and not started.parameters:
+        if is_known and started.words and not started.parameters.values:
             yield from _missing(started, spawner, given)
 
 

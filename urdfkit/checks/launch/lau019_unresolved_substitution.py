@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Need, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"
 BAD = '<launch><rosparam command="load" file="$(dirname)/control.yaml"/></launch>'
@@ -19,5 +19,5 @@ FILES = {"control.yaml": b"drive:\n  base_frame_id: $(arg prefix)base_link\n"}
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from reported(subject, "LAU019")

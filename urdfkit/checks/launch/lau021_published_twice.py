@@ -21,7 +21,7 @@ from collections.abc import Iterator
 from math import dist
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller
@@ -47,7 +47,7 @@ _NEAR = 1e-3
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     launch = subject.launch
     started = [one for one in (*launch.started, *launch.included) if one.is_sure]
     yield from _transforms(subject, started)
@@ -55,7 +55,7 @@ def check(subject: Subject) -> Findings:
     yield from _claims(subject, started)
 
 
-def _transforms(subject: Subject, started: list[StartedProgram]) -> Findings:
+def _transforms(subject: Context, started: list[StartedProgram]) -> Findings:
     published = [(one, found) for one in started if (found := static_transform(one))]
     if not published or all(one.package != "robot_state_publisher" for one in started):
         return
@@ -92,7 +92,7 @@ def _joint_states(started: list[StartedProgram]) -> Findings:
     spawned = [word for one in started if activates(one) for word in controllers(one)]
     broadcaster = next((word for word in spawned if word.text == _BROADCASTER), None)
     for one in started:
-        is_other = one.is_remapped or "source_list" in (one.parameters or ())
+        is_other = one.is_remapped or "source_list" in one.parameters.values
         if broadcaster and one.package in _PUBLISHERS and not is_other:
             yield Finding(
                 Location(one.span, one.frame),
@@ -102,7 +102,7 @@ def _joint_states(started: list[StartedProgram]) -> Findings:
             )
 
 
-def _claims(subject: Subject, started: list[StartedProgram]) -> Findings:
+def _claims(subject: Context, started: list[StartedProgram]) -> Findings:
     defined = defined_controllers(subject)
     owners: dict[tuple[str, str], Word] = {}
     for word, one in _activated(started):

@@ -11,6 +11,9 @@ in another format, such as COLLADA, is an error. Drake leaves out visuals that i
 MuJoCo all, unless the robot has `<mujoco><compiler discardvisual="false"/>`. Of an OBJ MuJoCo loads
 the first object or group and leaves out the others without a message (warning).
 
+RViz 2 loads no ASCII STL up to ROS 2 Iron, so that Humble shows nothing of the link; since Jazzy it
+does. In a robot for ROS 2 such a visual is an info.
+
 A binary STL that begins with `solid` is an info: ASCII files begin so, and the header of a binary
 one is free. RViz, Gazebo, MuJoCo and Python libraries load it, RViz with a warning; simple parsers
 take it for a broken ASCII file. `urdfkit mesh convert` writes it without the word.
@@ -18,6 +21,8 @@ take it for a broken ASCII file. `urdfkit mesh convert` writes it without the wo
 Sources:
     RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
     Gazebo Classic, MeshManager.cc: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/MeshManager.cc
+    ros2/rviz#712, ASCII STL: https://github.com/ros2/rviz/issues/712
+    ros2/rviz#1063, STL by assimp: https://github.com/ros2/rviz/pull/1063
     assimp, STLLoader.cpp: https://github.com/assimp/assimp/blob/master/code/AssetLib/STL/STLLoader.cpp
     ros2/rviz#888: https://github.com/ros2/rviz/issues/888
     MuJoCo, its decoders of meshes: https://github.com/google-deepmind/mujoco/tree/main/plugin
@@ -29,8 +34,8 @@ from __future__ import annotations
 import os
 
 from urdfkit.core import disk
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
-from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, OBJ
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.mesh.io.facts import ASCII_STL, BY_SUFFIX, MAX_BYTES, OBJ
 from urdfkit.mesh.io.obj import objects
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
@@ -49,7 +54,7 @@ _NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
 @rule(
     Severity.ERROR, needs=(Need.MODEL, Need.FILES), help="export it as STL, COLLADA (.dae) or OBJ"
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for mesh in subject.files.meshes:
         facts, path = mesh.facts, mesh.located.path
         if facts is None or path is None or facts.defect:
@@ -64,6 +69,8 @@ def check(subject: Subject) -> Findings:
             yield Finding(mesh.at, message, "give the file the suffix of its format")
         else:
             yield from _not_for_target(subject, mesh, facts.format)
+            if facts.format == ASCII_STL and mesh.role == "visual":
+                yield from _not_in_rviz(subject, mesh)
     for mesh in subject.files.each_file:
         if mesh.facts and mesh.facts.starts_with_solid:
             message = f"{mesh.who} is a binary STL and begins with 'solid'"
@@ -71,7 +78,7 @@ def check(subject: Subject) -> Findings:
             yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
 
 
-def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Findings:
+def _not_for_target(subject: Context, mesh: MeshReference, form: str) -> Findings:
     """A format that a target does not load, of a mesh that it wants."""
     for target in subject.given_facts:
         is_wanted = subject.loads_visuals and not target.leaves_out_visuals
@@ -98,6 +105,18 @@ def _not_for_target(subject: Subject, mesh: MeshReference, form: str) -> Finding
 
 def _suffix(form: str) -> str:
     return next(suffix for suffix, forms in BY_SUFFIX.items() if form in forms)
+
+
+def _not_in_rviz(subject: Context, mesh: MeshReference) -> Findings:
+    if subject.targets.any_of(("ros2",)):
+        yield Finding(
+            mesh.at,
+            f"{mesh.who} is an ASCII STL, which RViz 2 does not load up to ROS 2 Iron",
+            "urdfkit mesh convert FILE NEW.stl",
+            group_key="ascii in RViz",
+            severity=Severity.INFO,
+            targets=("ros2",),
+        )
 
 
 def _objects(mesh: MeshReference) -> int:

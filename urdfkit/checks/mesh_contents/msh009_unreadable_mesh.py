@@ -21,7 +21,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.lint.context import Unavailable
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_defects import MeshDefect, losses
@@ -48,7 +48,7 @@ _HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE NEW.dae"
     help="export the mesh again, or copy it from where the robot comes from",
     about_files=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for mesh in subject.files.meshes:
         if mesh.facts is None:
             continue
@@ -63,7 +63,7 @@ def check(subject: Subject) -> Findings:
     yield from _partly(subject)
 
 
-def _partly(subject: Subject) -> Findings:
+def _partly(subject: Context) -> Findings:
     """Of files that look whole; none where meshes are not measured."""
     try:
         measured = subject.measured

@@ -17,7 +17,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
 from urdfkit.robot.assets.mesh_uses import MeshUse
@@ -41,7 +41,7 @@ FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
     needs=(Need.MODEL, Need.MESHES),
     help='add scale="0.001 0.001 0.001" to the mesh, or export it in metres',
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.MILLIMETRES, ()):
         length = use.longest

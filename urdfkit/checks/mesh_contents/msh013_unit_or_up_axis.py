@@ -32,7 +32,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.samples import mesh_xml
@@ -53,7 +53,7 @@ FILES = {
     needs=(Need.MODEL, Need.FILES),
     help="bake the unit into the vertices: urdfkit mesh convert FILE NEW.dae",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     collisions = {mesh.located.path for mesh in subject.files.meshes if mesh.role == "collision"}
     for mesh in subject.files.each_file:
         if mesh.facts and has_other_unit(mesh.facts):
@@ -84,7 +84,7 @@ def check(subject: Subject) -> Findings:
 
 
 def _once(
-    subject: Subject,
+    subject: Context,
     concerns: Callable[[MeshFacts], bool],
     describe: Callable[[MeshFacts], str],
     effect: str,

@@ -28,7 +28,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import counted
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import BOX, box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.assets.mesh_uses import MeshUse
@@ -48,7 +48,7 @@ FILES = {
     needs=(Need.MODEL, Need.MESHES),
     help="urdfkit mesh repair FILE, or urdfkit mesh hull FILE",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     defects = subject.measured.defects
     fatal = tuple(one.name for one in subject.given_facts if one.least_volume)
     severity = Severity.ERROR if fatal else Severity.WARNING

@@ -12,7 +12,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import counted
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.samples import mesh_xml
@@ -26,7 +26,7 @@ FILES = {
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.MESHES), help="urdfkit mesh repair FILE")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for use in subject.measured.defects.get(MeshDefect.DEGENERATE, ()):
         found = use.measures
         yield Finding(

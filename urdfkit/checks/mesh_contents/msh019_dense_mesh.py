@@ -21,7 +21,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import BINARY_STL
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import (
@@ -47,7 +47,7 @@ FILES = {
     help="make a lighter one: urdfkit mesh collision FILE, or urdfkit mesh simplify FILE",
     options={"triangles": DENSE_COLLISION},
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _slow_collisions(subject, check.option(subject, "triangles"))
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.DENSE_SHARED, ()):
@@ -73,7 +73,7 @@ def check(subject: Subject) -> Findings:
         )
 
 
-def _slow_collisions(subject: Subject, bound: float) -> Findings:
+def _slow_collisions(subject: Context, bound: float) -> Findings:
     dense = {
         use.path: use
         for use in reversed(subject.measured.files)

@@ -16,7 +16,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import MeshDefect, missing_textures
 from urdfkit.robot.samples import mesh_xml
@@ -34,7 +34,7 @@ FILES = {
     needs=(Need.MODEL, Need.MESHES),
     help="add the image next to the mesh, or give the mesh a plain colour",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.MISSING_TEXTURES, ()):
         names = missing_textures(use)

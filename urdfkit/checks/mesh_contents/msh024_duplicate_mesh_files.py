@@ -7,7 +7,7 @@ both places; a `<mesh>` can be mirrored with its scale and moved with its `<orig
 from __future__ import annotations
 
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 
@@ -21,10 +21,11 @@ FILES = dict.fromkeys(("left.stl", "right.stl"), stl(box((0, 0, 0), (0.1, 0.1, 0
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.FILES), help="refer to one of them from both places")
-def check(subject: Subject) -> Findings:
-    if not subject.files.copies:
+def check(subject: Context) -> Findings:
+    copies = subject.files.copies
+    if not copies:
         return
-    (copy, first), *others = subject.files.copies
+    (copy, first), *others = copies
     yield Finding(
         copy.at,
         f"{copy.who} has the same content as '{first.at.value}'{more_like_this(len(others))}",

@@ -17,7 +17,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import COLOURS, MeshDefect, extras
 from urdfkit.robot.samples import mesh_xml
@@ -38,7 +38,7 @@ FILES = {
     needs=(Need.MODEL, Need.MESHES),
     help="export the mesh alone, or urdfkit mesh convert FILE NEW.dae",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     defects = subject.measured.defects
     for use in defects.get(MeshDefect.EXTRAS, ()):
         content = ", ".join(extras(use))

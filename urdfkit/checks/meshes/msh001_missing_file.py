@@ -28,7 +28,7 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
@@ -54,7 +54,7 @@ _REMOTE = ("http", "https", "ftp", "fuel")
     help="add the file, or generate one: urdfkit mesh generate --model ROBOT",
     about_files=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     missing = set(map(id, subject.files.missing))
     for mesh in subject.files.meshes:
         scheme, colon, rest = mesh.at.value.partition("://")
@@ -78,7 +78,7 @@ def check(subject: Subject) -> Findings:
             yield _missing(subject, mesh)
 
 
-def _without_package(subject: Subject, mesh: MeshReference, scheme: str, rest: str) -> Finding:
+def _without_package(subject: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
     """``package:///name/...``, whose package is the empty text before the third slash."""
     reference = f"{scheme}://{rest.lstrip('/')}"
     is_found = subject.resolver.locate(reference, subject.files.top).path is not None
@@ -95,7 +95,7 @@ def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
     return Finding(mesh.at, message, f"did you mean '{right}://'?", fix)
 
 
-def _missing(subject: Subject, mesh: MeshReference) -> Finding:
+def _missing(subject: Context, mesh: MeshReference) -> Finding:
     files, located = subject.files, mesh.located
     if spelling := files.spelling_on_disk(mesh):
         message = f"{mesh.who} is called '{spelling.reference}' on disk: not found on Linux"

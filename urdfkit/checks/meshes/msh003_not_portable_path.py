@@ -9,12 +9,18 @@ A reference that leaves its package with `..` works in the source tree, where th
 by side. A build installs each package in a directory of its own, where the file is another one or
 none. Refer to the package that holds the file.
 
+A path with characters outside ASCII is found by ROS on Linux, and not by PyBullet, nor by others on
+Windows; archives and file systems write the same letter in two ways, of which one is found.
+
 A mesh file that git ignores is missing in every clone of the repository. Most often a pattern for
 the output of compilers, such as `*.obj`, or for large files, matches it. `git add -f` adds the
 file; a line such as `!meshes/*.obj` in .gitignore is a lasting exception.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
+    bulletphysics/bullet3#3000: https://github.com/bulletphysics/bullet3/issues/3000
+    drfenixion/freecad.robotcad#58, in Gazebo: https://github.com/drfenixion/freecad.robotcad/issues/58
+    Unicode in file names: https://git-scm.com/docs/git-config#Documentation/git-config.txt-coreprecomposeUnicode
     gitignore: https://git-scm.com/docs/gitignore
     REP 122, installed files: https://ros.org/reps/rep-0122.html
 """
@@ -24,7 +30,7 @@ from __future__ import annotations
 import posixpath
 import re
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
@@ -42,7 +48,7 @@ _WRITTEN_ABSOLUTE = r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.FILES), help="refer to it as package://PACKAGE/...")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for mesh in subject.files.meshes:
         path = mesh.located.path or mesh.located.outside
         if path is None:
@@ -53,6 +59,9 @@ def check(subject: Subject) -> Findings:
             fix = fix_value(mesh.literal, reference) if mesh.literal and known else None
             message = f"{mesh.who} is an absolute path, which exists on this machine only"
             yield Finding(mesh.at, message, fix=fix, group_key="absolute")
+        if isinstance(mesh.at.at, Attribute) and not mesh.at.at.span.text.isascii():
+            message = f"{mesh.who} has characters outside ASCII in its path, which is not portable"
+            yield Finding(mesh.at, message, "rename the file", group_key="ascii")
         if package := _left(subject, mesh, path):
             message = f"{mesh.who} leaves package '{package}': not found once installed"
             home = subject.resolver.packages.enclosing(path)
@@ -75,7 +84,7 @@ def _is_absolute(mesh: MeshReference) -> bool:
     )
 
 
-def _left(subject: Subject, mesh: MeshReference, path: str) -> str | None:
+def _left(subject: Context, mesh: MeshReference, path: str) -> str | None:
     """The package that a reference starts in and leaves."""
     located = mesh.located
     if ".." not in located.relative:

@@ -21,7 +21,7 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
@@ -48,7 +48,7 @@ FILES = {
     needs=(Need.MODEL, Need.FILES),
     help="give MuJoCo a copy of the URDF with names relative to it, as in ../meshes/arm.stl",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if subject.is_part or all(one.finds_packages for one in subject.given_facts):
         return
     wanted = [
@@ -66,7 +66,7 @@ def check(subject: Subject) -> Findings:
         yield Finding(first.at, message, help, fix)
 
 
-def _is_lost(subject: Subject, mesh: MeshReference) -> bool:
+def _is_lost(subject: Context, mesh: MeshReference) -> bool:
     """True for a mesh that MuJoCo alone does not find, as far as may be looked."""
     located = mesh.located
     if located.path is None and (located.package is None or located.directory is not None):
@@ -75,7 +75,7 @@ def _is_lost(subject: Subject, mesh: MeshReference) -> bool:
     return subject.resolver.admits(path) and not disk.is_file(path)
 
 
-def _directory(subject: Subject, wanted: list[MeshReference]) -> tuple[str, Fix | None]:
+def _directory(subject: Context, wanted: list[MeshReference]) -> tuple[str, Fix | None]:
     """How to name the directory of all meshes, if they are in one; else nothing."""
     root = subject.document.root
     directories = {os.path.dirname(mesh.located.path or "") for mesh in wanted}

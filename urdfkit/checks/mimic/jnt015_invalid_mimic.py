@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.samples import hand_xml
@@ -37,7 +37,7 @@ _IMMOBILE = frozenset(JOINT_TYPES) - frozenset(MOVING)
 
 
 @rule(Severity.ERROR)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for cycle in _cycles(subject.model):
         yield _cycle_finding(cycle)
     yield from _immobile(subject)
@@ -85,7 +85,7 @@ def _cycles(model: RobotModel) -> Iterator[list[Joint]]:
             yield path[path.index(joint) :]
 
 
-def _immobile(subject: Subject) -> Findings:
+def _immobile(subject: Context) -> Findings:
     """Leaders, and for Drake followers, without one position; one finding for each reason."""
     known = subject.model.joints_by_name
     drake = subject.targets.that("needs_movable_mimic")

@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import hand_xml
@@ -26,7 +26,7 @@ _TOLERANCE = 0.02
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     known = subject.model.joints_by_name
     for joint in subject.model.joints:
         mimic, own = joint.mimic, bounds(joint)

@@ -16,7 +16,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
@@ -42,7 +42,7 @@ GOOD = BAD.replace("</gazebo>", f"{_PLUGIN}</gazebo>")
     help="add a mimic plugin, list the joints in <ros2_control>, or use bullet-featherstone",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     """One finding for all: a hand has a dozen of them."""
     if not subject.targets.any_of(GAZEBO):
         return

@@ -10,7 +10,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.spatial import dot, length, minus, rotate
-from urdfkit.lint.rules import Confidence, Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import hand_xml
@@ -29,7 +29,7 @@ _ALONG = 0.9
 
 
 @rule(Severity.WARNING, help="invert the axis of one of the two, or the sign of the multiplier")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         target = joint.mimic.joint if joint.mimic else None
         leader = subject.model.joints_by_name.get(target.value) if target else None

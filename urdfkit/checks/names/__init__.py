@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True for a document with a robot in it."""
     return bool(subject.model.links or subject.model.joints)

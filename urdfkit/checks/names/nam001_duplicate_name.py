@@ -21,7 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import Material, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Element
@@ -36,7 +36,7 @@ GOOD = BAD.replace('<link name="wheel"/>\n', "", 1)
 
 
 @rule(Severity.ERROR)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     model = subject.model
     help = "give each {} its own name, in a macro by a prefix"
     yield from _duplicates((link.at for link in model.links), help.format("link"))

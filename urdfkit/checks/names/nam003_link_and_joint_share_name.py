@@ -15,7 +15,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
@@ -34,7 +34,7 @@ GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
         **dict.fromkeys(("gz-fortress", "gz-harmonic", "gz-jetty"), Severity.ERROR),
     },
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
         if joint.name not in links:
@@ -50,7 +50,7 @@ def check(subject: Subject) -> Findings:
         )
 
 
-def _is_merged(joint: Joint, subject: Subject) -> bool:
+def _is_merged(joint: Joint, subject: Context) -> bool:
     """True if Gazebo merges the joint, or the link of its name, so that one of them is left."""
     gazebo = subject.gazebo
     merged = joint.kind == "fixed" and joint.name not in gazebo.kept

@@ -26,7 +26,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.model import Link
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.grammar import is_expression
@@ -36,7 +36,7 @@ GOOD = '<link name="base_link"/>'
 
 
 @rule(Severity.WARNING, help="use letters, digits and _")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     model = subject.model
     for element in (*(link.at for link in model.links), *(joint.at for joint in model.joints)):
         name = element.attributes.get("name")
@@ -73,7 +73,7 @@ def _has_namespace(joint: Element, text: str) -> bool:
     return child is not None and (child.get("link") or "").startswith(space)
 
 
-def _first_character(subject: Subject, name: Attribute) -> Findings:
+def _first_character(subject: Context, name: Attribute) -> Findings:
     tag, text = name.element.tag, name.value
     if text.startswith("/") and tag == "link":
         yield Finding(
@@ -92,7 +92,7 @@ def _first_character(subject: Subject, name: Attribute) -> Findings:
         )
 
 
-def _reserved(subject: Subject, name: Attribute) -> Findings:
+def _reserved(subject: Context, name: Attribute) -> Findings:
     tag, text = name.element.tag, name.value
     model = subject.model
     if len(text) > 4 and text.startswith("__") and text.endswith("__"):

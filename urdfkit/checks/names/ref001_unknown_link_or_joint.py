@@ -19,7 +19,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Attribute
@@ -37,15 +37,15 @@ _INCLUDE = "add the link, or include the file in the robot that has it"
 
 
 @rule(Severity.ERROR, reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _links(subject)
     yield from _leaders(subject.model)
 
 
-def _links(subject: Subject) -> Findings:
+def _links(subject: Context) -> Findings:
     known = subject.model.links_by_name
     children = {joint.child.value for joint in subject.model.joints if joint.child}
-    is_fragment = subject.source.path.endswith(".xacro") and not subject.has_base
+    is_fragment = subject.source.path.endswith(".xacro") and not subject.tree.has_base
     # A second parent would be another error.
     suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
     for joint in subject.model.joints:

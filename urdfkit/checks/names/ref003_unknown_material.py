@@ -12,7 +12,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Findings, Fix, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute, Element
@@ -36,7 +36,7 @@ SHOWN = 8
     help='define it below <robot>, as <material name="..."><color rgba="..."/></material>',
     reports_missing=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     model = subject.model
     top = {material.at.get("name"): material.at for material in model.materials}
     used = [body.material.at for link in model.links for body in link.visuals if body.material]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.package_references import are_in
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True for a launch file, and for a description that refers to packages."""
     if is_launch(subject.source.path) or subject.problems("XAC011"):
         return True

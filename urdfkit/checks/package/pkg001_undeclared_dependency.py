@@ -15,7 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.rules import Finding, Findings, Fix, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
@@ -44,7 +44,7 @@ _CYCLE = "move the file to '{1}' or to '{0}': '{0}' depends on '{1}', so the rev
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     manifest = manifest_of(subject.resolver, subject.source.path)
     if manifest is None:
         return
@@ -72,14 +72,14 @@ def check(subject: Subject) -> Findings:
         )
 
 
-def _launched(subject: Subject) -> Iterator[tuple[str, Span]]:
+def _launched(subject: Context) -> Iterator[tuple[str, Span]]:
     """The packages that a launch file names itself and that are found; XAC011 has the others."""
     for package in subject.launch.packages:
         if package.searched is None and package.span.source.path == subject.source.path:
             yield package.name, package.span
 
 
-def _referenced(subject: Subject) -> Iterator[tuple[str, Span]]:
+def _referenced(subject: Context) -> Iterator[tuple[str, Span]]:
     """The packages that a description refers to and that are found; XAC011 has the others."""
     for mention in of_package(subject.document.sources, subject.resolver.packages):
         try:

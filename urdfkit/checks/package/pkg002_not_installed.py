@@ -17,7 +17,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
@@ -37,7 +37,7 @@ FILES = {
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     home = subject.resolver.packages.enclosing(subject.source.path)
     if home is None:
         return
@@ -54,14 +54,14 @@ def check(subject: Subject) -> Findings:
             yield Finding(Location(span), message, rules.advice(top))
 
 
-def _referenced(subject: Subject, name: str, directory: str) -> Iterator[tuple[str, Span]]:
+def _referenced(subject: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:
     """The files of its own package that a description refers to, relative to the package."""
     for mention in of_package(subject.document.sources, subject.resolver.packages):
         if mention.package == name and mention.relative.partition("/")[0]:
             yield mention.relative, mention.span
 
 
-def _launched(subject: Subject, name: str, directory: str) -> Iterator[tuple[str, Span]]:
+def _launched(subject: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:
     """A launch file, and the files of its own package that it names, relative to the package."""
     own = os.path.abspath(subject.source.path)
     if not os.path.relpath(own, directory).startswith("launch"):

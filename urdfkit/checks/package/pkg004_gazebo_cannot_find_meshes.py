@@ -16,7 +16,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import visual_xml
@@ -45,7 +45,7 @@ _GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
     needs=(Need.MODEL, Need.FILES),
     by_target=dict.fromkeys(("classic-ros2", *_GZ), Severity.WARNING),
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if is_launch(subject.source.path):
         return
     if not (subject.model.gazebo or subject.given_targets) or subject.is_part:
@@ -76,7 +76,7 @@ def check(subject: Subject) -> Findings:
         )
 
 
-def _of_packages(subject: Subject) -> dict[str, list[MeshReference]]:
+def _of_packages(subject: Context) -> dict[str, list[MeshReference]]:
     """The meshes that are there and are named by a package, by the package."""
     found: dict[str, list[MeshReference]] = {}
     for mesh in subject.files.meshes:

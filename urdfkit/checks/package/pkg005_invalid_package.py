@@ -28,7 +28,7 @@ from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
@@ -60,7 +60,7 @@ _BROKEN = ("XML001", "XML002")
 
 
 @rule(Severity.ERROR, help="fix the package.xml")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     path, resolver = subject.source.path, subject.resolver
     if not (is_launch(path) or are_in(subject.document.sources)):
         return

@@ -22,7 +22,7 @@ import re
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.context import Unavailable
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, reported, rule
 from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import xacro_xml
@@ -41,7 +41,7 @@ _NAME = r"^package '([^']+)'"
     needs=(),
     help="name its directory with --package NAME=DIR, or add the package to the workspace",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     problems = subject.problems("XAC011")
     for problem, finding in zip(problems, reported(subject, "XAC011"), strict=True):
         (name,) = re.findall(_NAME, problem.message)
@@ -49,7 +49,11 @@ def check(subject: Subject) -> Findings:
         known = subject.resolver.packages.known(subject.source.path)
         alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
         help = finding.help + ("" if severity else did_you_mean(name, alike))
-        yield finding._replace(help=help, group_key=name, severity=severity)
+        message = finding.message
+        if severity and subject.reading.document is None:
+            reason = "is not found, so the robot is not checked"
+            message = message.replace("is not found", reason, 1)
+        yield finding._replace(message=message, help=help, group_key=name, severity=severity)
     if is_launch(subject.source.path):
         yield from _launched(subject)
         return
@@ -62,7 +66,7 @@ def check(subject: Subject) -> Findings:
             yield _of_meshes(subject, name, meshes)
 
 
-def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Finding:
+def _of_meshes(subject: Context, name: str, meshes: list[MeshReference]) -> Finding:
     """One finding for all meshes of a package."""
     first = meshes[0]
     count = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
@@ -79,12 +83,12 @@ def _of_meshes(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
     )
 
 
-def _severity(subject: Subject, name: str, at: Span) -> Severity | None:
+def _severity(subject: Context, name: str, at: Span) -> Severity | None:
     is_known = is_known_dependency(name, at.source.path, subject.resolver)
     return Severity.WARNING if is_known else None
 
 
-def _launched(subject: Subject) -> Findings:
+def _launched(subject: Context) -> Findings:
     path, resolver = subject.source.path, subject.resolver
     manifest, known = manifest_of(resolver, path), resolver.packages.known(path)
     for package in subject.launch.packages:

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.xacro.errors import UNBUILT
 
@@ -35,7 +35,7 @@ _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
     needs=(),
     help="correct the expression or the call; the notes show what it refers to",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for finding in reported(subject, "XAC001"):
         if finding.message.startswith(UNBUILT):  # which is no defect of the robot
             yield finding._replace(severity=Severity.WARNING)

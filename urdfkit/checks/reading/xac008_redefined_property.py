@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
 BAD = xacro_xml(
@@ -27,5 +27,5 @@ GOOD = BAD.replace('name="width" value="0.4"', 'name="height" value="0.4"')
     needs=(),
     help="delete one of the two, or use default= where a value may already be given",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XAC008")

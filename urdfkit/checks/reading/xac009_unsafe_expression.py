@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
 BAD = xacro_xml('<link name="${().__class__.__name__}"/>')
@@ -25,5 +25,5 @@ GOOD = xacro_xml('<link name="${str(1 + 1)}"/>')
     needs=(),
     help="write it with plain arithmetic, or add --trust if you trust the author of the model",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XAC009")

@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
 BAD = xacro_xml('<link name="$(arg prefix)base"/>')
@@ -18,5 +18,5 @@ GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg pre
 
 
 @rule(Severity.ERROR, needs=(), help="pass it as name:=value, or give the <xacro:arg> a default")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XAC010")

@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
 _CALL = '<xacro:again n="${n + 1}"/>'
@@ -26,5 +26,5 @@ GOOD = BAD.replace(_CALL, f'<xacro:if value="${{n &lt; 3}}">{_CALL}</xacro:if>')
     needs=(),
     help="look for a macro, an include or a property that refers to itself",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XAC013")

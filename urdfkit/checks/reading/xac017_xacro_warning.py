@@ -16,7 +16,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
 BAD = xacro_xml('<link name="l${sorted([3, 1])[0]}"/>')
@@ -24,5 +24,5 @@ FIXED = GOOD = BAD.replace("sorted", "python.sorted")
 
 
 @rule(Severity.WARNING, needs=(), help="correct or remove it; xacro ignores what it does not know")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XAC017")

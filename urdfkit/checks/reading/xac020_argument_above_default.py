@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
 GOOD = xacro_xml('<xacro:arg name="name" default="arm"/>', '<link name="base"/>')
@@ -24,5 +24,5 @@ BAD = GOOD.replace('name="r"', 'name="$(arg name)"')
     needs=(),
     help="move the <xacro:arg> above the first use; for the robot's own name write the name",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XAC020")

@@ -14,7 +14,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 
 BAD = """\
 <robot name="r">
@@ -25,5 +25,5 @@ FIXED = GOOD = BAD.replace("--debug", "- -debug")
 
 
 @rule(Severity.ERROR, needs=(), help="close every tag and quote; write < as &lt; and & as &amp;")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XML001")

@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 
 BAD = b'<robot name="r"><!-- gr\xf6\xdfe --><link name="a"/></robot>'
 GOOD = BAD.decode("latin-1").encode()
@@ -23,5 +23,5 @@ GOOD = BAD.decode("latin-1").encode()
     needs=(),
     help="save the file as UTF-8, or declare its real encoding in the first line",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XML002")

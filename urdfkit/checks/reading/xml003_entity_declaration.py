@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 
 BAD = """\
 <!DOCTYPE robot [<!ENTITY base "base_link">]>
@@ -22,5 +22,5 @@ GOOD = '<robot name="r"><link name="base_link"/></robot>'
 
 
 @rule(Severity.ERROR, needs=(), help="write the text out, or use an <xacro:property>")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XML003")

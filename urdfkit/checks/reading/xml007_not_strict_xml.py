@@ -17,7 +17,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 
 BAD = '<!-- made by hand -->\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>'
 FIXED = '<?xml version="1.0"?>\n<!-- made by hand -->\n<robot name="r"><link name="a"/></robot>'
@@ -29,5 +29,5 @@ GOOD = FIXED
     needs=(),
     help='put <?xml version="1.0"?> first, and declare every prefix on the root element',
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     return reported(subject, "XML007")

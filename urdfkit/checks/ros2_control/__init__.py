@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if there are transmissions, ros2_control or plugins that run controllers."""
     model = subject.model
     if model.transmissions or model.ros2_controls or subject.parameters:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog.ros_control import hardware, words
 from urdfkit.ros.ros_control import (
     Component,
@@ -25,7 +25,7 @@ _HELP = "correct the name of the interface"
 _SIMULATED_STATES = ("position", "velocity", "effort")
 
 
-def invalid_interfaces(subject: Subject) -> Findings:
+def invalid_interfaces(subject: Context) -> Findings:
     """Interfaces that are misspelt, or that a simulator does not offer."""
     for component in components(subject.model):
         for part in component.parts:
@@ -74,7 +74,7 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
         )
 
 
-def _of_ros1(subject: Subject) -> Findings:
+def _of_ros1(subject: Context) -> Findings:
     simulated = _has_default_simulation(subject)
     known = [*words("transmission", "interfaces"), *words("transmission", "unprefixed")]
     simulable = [*words("transmission", "gazebo"), *words("transmission", "unprefixed")]
@@ -100,7 +100,7 @@ def _of_ros1(subject: Subject) -> Findings:
                 )
 
 
-def _has_default_simulation(subject: Subject) -> bool:
+def _has_default_simulation(subject: Context) -> bool:
     """True for a gazebo_ros_control with the default hardware simulation."""
     for plugin in control_plugins(subject.model):
         kind = plugin.at.child("robotSimType")

@@ -23,7 +23,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller
@@ -48,7 +48,7 @@ FIXED = GOOD = BAD.replace("sholder", "shoulder")
 
 
 @rule(Severity.ERROR, help="fix the name, or add the joint", reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     known = subject.model.joints_by_name
     # Without joints it is a description of the hardware alone: Webots has them in its world.
     if known and not subject.is_part:
@@ -58,7 +58,7 @@ def check(subject: Subject) -> Findings:
         yield from _of_controllers(subject)
 
 
-def _of_robot(subject: Subject, suggester: Suggester) -> Findings:
+def _of_robot(subject: Context, suggester: Suggester) -> Findings:
     for name, owner in _named(subject):
         if name.value in subject.model.joints_by_name or is_expression(name.value):
             continue
@@ -71,7 +71,7 @@ def _of_robot(subject: Subject, suggester: Suggester) -> Findings:
         )
 
 
-def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:
+def _named(subject: Context) -> Iterator[tuple[Attribute, str]]:
     """The names of joints, each with who gives it."""
     for component in components(subject.model):
         for joint in component.joints:
@@ -83,7 +83,7 @@ def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:
                 yield element.attributes["name"], called(transmission)
 
 
-def _not_in_block(subject: Subject) -> Findings:
+def _not_in_block(subject: Context) -> Findings:
     """A transmission of ROS 2 finds the joints of its own block only."""
     for component in components(subject.model):
         listed = {joint.name for joint in component.joints}
@@ -99,7 +99,7 @@ def _not_in_block(subject: Subject) -> Findings:
                     )
 
 
-def _of_controllers(subject: Subject) -> Findings:
+def _of_controllers(subject: Context) -> Findings:
     known = set(subject.model.joints_by_name)
     for component in components(subject.model):  # a controller may command a GPIO, too
         known.update(part.name for part in component.parts)

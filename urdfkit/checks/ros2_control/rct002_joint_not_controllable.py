@@ -23,7 +23,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Confidence, Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import arm_xml, robot_xml
 from urdfkit.ros.catalog import ros_control
 from urdfkit.ros.gazebo.samples import control_xml, driven_xml
@@ -50,7 +50,7 @@ _HUMBLE, _JAZZY = ("classic-ros2", "gz-fortress"), ("gz-harmonic", "gz-jetty")
 
 
 @rule(Severity.WARNING, by_target=dict.fromkeys((*ROS1, *ROS2), Severity.ERROR))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     yield from _fixed(subject)
     targets = subject.targets
     is_jazzy = targets.any_of(_JAZZY) and not targets.any_of(_HUMBLE)
@@ -71,7 +71,7 @@ def check(subject: Subject) -> Findings:
                 )
 
 
-def _fixed(subject: Subject) -> Findings:
+def _fixed(subject: Context) -> Findings:
     joints = subject.model.joints_by_name
     for element, owner in _driven(subject):
         joint = joints.get(element.get("name") or "")
@@ -84,7 +84,7 @@ def _fixed(subject: Subject) -> Findings:
             )
 
 
-def _driven(subject: Subject) -> Iterator[tuple[Element, str]]:
+def _driven(subject: Context) -> Iterator[tuple[Element, str]]:
     for component in components(subject.model):
         for joint in component.joints:
             yield joint.at, component.called

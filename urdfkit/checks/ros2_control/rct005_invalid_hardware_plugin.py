@@ -22,7 +22,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import hardware as simulated_hardware
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
@@ -48,7 +48,7 @@ _ADD_PLUGIN = "add <hardware><plugin>package/Class</plugin></hardware> to the bl
 
 
 @rule(Severity.ERROR)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     plugins = control_plugins(subject.model)
     for component in components(subject.model):
         if component.plugin is None and _is_left_to_arguments(component.at):

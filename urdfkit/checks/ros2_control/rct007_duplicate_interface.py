@@ -14,7 +14,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, components
@@ -29,7 +29,7 @@ GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 
 
 @rule(Severity.ERROR, help="keep one of them")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     blocks = components(subject.model)
     yield from _duplicate_names(blocks)
     yield from _duplicate_interfaces(blocks)

@@ -18,7 +18,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import element_xml, robot_xml
@@ -43,7 +43,7 @@ _MAX_RELATED = 20
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     joints = subject.model.joints_by_name
     for component in components(subject.model):
         yield from _wider_ranges(component, joints)

@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugins as files
 from urdfkit.ros.catalog.ros_control import hardware
@@ -34,7 +34,7 @@ FILES = {
     Severity.WARNING,
     help="have the control plugin of the simulator once, in a <gazebo> block without reference",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     plugins = control_plugins(subject.model)
     yield from _twice(plugins)
     if subject.is_part:
@@ -64,7 +64,7 @@ def _namespace(plugin: Element) -> str:
     return " ".join(found.text.strip() for found in plugin.walk() if found.tag in tags)
 
 
-def _missing(subject: Subject) -> Findings:
+def _missing(subject: Context) -> Findings:
     for component in components(subject.model):
         found = hardware().get(component.hardware)
         if found and component.plugin:
@@ -83,7 +83,7 @@ def _missing(subject: Subject) -> Findings:
         )
 
 
-def _without_transmission(subject: Subject, plugin: ControlPlugin) -> Findings:
+def _without_transmission(subject: Context, plugin: ControlPlugin) -> Findings:
     """The plugin of ROS 1 moves the joints of transmissions, and of nothing else."""
     if any(not is_of_pr2(transmission) for transmission in subject.model.transmissions):
         return

@@ -30,7 +30,7 @@ from collections.abc import Iterator
 from urdfkit.checks.ros2_control.interfaces import invalid_interfaces
 from urdfkit.checks.ros2_control.parameters import invalid_values
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import component_types, grammar
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
@@ -53,7 +53,7 @@ _PREFIX = ":"
     Severity.ERROR,
     help="use the elements of <ros2_control>: hardware, joint, sensor, gpio, transmission",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for component in components(subject.model):
         block = component.at
         yield from _elements(block)

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.catalog.ros_control import hardware
 from urdfkit.ros.claims import commanded_joints, commands
@@ -63,7 +63,7 @@ _Offered = dict[str, set[str]]
 
 
 @rule(Severity.ERROR)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     read = [(file, one) for file, found in subject.controllers for one in found]
     yield from _without_command(subject, read)
     states = _offered(subject, "state")
@@ -76,7 +76,7 @@ def check(subject: Subject) -> Findings:
     yield from _without_state(subject)
 
 
-def _without_command(subject: Subject, read: list[tuple[ParameterFile, Controller]]) -> Findings:
+def _without_command(subject: Context, read: list[tuple[ParameterFile, Controller]]) -> Findings:
     by_ros = {1: _transmitted(subject), 2: _offered(subject, "command")}
     free = _free(subject)
     served = {
@@ -122,7 +122,7 @@ def _severity(listed: Collection[str]) -> Severity:
     return Severity.WARNING if listed else Severity.INFO
 
 
-def _free(subject: Subject) -> frozenset[str]:
+def _free(subject: Context) -> frozenset[str]:
     """The joints of hardware that may export interfaces that are not listed."""
     return frozenset(
         part.name
@@ -136,7 +136,7 @@ def _offers_what_is_listed(component: Component) -> bool:
     return component.hardware in hardware() or component.hardware in _MOCK
 
 
-def _without_state(subject: Subject) -> Findings:
+def _without_state(subject: Context) -> Findings:
     blocks = components(subject.model)
     measured = {part.name for block in blocks for part in block.parts if part.of("state")}
     for block in blocks:
@@ -150,7 +150,7 @@ def _without_state(subject: Subject) -> Findings:
                 )
 
 
-def _offered(subject: Subject, direction: str) -> _Offered:
+def _offered(subject: Context, direction: str) -> _Offered:
     """The interfaces of one direction of the joints in ``<ros2_control>``.
 
     A hardware component may export others than these by itself. One that has none here does.
@@ -164,7 +164,7 @@ def _offered(subject: Subject, direction: str) -> _Offered:
     }
 
 
-def _transmitted(subject: Subject) -> _Offered:
+def _transmitted(subject: Context) -> _Offered:
     """The command interfaces that Gazebo offers in ROS 1; real hardware may offer more.
 
     Files of ROS 1 often hold controllers for each interface, of which a launch file starts some.

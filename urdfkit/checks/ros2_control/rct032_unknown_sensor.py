@@ -15,7 +15,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.suggest import Suggester, did_you_mean
-from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Severity, Subject, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import hardware
 from urdfkit.ros.gazebo.samples import control_xml, gazebo_xml, sensor_xml, solid_xml
@@ -43,14 +43,14 @@ _BROADCASTERS = (
 
 
 @rule(Severity.WARNING)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     blocks = components(subject.model)
     if not subject.is_part:
         yield from _not_in_gazebo(subject, blocks)
     yield from _not_in_ros2_control(subject, blocks)
 
 
-def _not_in_gazebo(subject: Subject, blocks: list[Component]) -> Findings:
+def _not_in_gazebo(subject: Context, blocks: list[Component]) -> Findings:
     simulated = {sensor.name for sensor in sensors(subject.model)}
     suggester = Suggester(simulated)
     for component in blocks:
@@ -67,7 +67,7 @@ def _not_in_gazebo(subject: Subject, blocks: list[Component]) -> Findings:
             )
 
 
-def _not_in_ros2_control(subject: Subject, blocks: list[Component]) -> Findings:
+def _not_in_ros2_control(subject: Context, blocks: list[Component]) -> Findings:
     parts = [part for component in blocks for part in component.parts]
     known = {part.name for part in parts if part.kind == "sensor"}
     if not known:

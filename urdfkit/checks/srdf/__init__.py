@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if an SRDF of this robot is near it."""
     path = subject.source.path
     is_there = srdf_files(path, subject.resolver) or other_srdf_files(

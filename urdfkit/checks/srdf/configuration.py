@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Location, Severity, Subject
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.moveit.config import group_entries, joint_entries, names_without_settings
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
@@ -38,7 +38,7 @@ _SOLVER_TYPO = 0.93
 _NAMED = 8
 
 
-def unknown_names(subject: Subject, srdf: Srdf) -> Findings:
+def unknown_names(subject: Context, srdf: Srdf) -> Findings:
     """The unknown joints, groups, controllers and solvers in the configuration files."""
     yield from _joint_limits(subject)
     yield from _groups(subject, srdf)
@@ -46,7 +46,7 @@ def unknown_names(subject: Subject, srdf: Srdf) -> Findings:
     yield from _controllers(subject, srdf)
 
 
-def _joint_limits(subject: Subject) -> Findings:
+def _joint_limits(subject: Context) -> Findings:
     known = subject.model.joints_by_name
     planned = list(planned_limits(subject))
     unknown = [limit for limit in planned if limit.joint not in known]
@@ -61,7 +61,7 @@ def _joint_limits(subject: Subject) -> Findings:
         )
 
 
-def _groups(subject: Subject, srdf: Srdf) -> Findings:
+def _groups(subject: Context, srdf: Srdf) -> Findings:
     known = srdf.known("group")
     entries = list(group_entries(srdf, subject.resolver))
     for entry in entries:
@@ -84,7 +84,7 @@ def _few(names: Iterable[str]) -> str:
     return ", ".join([*every[:_NAMED], *more])
 
 
-def _solvers(subject: Subject, srdf: Srdf) -> Findings:
+def _solvers(subject: Context, srdf: Srdf) -> Findings:
     """Solvers that urdfkit does not know are assumed to be in the workspace, but for typos."""
     for entry in group_entries(srdf, subject.resolver):
         solver = entry.values.get("kinematics_solver")
@@ -98,7 +98,7 @@ def _solvers(subject: Subject, srdf: Srdf) -> Findings:
             yield Finding(Location(solver.span), message, f"write {suggested}")
 
 
-def _controllers(subject: Subject, srdf: Srdf) -> Findings:
+def _controllers(subject: Context, srdf: Srdf) -> Findings:
     known = srdf.known("joint")
     named = list(joint_entries(srdf, subject.resolver))
     unknown = [(who, joint) for who, joint in named if joint.text not in known]

@@ -1,19 +1,23 @@
-"""A planning group is empty, its chain is not a path, or groups contain one another in a cycle.
+"""A planning group is empty or no chain, or groups contain one another in a cycle.
 
 - MoveIt prints "Group is empty" and ignores the group (warning), so that whatever refers to it
   fails.
 - A chain goes from a base link down the tree to a tip link. MoveIt rejects any other chain, and the
   group has no joints. Base and tip are swapped, or one of them is on another branch.
+- `kinematics.yaml` gives KDL, LMA or TRAC-IK to a group whose joints do not follow one another:
+  "Group 'arm' is not a chain", and the group cannot be moved to a pose.
 - MoveIt cannot resolve groups that contain one another, and ignores all of them.
 
 Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+    MoveIt, kdl_kinematics_plugin.cpp: https://github.com/moveit/moveit2/blob/main/moveit_kinematics/kdl_kinematics_plugin/src/kdl_kinematics_plugin.cpp
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.checks.srdf.solvable_groups import unsolvable_groups
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
@@ -27,7 +31,7 @@ FILES = srdf_files(
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return
@@ -42,6 +46,7 @@ def check(subject: Subject) -> Findings:
             message = "groups contain one another: " + " -> ".join((*cycle, name))
             yield Finding(elements[0], message, "remove one of the subgroups")
     yield from _chains(srdf)
+    yield from unsolvable_groups(subject, srdf)
 
 
 def _chains(srdf: Srdf) -> Findings:

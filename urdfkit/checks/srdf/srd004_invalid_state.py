@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joints import unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.values import number
@@ -36,7 +36,7 @@ _ROUNDING = 1e-3
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     states = subject.srdf.states if subject.srdf else ()
     for state in states:
         for element in state.all("joint"):

@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 
@@ -29,7 +29,7 @@ FILES = srdf_files(_GROUPS.replace("</group>", '<link name="arm"/></group>', 1),
     needs=(Need.MODEL, Need.SRDF),
     help="let the groups share no link, and let the parent link be one of the parent group",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return

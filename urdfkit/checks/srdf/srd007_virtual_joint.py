@@ -12,7 +12,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -33,7 +33,7 @@ _TYPES = ("fixed", "planar", "floating")
     needs=(Need.MODEL, Need.SRDF),
     help="attach it to the root link, with type fixed, planar or floating",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return

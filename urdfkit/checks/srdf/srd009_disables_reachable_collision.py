@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 
@@ -47,7 +47,7 @@ _WORK = 400_000
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
     help="compute the matrix again: urdfkit collisions ROBOT --srdf FILE",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if subject.srdf is None:
         return
     said = [

@@ -1,8 +1,9 @@
 """The collision matrix does not fit the links that joints connect.
 
-- A pair is disabled as "Adjacent" although no joint connects the two links (warning). The pair is
-  never checked for collisions. Links with only links without collision geometry between them count
-  as adjacent, as do all links around one without collision geometry.
+- A pair is disabled as "Adjacent" although no joint connects the two links (warning; an info if
+  only fixed joints lie between them). The pair is never checked for collisions. Links with only
+  links without collision geometry between them count as adjacent, as do all links around one
+  without collision geometry.
 - A pair that a joint connects overlaps at the zero pose and is not disabled (info). MoveIt finds
   the collision in every pose, and plans nothing. An SRDF without any matrix is not reported.
 
@@ -16,7 +17,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -46,7 +47,7 @@ _DEEP = 1e-4
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
     help="update it: urdfkit collisions ROBOT --srdf FILE",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return
@@ -65,7 +66,7 @@ def check(subject: Subject) -> Findings:
             )
 
 
-def _not_adjacent(subject: Subject, srdf: Srdf) -> Findings:
+def _not_adjacent(subject: Context, srdf: Srdf) -> Findings:
     adjacency = Adjacency(subject.tree)
     for pair in srdf.root.all("disable_collisions"):
         first, second = pair.get("link1") or "", pair.get("link2") or ""
@@ -77,5 +78,5 @@ def _not_adjacent(subject: Subject, srdf: Srdf) -> Findings:
                 pair,
                 f"links '{first}' and '{second}' are not adjacent: no joint connects them",
                 "compute the collision matrix again, or correct the reason",
-                severity=Severity.WARNING,
+                severity=Severity.INFO if adjacency.is_rigid(first, second) else Severity.WARNING,
             )

@@ -9,7 +9,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.moveit.samples import named_xml
 from urdfkit.text.editing.edits import fix_value
 
@@ -20,7 +20,7 @@ FIXED_FILES = {"example.srdf": b'<robot name="bad"/>'}
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF), help="give the SRDF the name of the robot")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     srdf = subject.srdf
     if srdf is None:
         return

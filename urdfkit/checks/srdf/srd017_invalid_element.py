@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -32,7 +32,7 @@ FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), help="fix the XML of the SRDF")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if not subject.is_part:
         for problem in unreadable(subject.source.path, subject.model.name, subject.resolver):
             at = Location(problem.span, problem.frame)

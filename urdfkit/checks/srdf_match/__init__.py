@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True if an SRDF is near the robot."""
     path = subject.source.path
     return bool(

@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
 BAD = robot_xml(
@@ -34,6 +34,6 @@ FILES = {
     help="check the variant that the SRDF is for, or generate an SRDF for this one",
     reports_missing=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if subject.srdf is not None and subject.other_variant:
         yield Finding(subject.srdf.root, subject.other_variant)

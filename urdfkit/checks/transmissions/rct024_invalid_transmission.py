@@ -27,7 +27,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import words
@@ -66,7 +66,7 @@ _MAX_RELATED = 20
 
 
 @rule(Severity.WARNING, by_target=dict.fromkeys(ROS1, Severity.ERROR))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     transmissions = subject.model.transmissions
     if not transmissions:
         return

@@ -1,7 +1,8 @@
 """The robot has no link.
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and PyBullet reject it. In a xacro the macro that makes
-the links is mostly defined, but never called.
+the links is mostly defined, but never called. A list of joints without parents and children, such
+as the thrusters of the BlueROV, is for another program: an info.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -9,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.text.grammar import owner
 
 BAD = '<robot name="cart">\n</robot>\n'
@@ -17,10 +18,11 @@ GOOD = '<robot name="cart">\n  <link name="base"/>\n</robot>\n'
 
 
 @rule(Severity.ERROR, help='add a link, as <link name="base_link"/>', reports_missing=True)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     root = subject.document.root
     if root.tag != "robot" or root.child("link") or subject.is_part:
         return
     if root.child("webots"):
         return  # the driver's settings for a robot whose links are in the world of Webots
-    yield Finding(root, f"{owner(root)} has no link")
+    severity = Severity.INFO if subject.is_list_of_joints else None
+    yield Finding(root, f"{owner(root)} has no link", severity=severity)

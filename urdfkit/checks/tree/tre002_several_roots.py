@@ -12,7 +12,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import Link
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.robot.tree import KinematicTree
@@ -29,7 +29,7 @@ SHOWN = 8
     help="connect each of the others to the robot with a joint, or remove it",
     reports_missing=True,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     # The child of a link that is missing is no root: the reference is REF001's.
     children = {joint.child.value for joint in subject.model.joints if joint.child}
     roots = [root for root in subject.tree.roots if root.name not in children]

@@ -13,7 +13,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
@@ -31,7 +31,7 @@ SHOWN = 8
 
 
 @rule(Severity.ERROR, help="leave one of these joints out")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for joint in subject.model.joints:
         if joint.parent and joint.child and joint.parent.value == joint.child.value:
             yield Finding(

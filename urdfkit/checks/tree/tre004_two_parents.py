@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
 BAD = robot_xml(
@@ -26,7 +26,7 @@ GOOD = BAD[: BAD.index('\n<joint name="mount"')]
 
 
 @rule(Severity.ERROR, help="keep one joint for each child")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for name, joints in subject.tree.parents.items():
         for joint in joints[1:]:
             first = joints[0]

@@ -11,7 +11,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Link, RobotModel
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.text.editing.edits import from_macro, insert_before
@@ -29,7 +29,7 @@ TARGETS = ("kdl",)
     Severity.INFO,
     help="for KDL, add an empty link above it with a fixed joint",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     if subject.given_targets and not subject.targets.that("builds_kdl"):
         return
     roots = subject.tree.roots

@@ -16,7 +16,7 @@ from __future__ import annotations
 from math import hypot
 
 from urdfkit.core.spatial import Rotation, Transform, Vector, dot, rotate
-from urdfkit.lint.rules import Finding, Findings, Fix, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
@@ -51,7 +51,7 @@ MAX_FOOTPRINTS = 10
     Severity.WARNING,
     help="raise the robot by that height in the joint below base_footprint",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     tree = subject.tree
     if len(tree.roots) != 1:
         return  # TRE002 or TRE003 comes first

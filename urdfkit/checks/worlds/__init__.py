@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True for a launch file that names a package or a program of Gazebo."""
     words = (b"gazebo", b"gz_", b"gz", b"ign")
     return is_launch(subject.source.path) and any(one in subject.source.data for one in words)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Location, Related, Subject
+from urdfkit.lint.rules import Context, Location, Related
 from urdfkit.ros.gazebo.worlds import World, default_systems, read_world, shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
@@ -54,7 +54,7 @@ class OpenedWorld(Record):
         return f"world '{self.name}'"
 
 
-def opened_worlds(subject: Subject) -> Iterator[OpenedWorld]:
+def opened_worlds(subject: Context) -> Iterator[OpenedWorld]:
     """The worlds that a launch file starts and that are at hand, each once."""
     seen: set[tuple[str, str]] = set()
     for started in worlds(subject.launch):
@@ -64,7 +64,7 @@ def opened_worlds(subject: Subject) -> Iterator[OpenedWorld]:
             yield found
 
 
-def _opened(started: StartedWorld, subject: Subject) -> OpenedWorld | None:
+def _opened(started: StartedWorld, subject: Context) -> OpenedWorld | None:
     if started.is_shipped:
         name, systems = shipped_worlds()[started.name]
         return OpenedWorld(started, "", name, None, systems)
@@ -82,7 +82,7 @@ def _opened(started: StartedWorld, subject: Subject) -> OpenedWorld | None:
     return OpenedWorld(started, path, name, world, frozenset(), tuple(problems))
 
 
-def world_file(name: str, subject: Subject) -> str | None:
+def world_file(name: str, subject: Context) -> str | None:
     """The file of a world: by its path, or the only one of that name in the workspace."""
     resolver = subject.resolver
     if os.path.isabs(name):
@@ -96,7 +96,7 @@ def world_file(name: str, subject: Subject) -> str | None:
     return found[0] if len(found) == 1 else None
 
 
-def robots(subject: Subject) -> Iterator[Subject]:
+def robots(subject: Context) -> Iterator[Context]:
     """The robots that a launch file describes and that can be expanded."""
     for description in subject.launch.descriptions:
         robot = subject.other_robot(description.path, description.arguments)

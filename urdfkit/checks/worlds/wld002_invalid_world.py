@@ -29,7 +29,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import TITLES, find, misspelt
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
@@ -69,7 +69,7 @@ _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     models = Models(subject.resolver, subject.source.path)
     found = list(opened_worlds(subject))
     for opened in found:
@@ -162,7 +162,7 @@ def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
         yield Finding(at, message, help, related=opened.note, severity=Severity.WARNING)
 
 
-def _engines(subject: Subject, opened: OpenedWorld) -> Findings:
+def _engines(subject: Context, opened: OpenedWorld) -> Findings:
     """The render engines that do not exist, or lack a type of sensor of the robot."""
     known: dict[str, str] = data("worlds")["engines"]
     for place, engine in _chosen(opened):
@@ -191,19 +191,19 @@ def _chosen(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
             yield Location(engine.span), engine.text.strip()
 
 
-def _lacking(subject: Subject, kinds: list[str]) -> Iterator[Sensor]:
+def _lacking(subject: Context, kinds: list[str]) -> Iterator[Sensor]:
     for robot in robots(subject) if kinds else ():
         yield from (one for one in sensors(robot.model) if one.type in kinds)
 
 
-def _other_worlds(subject: Subject, opened: OpenedWorld) -> Findings:
+def _other_worlds(subject: Context, opened: OpenedWorld) -> Findings:
     """The nodes that spawn into a world of another name."""
     if opened.started.generation != GZ or not opened.name or not opened.started.is_sure:
         return
     for started in (*subject.launch.started, *subject.launch.included):
         spawner = spawner_of(started)
         word = options(started, spawner)[0].get("world") if spawner else None
-        given = word.text if word else (started.parameters or {}).get("world")
+        given = word.text if word else started.parameters.values.get("world")
         if spawner and not spawner.is_strict and given and given != opened.name:
             span: Span = word.span if word else started.span
             yield Finding(

@@ -17,7 +17,7 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, element_xml, joint_xml
 from urdfkit.robot.stability import is_freestanding, standing
 from urdfkit.robot.values import number
@@ -67,7 +67,7 @@ TOLERANCE, DEEP = 0.01, 0.1
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     found = list(opened_worlds(subject))
     described = list(robots(subject))
     starts = {one.span for one in worlds(subject.launch)}
@@ -108,7 +108,7 @@ def _height(started: StartedProgram) -> tuple[float, Location] | None:
     if spawner is None:
         return None
     given, is_known = options(started, spawner)
-    parameters = {} if spawner.is_strict else started.parameters
+    parameters = {} if spawner.is_strict else started.parameters.every
     if parameters is None:
         return None
     texts = dict(parameters) | {name: word.text for name, word in given.items()}
@@ -123,7 +123,7 @@ def _height(started: StartedProgram) -> tuple[float, Location] | None:
     return z, Location(span, started.frame)
 
 
-def _lowest(robot: Subject) -> tuple[float, str] | None:
+def _lowest(robot: Context) -> tuple[float, str] | None:
     """The height in m of what a robot rolls on, below its root, and a link that touches there."""
     if robot.is_part or not robot.tree.is_sound:
         return None

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened import opened_worlds, robots
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Related, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.controllers import managers
@@ -59,7 +59,7 @@ _TOLERANCE = 1.01
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for opened in opened_worlds(subject):
         world = opened.world
         if world is None and opened.path:
@@ -79,7 +79,7 @@ def check(subject: Subject) -> Findings:
                 )
 
 
-def _rates(subject: Subject) -> Iterator[tuple[float, Location, str]]:
+def _rates(subject: Context) -> Iterator[tuple[float, Location, str]]:
     """What runs in Gazebo: rates in Hz, where they are written, and whose they are."""
     for robot in robots(subject):
         for _, section in managers(robot):

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 
 
-def applies(subject: Subject) -> bool:
+def applies(subject: Context) -> bool:
     """True for a xacro, and for a plain file with expressions or tags of xacro."""
     reading = subject.reading
     if reading.xacro is not None or any(one.code.startswith("XAC") for one in reading.problems):

@@ -10,7 +10,7 @@ Sources:
 
 from __future__ import annotations
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.robot.samples import element_xml, joint_xml, xacro_xml
 from urdfkit.text import schema
 from urdfkit.text.document import Element
@@ -34,7 +34,7 @@ FIXED = GOOD = BAD.replace("<arm", "<xacro:arm")
     help="write the tag, and its end tag, with the prefix: <xacro:...>",
     hides_parts=("",),
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     # A <robot> is a robot, whatever macros are called.
     macros = {macro.name for macro in subject.xacro.macros} - {"robot"}
     stack = [(subject.document.root, schema.ROBOT)]

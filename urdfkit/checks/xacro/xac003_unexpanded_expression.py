@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.rules import NAMES, Finding, Findings, Severity, Subject, reported, rule
+from urdfkit.lint.rules import NAMES, Context, Finding, Findings, Severity, reported, rule
 from urdfkit.text.grammar import is_expression
 
 BAD = '<link name="${side}_arm"/>'
@@ -30,7 +30,7 @@ _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
     'xmlns:xacro="http://www.ros.org/wiki/xacro"',
     hides_parts=NAMES,
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for finding in reported(subject, "XAC003"):
         help = "include the file that defines the macro, or delete the call"
         yield finding._replace(help=help, severity=Severity.WARNING)

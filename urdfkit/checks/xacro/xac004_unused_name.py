@@ -16,7 +16,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.core.suggest import is_typo
-from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.editing.edits import remove_spans
@@ -39,7 +39,7 @@ _NUMBER = re.compile(rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL, Need.FILES), help="delete it, or use it")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     xacro = subject.xacro
     if xacro.is_library or not xacro.is_complete:
         return
@@ -49,7 +49,7 @@ def check(subject: Subject) -> Findings:
         yield from found
 
 
-def _unused(subject: Subject) -> Findings:
+def _unused(subject: Context) -> Findings:
     xacro = subject.xacro
     written: set[float] | None = None
     for definition in xacro.properties:
@@ -98,7 +98,7 @@ def _is_misspelt(name: str, xacro: Xacro) -> bool:
     return any(is_typo(name, used) for used in xacro.usage.names - defined)
 
 
-def _numbers_written(subject: Subject) -> set[float]:
+def _numbers_written(subject: Context) -> set[float]:
     """The numbers of the checked file, but those of properties and colours."""
     data = bytearray(blank_comments(subject.source.data))
     for definition in subject.xacro.properties:

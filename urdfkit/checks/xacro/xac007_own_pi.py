@@ -13,7 +13,7 @@ from __future__ import annotations
 import re
 from math import pi
 
-from urdfkit.lint.rules import Finding, Findings, Fix, Location, Need, Severity, Subject, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Edit
@@ -32,7 +32,7 @@ _NAMED = 2e-2
 
 
 @rule(Severity.INFO, needs=(Need.XACRO,), help="write ${pi}, which expressions know")
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     for definition in subject.xacro.properties:
         value = number(definition.attributes.get("value"))
         if value is None or value == pi:

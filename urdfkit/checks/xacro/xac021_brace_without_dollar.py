@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.lint.rules import NAMES, Finding, Findings, Need, Severity, Subject, rule
+from urdfkit.lint.rules import NAMES, Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import element_xml, joint_xml, xacro_xml
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value
@@ -35,7 +35,7 @@ _BRACES = r"(?<![$\w}])\{([A-Za-z_]\w*)\}"
 
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL), hides_parts=NAMES)
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     known = _names(subject.xacro)
     for element in subject.document.root.walk():
         values: list[tuple[Element | Attribute, str]] = [(element, element.text.strip())]

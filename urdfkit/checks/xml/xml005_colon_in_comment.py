@@ -17,7 +17,7 @@ import os
 import re
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
 from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.source import Source, Span
@@ -34,7 +34,7 @@ _COMMENT = rb"<!--.*?-->"
     needs=(Need.FILES,),
     help="write the comment without the colon, or set value_type=str in the launch file",
 )
-def check(subject: Subject) -> Findings:
+def check(subject: Context) -> Findings:
     xacro = subject.reading.xacro
     if not _is_ament(subject):
         return
@@ -67,7 +67,7 @@ def _written(sources: tuple[Source, ...], text: bytes) -> Span | None:
     return next(filter(None, (_colon(source, pattern) for source in sources)), None)
 
 
-def _is_ament(subject: Subject) -> bool:
+def _is_ament(subject: Context) -> bool:
     """True if the package of the file is built with ament, that is, for ROS 2."""
     package = subject.resolver.packages.enclosing(subject.source.path)
     if package is None:

@@ -15,7 +15,7 @@ from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
 from urdfkit.core.strict_json import dumped
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ def command(
     return 1 if comparison and comparison.hidden else 0
 
 
-def _srdf(path: str, subject: Subject) -> Srdf:
+def _srdf(path: str, subject: Context) -> Srdf:
     """The SRDF to compare with.
 
     Raises:

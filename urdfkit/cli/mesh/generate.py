@@ -11,7 +11,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.mesh.parts import PARTS, RealPart
 from urdfkit.robot.assets.placeholder_meshes import (
     GeneratedMeshes,
@@ -90,7 +90,7 @@ def _without_robot(
 
 
 def _of_robot(
-    robot: Subject, files: list[str], part: RealPart | None, size: Vector | None, force: bool
+    robot: Context, files: list[str], part: RealPart | None, size: Vector | None, force: bool
 ) -> GeneratedMeshes:
     if files:
         one = generate(robot, files[0], part=part, size=size, force=force)

@@ -13,7 +13,7 @@ from urdfkit import __version__
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.output.bundle.consumers import Consumer
 from urdfkit.output.bundle.meshes import BundledFile, MeshNames, bundled
 from urdfkit.output.bundle.package import package_files
@@ -69,7 +69,7 @@ class Bundle:
         UrdfkitError: the robot names files that are not there.
     """
 
-    def __init__(self, robot: Subject, consumer: Consumer) -> None:
+    def __init__(self, robot: Context, consumer: Consumer) -> None:
         self._robot = robot
         self._consumer = consumer
         self._paths = _found(robot)
@@ -86,6 +86,8 @@ class Bundle:
             UrdfkitError: one is broken, or cannot be written in a format that is read.
         """
         for file in self._files():
+            if "\\" in file.path:  # it would lead elsewhere where it is extracted on Windows
+                raise UrdfkitError(f"{file.path}: a name with a backslash cannot be bundled")
             digest = hashlib.sha256(file.data).hexdigest()
             source = self._shown(file.source)
             self.contents.append(
@@ -93,7 +95,7 @@ class Bundle:
             )
             yield file
         text = json.dumps(self._manifest(), indent=1, ensure_ascii=False) + "\n"
-        yield BundledFile(MANIFEST, text.encode(), "")
+        yield BundledFile(MANIFEST, text.encode("utf-8", "backslashreplace"), "")
 
     def _files(self) -> Iterator[BundledFile]:
         names: dict[str, str] = {}  # in the bundle, by path
@@ -170,7 +172,7 @@ class Bundle:
         return os.path.basename(path) if relative.startswith("../") else relative
 
 
-def _found(robot: Subject) -> dict[int, str]:
+def _found(robot: Context) -> dict[int, str]:
     """The files that a robot names, by the ``id`` of the reference: its text may mean two files.
 
     Raises:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.workspace.manifest import manifest_of
 
@@ -18,7 +18,7 @@ _DEFAULT = {
 }
 
 
-def package_files(name: str, robot: Subject, directories: Iterable[str]) -> Iterator[BundledFile]:
+def package_files(name: str, robot: Context, directories: Iterable[str]) -> Iterator[BundledFile]:
     """The build files of a package.
 
     Args:

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from xml.sax.saxutils import escape, quoteattr
+from xml.sax.saxutils import quoteattr
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.robot.model import Placed, RobotModel
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.apply import apply_edits
-from urdfkit.text.editing.edits import insert_first
+from urdfkit.text.editing.edits import escaped, insert_first
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
 #: What a value in quotes of either kind cannot hold besides ``&`` and ``<``.
-_IN_ATTRIBUTES = {'"': "&quot;", "'": "&apos;", "\n": "&#10;", "\r": "&#13;", "\t": "&#9;"}
 _DECLARATION = rb"^\s*<\?xml[^>]*\?>\s*"
 #: A value that leads to a file of this machine or of a package.
 _OUTSIDE = re.compile(r"(?:package|model|file)://|/[^\s/]+/\S*\.\w+$")
@@ -73,7 +72,7 @@ def references(model: RobotModel) -> list[Placed[str]]:
 
 
 def rewritten(
-    robot: Subject, new_name: Callable[[Placed[str]], str], *, for_mujoco: bool
+    robot: Context, new_name: Callable[[Placed[str]], str], *, for_mujoco: bool
 ) -> BundledRobot:
     """The expanded robot with other names of files.
 
@@ -95,7 +94,7 @@ def rewritten(
     renamed = []
     for old, written in zip(references(robot.model), references(model), strict=True):
         new = new_name(old)
-        edits.append(Edit(written.span, escape(new, _IN_ATTRIBUTES)))
+        edits.append(Edit(written.span, escaped(new)))
         renamed.append(Renamed(old.at.path, old.span, old.value, new))
     if for_mujoco:
         edits += _compiler(model.root)

@@ -12,7 +12,7 @@ from urdfkit.core import atomic, temporary
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UnwritableFile, UrdfkitError
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
 from urdfkit.output.bundle import MANIFEST, Bundle
@@ -40,7 +40,7 @@ class TargetError(Record):
 
 
 def bundle(
-    robot: Subject | str | os.PathLike[str],
+    robot: Context | str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
     consumer: str = "any",
@@ -62,14 +62,14 @@ def bundle(
     """
     if consumer not in CONSUMERS:
         raise UrdfkitError(f"no program '{consumer}'{did_you_mean(consumer, CONSUMERS)}")
-    subject = robot if isinstance(robot, Subject) else read(robot)
+    subject = robot if isinstance(robot, Context) else read(robot)
     made = Bundle(subject, CONSUMERS[consumer])
-    with _staged(made.files(), os.path.abspath(out), force=force) as directory:
+    with staged(made.files(), os.path.abspath(out), force=force) as directory:
         rejected = tuple(_errors(made, directory, subject, CONSUMERS[consumer].target))
     return made, rejected
 
 
-def _errors(made: Bundle, directory: str, subject: Subject, target: str) -> Iterator[TargetError]:
+def _errors(made: Bundle, directory: str, subject: Context, target: str) -> Iterator[TargetError]:
     if not target:
         return
     places = {element.path: element.span for element in subject.document.root.walk()}
@@ -81,7 +81,9 @@ def _errors(made: Bundle, directory: str, subject: Subject, target: str) -> Iter
 
 
 @contextmanager
-def _staged(files: Iterable[BundledFile], out: str, *, force: bool) -> Iterator[str]:
+def staged(
+    files: Iterable[BundledFile], out: str, *, force: bool, mark: str = MANIFEST
+) -> Iterator[str]:
     """A new directory with the files of a bundle, which becomes ``out`` at the end.
 
     Nothing is left of it after an error.
@@ -90,6 +92,7 @@ def _staged(files: Iterable[BundledFile], out: str, *, force: bool) -> Iterator[
         files: of the bundle.
         out: a directory, or a file that ends in ``.zip``.
         force: replace what is there, if it is a zip or a bundle.
+        mark: the file that tells such a directory from others.
 
     Raises:
         UnwritableFile: something is there, or cannot be written.
@@ -99,7 +102,7 @@ def _staged(files: Iterable[BundledFile], out: str, *, force: bool) -> Iterator[
         made, old = os.path.join(workshop, "bundle"), os.path.join(workshop, "old")
         _put_back(old, out)  # after a kill
         _empty(workshop)
-        _require_free(out, force=force)
+        _require_free(out, mark, force=force)
         _write(files, made)
         yield made
         try:
@@ -140,10 +143,10 @@ def _is_zip(out: str) -> bool:
     return out.lower().endswith(".zip")
 
 
-def _require_free(out: str, *, force: bool) -> None:
+def _require_free(out: str, mark: str, *, force: bool) -> None:
     if not os.path.lexists(out) or (os.path.isdir(out) and not os.listdir(out)):
         return
-    is_bundle = os.path.isfile(os.path.join(out, MANIFEST)) and not os.path.islink(out)
+    is_bundle = os.path.isfile(os.path.join(out, mark)) and not os.path.islink(out)
     if os.path.isdir(out) and (_is_zip(out) or not is_bundle):
         raise UnwritableFile(f"{out}: is a directory that is no bundle; pass another one")
     if not os.path.isdir(out) and not _is_zip(out):

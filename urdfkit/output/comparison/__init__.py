@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.temporary import scratch
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.options import Options
 from urdfkit.output.comparison.differences import KINDS as OF_MODELS
 from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances, differences
@@ -162,7 +162,7 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
     )
 
 
-def _directories(subject: Subject) -> tuple[str, str]:
+def _directories(subject: Context) -> tuple[str, str]:
     """The workspace of a robot, and the directory of its file."""
     file = disk.real(subject.source.path)
     return subject.resolver.packages.workspace(file), os.path.dirname(file)

@@ -8,7 +8,7 @@ from urdfkit.errors import MissingLibrary
 from urdfkit.output.report import data_uris
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.output.comparison import Comparison
 
 SIZE = (800, 600)
@@ -17,7 +17,7 @@ _GONE, _NEW, _CHANGED = (0.86, 0.15, 0.12, 1.0), (0.16, 0.62, 0.3, 1.0), (0.96, 
 _SAME = (0.8, 0.82, 0.85, 1.0)
 
 
-def images(before: Subject, after: Subject, found: Comparison) -> tuple[str, ...]:
+def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...]:
     """Addresses of two images; none where the libraries or the shapes for them are missing.
 
     Links that are gone are red, new ones green, and those that differ or moved amber.
@@ -48,7 +48,7 @@ def images(before: Subject, after: Subject, found: Comparison) -> tuple[str, ...
     return tuple(addresses)
 
 
-def _colours(found: Comparison, after: Subject) -> dict[str, tuple[float, float, float, float]]:
+def _colours(found: Comparison, after: Context) -> dict[str, tuple[float, float, float, float]]:
     """Of the links that differ; a change of a joint counts for its child link."""
     children = {
         joint.name: joint.child.value for joint in after.model.joints if joint.child is not None

@@ -13,13 +13,13 @@ from urdfkit.output.comparison.differences import Difference, RenamedParts, Tole
 from urdfkit.robot.model import Shape
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
 
 INSTALL = "the distance between meshes needs: pip install 'urdfkit[meshes]'"
 
 
 def changed_surfaces(
-    before: Subject, after: Subject, allowed: Tolerances, names: RenamedParts
+    before: Context, after: Context, allowed: Tolerances, names: RenamedParts
 ) -> tuple[list[Difference], list[str]]:
     """The meshes whose surface differs by more than the tolerance of positions.
 
@@ -59,7 +59,7 @@ def changed_surfaces(
 
 
 def _pairs(
-    before: Subject, after: Subject, names: RenamedParts
+    before: Context, after: Context, names: RenamedParts
 ) -> Iterator[tuple[str, str, Shape, Shape]]:
     """Link, role, and the mesh of either side."""
     links = after.model.links_by_name
@@ -83,7 +83,7 @@ def _digest(path: str) -> bytes:
     return hashlib.sha256(disk.read(path)).digest()
 
 
-def _distance(before: Subject, old: Shape, after: Subject, new: Shape) -> float | None:
+def _distance(before: Context, old: Shape, after: Context, new: Shape) -> float | None:
     """In m; None if a file gives no triangles."""
     meshes = before.meshes.mesh(old), after.meshes.mesh(new)
     vertices = before.meshes.vertices(old), after.meshes.vertices(new)

@@ -12,7 +12,7 @@ from urdfkit.output.diagrams import svg
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.render import Scene
     from urdfkit.text.diagnostic import Diagnostic
 
@@ -23,14 +23,14 @@ VIEWS = ("iso", "front", "left", "top")
 SHEET, MARKED = (1280, 720), (960, 540)
 
 
-def tree(subject: Subject) -> dict[str, str]:
+def tree(subject: Context) -> dict[str, str]:
     """The kinematic tree, if there is one that can be drawn."""
     if subject.reading.document is None or not 0 < len(subject.model.links) <= MAX_LINKS:
         return {}
     return {"tree": address("image/svg+xml", svg.render(subject.tree).encode("utf-8", "replace"))}
 
 
-def images(built: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
+def images(built: Scene, subject: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
     """The robot from four sides; and with the links of errors and warnings in colour."""
     from urdfkit.render import marked, render_image
 

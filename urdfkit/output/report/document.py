@@ -18,7 +18,7 @@ from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.strict_json import finite
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.loading import subject_of
@@ -39,8 +39,8 @@ VERSION = 1
 
 ReportDocument = dict[str, Any]
 
-#: The parts that are computed from the robot, each by a function of its Subject.
-_PARTS: dict[str, Callable[[Subject], object]] = {
+#: The parts that are computed from the robot, each by a function of its Context.
+_PARTS: dict[str, Callable[[Context], object]] = {
     "robot": tables.robot,
     "links": tables.links,
     "joints": tables.joints,
@@ -61,7 +61,7 @@ class ReportInput(Record):
     """
 
     document: ReportDocument
-    subject: Subject
+    subject: Context
     diagnostics: tuple[Diagnostic, ...]
 
 
@@ -103,7 +103,7 @@ def completed(reported: ReportInput, progress: Progress | None = None) -> Report
         reported: a robot that was described quickly.
         progress: called with the number of steps done and of all.
     """
-    long: dict[str, Callable[[Subject], object]] = {
+    long: dict[str, Callable[[Context], object]] = {
         "statics": physics.statics,
         "standing": physics.standing,
         "collisions": partial(physics.collisions, progress=progress),
@@ -118,7 +118,7 @@ def completed(reported: ReportInput, progress: Progress | None = None) -> Report
 
 
 def _computed(
-    subject: Subject, wanted: Mapping[str, Callable[[Subject], object]]
+    subject: Context, wanted: Mapping[str, Callable[[Context], object]]
 ) -> tuple[ReportDocument, dict[str, str]]:
     """Parts of a document, and why some of them cannot be had."""
     parts: ReportDocument = {}
@@ -131,7 +131,7 @@ def _computed(
     return parts, missing
 
 
-def _document(subject: Subject, report: Report) -> ReportDocument:
+def _document(subject: Context, report: Report) -> ReportDocument:
     parts, missing = _computed(subject, _PARTS)
     if parts["gazebo"]:
         parts["gazebo"]["rejected"] = [
@@ -165,7 +165,7 @@ def _document(subject: Subject, report: Report) -> ReportDocument:
     return found
 
 
-def _portable(value: Any, subject: Subject) -> Any:
+def _portable(value: Any, subject: Context) -> Any:
     """Plain values without the directories of the machine that they were made on.
 
     Paths in the workspace of the robot begin at the workspace.

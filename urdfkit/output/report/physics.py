@@ -12,7 +12,7 @@ from urdfkit.robot.stability import standing as standing_of
 
 if TYPE_CHECKING:
     from urdfkit.core.progress import Progress
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
 
 #: Poses that statics and collisions sample; the commands of their own take more.
 POSES, SAMPLES = 200, 1000
@@ -20,7 +20,7 @@ POSES, SAMPLES = 200, 1000
 NOISE = 1e-9
 
 
-def statics(subject: Subject) -> Row:
+def statics(subject: Context) -> Row:
     """The gravity load of each joint in its worst pose, the most loaded joint first.
 
     Raises:
@@ -54,7 +54,7 @@ def _round(torque: float) -> float:
     return 0.0 if abs(torque) < NOISE else torque
 
 
-def standing(subject: Subject) -> Row:
+def standing(subject: Context) -> Row:
     """Whether the robot stands, all joints at zero: what ``urdfkit statics`` says.
 
     Raises:
@@ -65,7 +65,7 @@ def standing(subject: Subject) -> Row:
     return standing_of(subject).facts()
 
 
-def collisions(subject: Subject, progress: Progress | None = None) -> Row:
+def collisions(subject: Context, progress: Progress | None = None) -> Row:
     """Which links can collide with which, as sampling shows it.
 
     Args:

@@ -15,7 +15,7 @@ from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.render import Scene as Surfaces
     from urdfkit.robot.model import Link
 
@@ -37,7 +37,7 @@ class PageScene(Record):
     robot: dict[str, Any]
 
 
-def surfaces(subject: Subject) -> Surfaces:
+def surfaces(subject: Context) -> Surfaces:
     """The triangles of a robot, for images and for the engine.
 
     Raises:
@@ -52,7 +52,7 @@ def surfaces(subject: Subject) -> Surfaces:
     return build_surfaces(subject, roles=("visual", "collision"))
 
 
-def build(subject: Subject, built: Surfaces) -> PageScene:
+def build(subject: Context, built: Surfaces) -> PageScene:
     """The scene of a robot; of one with very many triangles a coarse one.
 
     Args:
@@ -109,7 +109,7 @@ def _link(link: Link) -> dict[str, Any]:
     return found
 
 
-def _joints(subject: Subject, numbers: dict[str, int]) -> list[dict[str, Any]]:
+def _joints(subject: Context, numbers: dict[str, int]) -> list[dict[str, Any]]:
     """One joint for each link that has a parent, as `mechanics.kinematics.frames` has it."""
     joints = subject.model.joints_by_name
     every = laws(joints)

@@ -11,13 +11,13 @@ from urdfkit.robot.inertia import principal_moments
 from urdfkit.text.source import Span, shown
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.lint.context import Context
     from urdfkit.robot.model import Joint, Link, Shape
 
 Row = dict[str, Any]
 
 
-def robot(subject: Subject) -> Row:
+def robot(subject: Context) -> Row:
     """What it is as a whole, all joints at zero; in the frame of its root."""
     model, tree = subject.model, subject.tree
     seen = summarise(subject)
@@ -37,7 +37,7 @@ def robot(subject: Subject) -> Row:
     }
 
 
-def links(subject: Subject) -> list[Row]:
+def links(subject: Context) -> list[Row]:
     """Each link with its mass, centre of mass and principal moments."""
     total = subject.model.mass
     return [_link(link, total) for link in subject.model.links]
@@ -71,7 +71,7 @@ def _place(span: Span) -> Row:
     return {"path": shown(span.source.path), "line": line, "column": column}
 
 
-def joints(subject: Subject) -> list[Row]:
+def joints(subject: Context) -> list[Row]:
     """Each joint with its type, links, axis, limits and the joint that it follows."""
     return [_joint(joint) for joint in subject.model.joints]
 
@@ -100,7 +100,7 @@ def _joint(joint: Joint) -> Row:
     }
 
 
-def gazebo(subject: Subject) -> Row:
+def gazebo(subject: Context) -> Row:
     """The result of the conversion to SDF: each link, and the links that are left."""
     conversion = subject.gazebo
     results = {
@@ -134,7 +134,7 @@ def _conversion_result(name: str, survivor: dict[str, str], dropped: dict[str, s
     return {"result": result, "into": into if into != name else "", "reason": ""}
 
 
-def meshes(subject: Subject) -> list[Row]:
+def meshes(subject: Context) -> list[Row]:
     """Each mesh that the robot names: where its file is, and what the file holds."""
     counts = _triangles(subject)
     rows = []
@@ -155,7 +155,7 @@ def meshes(subject: Subject) -> list[Row]:
     return rows
 
 
-def _triangles(subject: Subject) -> dict[str, int]:
+def _triangles(subject: Context) -> dict[str, int]:
     """How many triangles a mesh file gives, by the name that it is referred to."""
     found: dict[str, int] = {}
     for shape in subject.model.shapes:

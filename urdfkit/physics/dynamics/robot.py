@@ -146,6 +146,11 @@ class Dynamics:
         matrix: Floats = self.data.oMf[number].homogeneous
         return matrix
 
+    def placements(self, pose: Mapping[str, float]) -> dict[str, Floats]:
+        """Where each link is in the frame of the root, as homogeneous matrices, (4, 4)."""
+        pin.framesForwardKinematics(self.model, self.data, self.configuration(pose))
+        return {name: self.data.oMf[number].homogeneous for name, number in self._frames.items()}
+
     def jacobian(self, link: str, pose: Mapping[str, float]) -> Floats:
         """How the origin of a link moves with the coordinates, (6, nv).
 

@@ -73,7 +73,7 @@ class MeasuredMeshes:
         """Every use of a mesh that can be measured, in the order of the document."""
         return [use for use, _ in self._every_use if isinstance(use, MeshUse)]
 
-    @cached_property
+    @property
     def unmeasured(self) -> list[tuple[MeshReference, str]]:
         """The others whose files have no defect, with a predicate on the file."""
         return [(mesh, why) for mesh, why in self._every_use if isinstance(mesh, MeshReference)]

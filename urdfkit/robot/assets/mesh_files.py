@@ -135,7 +135,7 @@ class MeshFiles:
         facts = self.facts(path) if path else None
         return facts is not None and (has_other_up_axis(facts) or is_gltf(facts))
 
-    @cached_property
+    @property
     def missing(self) -> tuple[MeshReference, ...]:
         """The references that lead to no file, although their package is known."""
         return tuple(
@@ -147,7 +147,7 @@ class MeshFiles:
             and mesh.located.scheme in ("package", "model", "absolute", "relative")
         )
 
-    @cached_property
+    @property
     def copies(self) -> list[tuple[MeshReference, MeshReference]]:
         """The references to a file with the content of an earlier one, and the latter."""
         by_size: dict[int, list[MeshReference]] = {}
@@ -163,7 +163,7 @@ class MeshFiles:
                     found.append((mesh, earlier))
         return found
 
-    @cached_property
+    @property
     def ignored(self) -> list[MeshReference]:
         """The references to files that git leaves out of the repository that they lie in."""
         if not self.each_file:
@@ -173,7 +173,7 @@ class MeshFiles:
         ignored = GitIgnored()
         return [mesh for mesh in self.each_file if mesh.located.path in ignored]
 
-    @cached_property
+    @property
     def without_package(self) -> dict[str, list[MeshReference]]:
         """The references whose package is not found, by its name."""
         found: dict[str, list[MeshReference]] = {}

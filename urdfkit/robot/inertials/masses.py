@@ -125,7 +125,7 @@ class Masses:
         """True if a moment of inertia in kg·m² is a noticeable part of a rigid body's."""
         return moment >= SIGNIFICANT * self.moments_of(body)[2]
 
-    @cached_property
+    @property
     def without_inertia(self) -> list[RigidBody]:
         """The bodies that joints move, have a mass, and have no moment of inertia at all."""
         return [
@@ -134,7 +134,7 @@ class Masses:
             if body.joint and body.mass > 0 and self.moments_of(body)[2] <= LEAST_MOMENT
         ]
 
-    @cached_property
+    @property
     def singular(self) -> list[RigidBody]:
         """The bodies that joints move and that have no moment of inertia about some axis."""
         from urdfkit.robot.inertials.defects import InertiaDefect
@@ -220,7 +220,7 @@ class Masses:
         """The names of the links with such a tensor."""
         return {link.name for links in self.shared_by_macro.values() for link in links}
 
-    @cached_property
+    @property
     def copies(self) -> list[list[LinkInertia]]:
         """The links of clearly different mass that have the same tensor, if no rule says so."""
         reported = {one.tensor for one in self._defective}

@@ -53,7 +53,7 @@ def shape_mass(link: Link, source: str, measures: Measure) -> ShapeMass | str:
         link: the link.
         source: one of `SOURCES`; ``auto`` is the collision, else the visual, and ``hull`` is the
             convex hull of every mesh of those.
-        measures: measures a mesh, or says why it cannot: `Subject.measures`.
+        measures: measures a mesh, or says why it cannot: `Context.measures`.
     """
     collisions = (link.collisions, "the collision")
     visuals = (link.visuals, "the visual")

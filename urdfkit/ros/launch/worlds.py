@@ -13,7 +13,11 @@ from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
 
 GZ, CLASSIC = "gz", "classic"
+#: The library of Gazebo Classic that spawns robots in ROS 2.
+FACTORY = "libgazebo_ros_factory.so"
 
+#: What the launch files and nodes of gazebo_ros load.
+_OF_ROS = ("libgazebo_ros_init.so", FACTORY)
 #: Programs of the command line that are Gazebo's server, alone or with a first word.
 _COMMANDS = {("gz", "sim"): GZ, ("ign", "gazebo"): GZ, ("gazebo",): CLASSIC, ("gzserver",): CLASSIC}
 
@@ -25,7 +29,7 @@ class StartedWorld(Record):
         generation: ``gz`` or ``classic``.
         name: a path, or the name of a world that comes with Gazebo; empty for the default one.
         engine: the render engine that the command line chooses; empty if it chooses none.
-        libraries: that the command line of Gazebo Classic loads.
+        libraries: that Gazebo Classic loads besides the plugins of the world.
         has_window: False if only the server is started.
         is_running: False if it waits for somebody who presses play.
         span: where the world is named.
@@ -71,7 +75,8 @@ def _of_file(included: IncludedFile) -> StartedWorld | None:
         return None
     is_line = names[0].endswith("_args")
     words = _words(word.text) if is_line else ["-r", word.text]
-    return _started(generation, words, word.span, included)
+    found = _started(generation, words, word.span, included)
+    return found._replace(libraries=_OF_ROS) if found else None
 
 
 def _of_program(started: StartedProgram) -> StartedWorld | None:
@@ -79,7 +84,7 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
     generation = data("worlds")["programs"].get(f"{started.package}/{started.executable}", "")
     texts = [word.text for word in started.words]
     if generation == GZ:
-        path = (started.parameters or {}).get("world_sdf_file")
+        path = started.parameters.values.get("world_sdf_file")
         return _started(GZ, ["-s", "-r", path], started.span, started) if path else None
     known = [text for text in texts if text is not None]
     if len(known) < len(texts):
@@ -89,7 +94,8 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
         if tuple(words[: len(command)]) == command:
             generation, words = kind, words[len(command) :]
             break
-    return _started(generation, words, started.span, started) if generation else None
+    found = _started(generation, words, started.span, started) if generation else None
+    return found._replace(libraries=_OF_ROS) if found and started.package else found
 
 
 def _words(text: str) -> list[str]:

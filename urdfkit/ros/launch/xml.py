@@ -20,6 +20,7 @@ from urdfkit.ros.launch.contents import (
     MAX_INCLUDED,
     PARAMETERS,
     IncludedFile,
+    Parameters,
     StartedProgram,
     Word,
 )
@@ -39,6 +40,11 @@ MAX_LEVELS = 50
 MAX_PROBLEMS = 1000
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
+#: Tags that hold for the nodes after them.
+_SCOPES = (
+    "push-ros-namespace", "push_ros_namespace", "set_parameter", "set_parameters_from_file",
+    "set_remap", "set_use_sim_time",
+)  # fmt: skip
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
@@ -133,12 +139,23 @@ class _File:
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
             self._check(element)
+            if element.tag in _SCOPES or not {"ns", "namespace"}.isdisjoint(element.attributes):
+                self.collector.has_scopes = self.collector.has_scopes or element.tag != "node"
+            self._mentions(element)
             if handle := handles.get(element.tag):
                 is_unknown = self._is_unknown(element)
                 self._unknown_conditions += is_unknown
                 handle(element)
                 self._unknown_conditions -= is_unknown
         self._level -= 1
+
+    def _mentions(self, element: Element) -> None:
+        """Paths in packages whose use is not known, such as that of a world."""
+        for attribute in element.attributes.values():
+            if "$(find" in attribute.value:
+                for word in (self.text(attribute) or "").split():
+                    if os.path.isabs(word):
+                        self.collector.mention(os.path.normpath(word), attribute.span)
 
     def _is_off(self, element: Element) -> bool:
         """True if a condition says so; what cannot be known counts as on."""
@@ -194,7 +211,7 @@ class _File:
         if attribute and path and self.collector.file(path, attribute.span, purpose):
             self._included(element, path)
             return
-        self.collector.is_whole = False
+        self.collector.unread.append(path or "")
         self._is_whole = self._is_whole and not declares_others(path or "")
 
     def _included(self, element: Element, path: str) -> None:
@@ -209,7 +226,6 @@ class _File:
             self._arguments.declare(taken.names)  # which an include leaves behind
         frame = frame_at(self.source, element.tag_at, self.frame)
         if path.endswith(".py"):
-            self.collector.is_whole = False
             self.collector.follow(path, self.source, self._passed(element), frame)
             return
         here = (*self.outer, self.source.path)
@@ -217,7 +233,7 @@ class _File:
         is_followed = path not in here and len(here) <= MAX_DEPTH and is_xml
         self.collector.included += 1
         if not is_followed or self.collector.included > MAX_INCLUDED:
-            self.collector.is_whole = False
+            self.collector.unread.append(path)
             return
         lent = {child.get("name") or "" for child in element.children}
         if self._lends(element):
@@ -314,11 +330,13 @@ class _File:
             name or "",
             (self.text(executable) if executable else None) or "",
             self.substitutions.words(arguments),
-            self._parameters(element),
             element.span,
             self.frame,
             is_sure=not self._unknown_conditions,
             is_remapped=element.child("remap") is not None,
+            parameters=self._parameters(element),
+            namespace=self._namespace(element),
+            name=element.get("name") or "",
         )
         self.collector.started.append(started)
         self._children(element)
@@ -326,22 +344,28 @@ class _File:
     def _executable(self, element: Element) -> None:
         words = self.substitutions.words(element.attributes.get("cmd"))
         is_sure = not self._unknown_conditions
-        started = StartedProgram("", "", words, {}, element.span, self.frame, is_sure)
+        started = StartedProgram("", "", words, element.span, self.frame, is_sure)
         self.collector.started.append(started)
 
-    def _parameters(self, element: Element) -> dict[str, str | None] | None:
-        """The parameters that a node is given in ROS 2, if no files give some.
+    def _namespace(self, element: Element) -> str | None:
+        written = element.attributes.get("namespace") or element.attributes.get("ns")
+        text = self.text(written) if written else ""
+        return None if text is None else text.strip("/")
 
-        In ROS 1 parameters belong to no node.
-        """
-        if self._ros != 2 or any(child.get("from") for child in element.children):
-            return None
-        given = element.all("param")
-        values = [child.attributes.get("value") for child in given]
-        return {
-            child.get("name") or "": self.text(value) if value else None
-            for child, value in zip(given, values, strict=True)
-        }
+    def _parameters(self, element: Element) -> Parameters:
+        """The parameters that a node is given in ROS 2; in ROS 1 they belong to no node."""
+        found: dict[str, str | None] = {}
+        files: list[str] = []
+        is_whole = self._ros == 2 and "ros_args" not in element.attributes
+        for child in element.all("param"):
+            source, value = child.attributes.get("from"), child.attributes.get("value")
+            if source is None:
+                found[child.get("name") or ""] = self.text(value) if value else None
+                continue
+            path = self._path_in(source)
+            is_whole = is_whole and path is not None
+            files += [path] if path else []
+        return Parameters(found, tuple(files), is_whole)
 
     def _rosparam(self, element: Element) -> None:
         attribute = element.attributes.get("file")

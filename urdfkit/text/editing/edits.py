@@ -17,6 +17,16 @@ from urdfkit.text.source import Source, Span
 #: The indentation of one level where a file does not show its own.
 STEP = "  "
 
+_ESCAPES = str.maketrans(
+    {
+        "&": "&amp;",
+        "<": "&lt;",
+        ">": "&gt;",
+        '"': "&quot;",
+        "'": "&apos;",
+        **{char: f"&#{ord(char)};" for char in "\n\r\t"},
+    }
+)
 _END_TAG_NAME = rb"</\s*([^\s>]+)"
 
 
@@ -80,6 +90,11 @@ def add_attribute(after: Attribute, name: str, value: str) -> tuple[Edit, ...] |
         return None
     source, _, end = after.span
     return (Edit(Span(source, end + 1, end + 1), f' {name}="{value}"'),)
+
+
+def escaped(text: str) -> str:
+    """A text as it stands in an attribute with either quotes, or between tags."""
+    return text.translate(_ESCAPES)
 
 
 def replace_value(attribute: Attribute, value: str) -> tuple[Edit, ...] | None:

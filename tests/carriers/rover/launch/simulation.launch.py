@@ -27,6 +27,7 @@ def generate_launch_description():
                 package="rviz2",
                 executable="rviz2",
                 arguments=["-d", os.path.join(share, "rviz", "rover.rviz")],
+                parameters=[{"use_sim_time": True}],
                 condition=IfCondition(LaunchConfiguration("rviz")),
             ),
             IncludeLaunchDescription(
@@ -40,6 +41,11 @@ def generate_launch_description():
                 package="ros_gz_sim",
                 executable="create",
                 arguments=["-topic", "robot_description", "-name", "rover"],
+            ),
+            Node(
+                package="ros_gz_bridge",
+                executable="parameter_bridge",
+                arguments=["/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"],
             ),
             Node(
                 package="controller_manager",

@@ -1,0 +1,105 @@
+"""GAZ073: a driven wheel has next to no friction, or what slides beside it has much."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.reported import messages, reported
+from urdfkit import check
+
+INERTIAL = """<inertial><mass value="1"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>"""
+BALL = '<collision><geometry><sphere radius="{}"/></geometry></collision>'
+BASE = f"""<link name="base">{INERTIAL}</link>
+<link name="ball">{BALL.format(0.05)}</link>
+<joint name="b" type="fixed"><parent link="base"/><child link="ball"/>
+<origin xyz="-0.3 0 -0.05"/></joint>""" + "".join(
+    f"""<link name="{side}">{INERTIAL}{BALL.format(0.1)}</link>
+<joint name="{side}_joint" type="continuous"><parent link="base"/><child link="{side}"/>
+<origin xyz="0 {y} 0"/><axis xyz="0 1 0"/></joint>"""
+    for side, y in (("left", 0.2), ("right", -0.2))
+)
+SURFACE = "<surface><friction><ode><mu>0.02</mu><mu2>0.02</mu2></ode></friction></surface>"
+CLASSIC = """<gazebo><plugin name="d" filename="libgazebo_ros_diff_drive.so">
+<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint></plugin></gazebo>"""
+GZ = """<gazebo><plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">
+<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint></plugin></gazebo>"""
+MECANUM = """<gazebo><plugin name="gz::sim::systems::MecanumDrive"
+filename="gz-sim-mecanum-drive-system"><front_left_joint>left_joint</front_left_joint>
+<front_right_joint>right_joint</front_right_joint></plugin></gazebo>"""
+
+
+def friction(link: str, inside: str) -> str:
+    return f'<gazebo reference="{link}">{inside}</gazebo>'
+
+
+@pytest.mark.parametrize("drive", [CLASSIC, GZ])
+@pytest.mark.parametrize(
+    "inside",
+    [
+        "<mu1>0.01</mu1><mu2>0.01</mu2>",
+        '<mu1 value="0.0"/><mu2 value="0.05"/>',
+        "<mu1>0</mu1>",
+        f"<collision>{SURFACE}</collision>",
+    ],
+)
+def test_a_wheel_without_grip(drive: str, inside: str) -> None:
+    (one,) = messages("GAZ073", BASE + drive + friction("left", inside))
+    assert one.startswith("driven wheel 'left' has a friction coefficient of 0")
+
+
+def test_the_place_is_the_coefficient() -> None:
+    both = friction("left", "<mu1>0.01</mu1>") + friction("right", "<mu2>0.02</mu2>")
+    found = reported("GAZ073", BASE + GZ + both)
+    assert [one.span.text for one in found] == ["<mu1>", "<mu2>"]
+
+
+def test_the_wheels_of_a_controller(tmp_path: Path) -> None:
+    (tmp_path / "c.yaml").write_text("""controller_manager:
+  ros__parameters:
+    drive: {type: diff_drive_controller/DiffDriveController}
+drive:
+  ros__parameters:
+    left_wheel_names: [left_joint]
+    right_wheel_names: [right_joint]
+""")
+    control = f"""<gazebo><plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin"
+filename="gz_ros2_control-system"><parameters>{tmp_path}/c.yaml</parameters></plugin></gazebo>"""
+    low = friction("right", "<mu1>0.001</mu1><mu2>0.001</mu2>")
+    (tmp_path / "r.urdf").write_text(f'<robot name="r">{BASE}{control}{low}</robot>')
+    (one,) = check(tmp_path / "r.urdf", select=["GAZ073"]).diagnostics
+    assert "driven wheel 'right'" in one.message
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        GZ + friction("left", "<mu1>0.1</mu1><mu2>0.1</mu2>"),
+        GZ + friction("left", "<mu1>1</mu1><mu2>0.01</mu2>"),
+        GZ + friction("left", "<mu1>0.01</mu1><mu2>0.01</mu2><fdir1>1 0 0</fdir1>"),
+        GZ + friction("ball", "<mu1>0.01</mu1><mu2>0.01</mu2>"),
+        MECANUM + friction("left", "<mu1>0.01</mu1><mu2>0.01</mu2>"),
+        friction("left", "<mu1>0.01</mu1><mu2>0.01</mu2>"),
+    ],
+)
+def test_wheels_that_are_meant_so(text: str) -> None:
+    assert messages("GAZ073", BASE + text) == []
+
+
+@pytest.mark.parametrize("inside", ["<mu1>1</mu1><mu2>1</mu2>", "<mu1>0.5</mu1>"])
+def test_a_caster_with_grip(inside: str) -> None:
+    (one,) = messages("GAZ073", BASE + GZ + friction("ball", inside))
+    assert "'ball' slides on the ground beside driven wheels" in one
+
+
+def test_casters_that_do_no_harm() -> None:
+    much = friction("ball", "<mu1>1</mu1><mu2>1</mu2>")
+    assert messages("GAZ073", BASE + much) == []
+    assert messages("GAZ073", BASE + GZ) == []
+    assert messages("GAZ073", BASE + GZ + friction("ball", "<mu1>1</mu1><mu2>0.1</mu2>")) == []
+    lifted = BASE.replace("-0.3 0 -0.05", "-0.3 0 0.05")
+    assert messages("GAZ073", lifted + GZ + much) == []
+    turns = BASE.replace('name="b" type="fixed"', 'name="b" type="continuous"')
+    assert messages("GAZ073", turns + GZ + much) == []

@@ -1,0 +1,70 @@
+"""GAZ071: a planar lidar on a robot with wheels does not scan level."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.reported import messages, reported
+from urdfkit import Severity
+
+ROBOT = """<link name="base"><inertial><mass value="1"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<link name="left_wheel"/><link name="laser"/>
+<joint name="w" type="{wheel}"><parent link="base"/><child link="left_wheel"/>
+<axis xyz="0 1 0"/></joint>
+<joint name="l" type="{mount}"><parent link="base"/><child link="laser"/>
+<origin xyz="0.1 0 0.3" rpy="{rpy}"/><axis xyz="0 1 0"/></joint>
+<gazebo reference="laser"><sensor name="s" type="{type}">{pose}<update_rate>10</update_rate>
+<{block}><scan><horizontal><samples>360</samples><min_angle>{first}</min_angle>
+<max_angle>3.14</max_angle></horizontal>{vertical}</scan>
+<range><min>0.1</min><max>10</max></range></{block}></sensor></gazebo>"""
+LEVEL = {
+    "wheel": "continuous", "mount": "fixed", "rpy": "0 0 0", "type": "gpu_lidar", "pose": "",
+    "block": "lidar", "first": "-3.14", "vertical": "",
+}  # fmt: skip
+
+
+def robot(**changed: str) -> str:
+    return ROBOT.format(**(LEVEL | changed))
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"rpy": "0 0.2618 0"}, "inclined by 15 deg: 1 m above the floor it meets it after 3.86 m"),
+        ({"rpy": "0.5 0 0", "type": "ray", "block": "ray"}, "inclined by 28.6 deg"),
+        ({"pose": "<pose>0 0 0 0 -0.3 1</pose>"}, "inclined by 17.2 deg"),
+        ({"rpy": "3.1416 0.2 0"}, "inclined by 11.5 deg"),
+        ({"rpy": "1.5708 0 0"}, "scans upright"),
+        ({"rpy": "-1.5708 0 -1.5708"}, "scans upright"),
+    ],
+)
+def test_it_is_not_level(changed: dict[str, str], message: str) -> None:
+    (one,) = reported("GAZ071", robot(**changed))
+    assert message in one.message
+    assert one.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize("rpy", ["3.14159 0 0", "0 3.14159 0", "3.1 0 1.2"])
+def test_upside_down_is_an_info(rpy: str) -> None:
+    (one,) = reported("GAZ071", robot(rpy=rpy))
+    assert one.message == "sensor 's' is upside down: seen from above, its scan runs clockwise"
+    assert one.severity is Severity.INFO
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {},
+        {"rpy": "0 0 2"},
+        {"rpy": "0 0.05 0"},
+        {"rpy": "0 0.3 0", "pose": "<pose>0 0 0 0 -0.3 0</pose>"},
+        {"rpy": "0 0.3 0", "mount": "revolute"},
+        {"rpy": "0 0.3 0", "wheel": "fixed"},
+        {"rpy": "0 0.3 0", "first": "2.5"},
+        {"rpy": "0 0.3 0", "vertical": "<vertical><samples>16</samples></vertical>"},
+        {"rpy": "0 0.3 0", "pose": '<pose relative_to="base">0 0 0 0 0 0</pose>'},
+    ],
+)
+def test_it_is_level_or_not_known(changed: dict[str, str]) -> None:
+    assert messages("GAZ071", robot(**changed)) == []

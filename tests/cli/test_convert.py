@@ -1,0 +1,61 @@
+"""The convert command: what it prints, and its exit codes."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+for library in ("mujoco", "pinocchio", "trimesh"):
+    pytest.importorskip(library)
+GRIPPER = MODELS / "good" / "gripper.urdf"
+
+
+def convert(*words: str) -> int:
+    return main(["convert", str(GRIPPER), "--to", "mjcf", "-o", "out", *words])
+
+
+@pytest.fixture(autouse=True)
+def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def test_it_says_what_is_lost(capsys: pytest.CaptureFixture[str]) -> None:
+    assert convert() == 0
+    text = " ".join(capsys.readouterr().out.split())
+    assert text.startswith(
+        "wrote out: gripper.xml; its root is welded to the world"
+        " 4 links, 2 joints, 6 geoms, 1 actuator MuJoCo and Pinocchio agree on masses, frames,"
+    )
+    assert "lost: velocity: MuJoCo does not limit velocities (" in text
+    assert text.endswith("gripper.urdf:65:57, and 1 more place)")
+
+
+def test_for_programs(capsys: pytest.CaptureFixture[str]) -> None:
+    assert convert("--format", "json", "--base", "free") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["base"] == "free"
+    assert found["proof"]["holds"] is True
+    assert found == json.loads(Path("out/conversion.json").read_text(encoding="utf-8"))
+
+
+def test_what_is_there_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
+    assert convert() == 0
+    assert convert() == 2
+    assert "--force replaces it" in capsys.readouterr().err
+    assert convert("--force") == 0
+
+
+def test_without_mujoco(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for module in [name for name in sys.modules if name.startswith("urdfkit.output.conversion.")]:
+        monkeypatch.delitem(sys.modules, module)
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    assert convert() == 2
+    assert "pip install 'urdfkit[simulate]'" in capsys.readouterr().err

@@ -1,0 +1,254 @@
+"""What MuJoCo loads is the robot: masses, frames and dynamics equal those of Pinocchio."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+from tests import update_corpus_findings as corpus_findings
+from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from urdfkit import convert, read
+from urdfkit.errors import UnwritableFile, UrdfkitError
+from urdfkit.text.source import Source
+
+mujoco = pytest.importorskip("mujoco")
+np = pytest.importorskip("numpy")
+pytest.importorskip("pinocchio")
+pytest.importorskip("trimesh")
+
+from tests.physics.dynamics.test_against_pinocchio import robots
+from urdfkit.output.conversion.proof import LENGTH, PART, prove
+from urdfkit.output.conversion.writing import REPORT
+
+HERE = Path(__file__).parents[2]
+ROVER = HERE / "carriers" / "rover" / "urdf" / "rover.urdf.xacro"
+PICKER = HERE / "carriers" / "picker" / "urdf" / "picker.urdf"
+
+BOX = '<geometry><box size="0.2 0.4 0.6"/></geometry>'
+INERTIAL = (
+    '<inertial><mass value="2"/>'
+    '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>'
+)
+
+
+def arm(joint: str = "", tip: str = INERTIAL, more: str = "", kind: str = "revolute") -> Source:
+    """Two links on a joint."""
+    text = (
+        f'<robot name="arm">\n<link name="base">{INERTIAL}</link>\n'
+        f'<link name="tip">{tip}</link>\n'
+        f'<joint name="turn" type="{kind}"><parent link="base"/><child link="tip"/>'
+        f'<origin xyz="0 0 0.5"/>{joint}</joint>\n{more}</robot>'
+    )
+    return Source("arm.urdf", text.encode())
+
+
+LIMIT = '<limit lower="-1" upper="2" effort="7" velocity="3"/>'
+
+
+def loaded(robot: Source | Path, out: Path, **options: Any) -> tuple[Any, dict[str, str]]:
+    """The model that MuJoCo loads, and what became of each part."""
+    found = convert(read(robot), out, **options)
+    model = mujoco.MjModel.from_xml_path(str(out / found.file))
+    return model, {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [ROVER, PICKER, *sorted((MODELS / "good").rglob("*.urdf"))],
+    ids=lambda path: path.stem,
+)
+def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
+    found = convert(robot, tmp_path / "out")
+    assert found.proof.frames < LENGTH / 1e3
+    assert found.proof.mass_matrix < PART / 1e3
+    assert json.loads((tmp_path / "out" / REPORT).read_text())["proof"]["holds"] is True
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
+def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
+    folder, model = entry
+    robot = folder / model["path"]
+    try:
+        found = convert(read(robot, arguments=corpus_findings.arguments_of(model)), tmp_path / "o")
+    except UrdfkitError as error:
+        pytest.skip(str(error))
+    assert found.proof.holds
+    assert_complete(found)
+
+
+def assert_complete(found: Any) -> None:
+    """Every part has one entry, and those that are lost or approximated have a reason."""
+    assert max(Counter((one.part, one.span) for one in found.entries).values()) == 1
+    assert all(one.note for one in found.entries)
+
+
+@settings(suppress_health_check=list(HealthCheck), derandomize=True)
+@given(robots())
+def test_random_trees(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
+    robot = read(Source("r.urdf", text.encode()))
+    found = convert(robot, tmp_path_factory.mktemp("tree") / "out")
+    parts = {one.part for one in found.entries}
+    assert found.proof.holds
+    for element in robot.document.root.walk():
+        assert element.path in parts
+        assert all(f"{element.path}@{name}" in parts for name in element.attributes)
+
+
+def test_a_wrong_model_does_not_hold(tmp_path: Path) -> None:
+    robot = read(arm(LIMIT))
+    file = tmp_path / "o" / convert(robot, tmp_path / "o").file
+    model = mujoco.MjModel.from_xml_path(str(file))
+    assert prove(model, robot).holds
+    model.body("tip").mass += 0.001
+    assert not prove(model, robot).holds
+    model = mujoco.MjModel.from_xml_path(str(file))
+    model.body("tip").pos += 1e-8
+    assert not prove(model, robot).holds
+
+
+def test_joints_have_their_limits_friction_and_actuators(tmp_path: Path) -> None:
+    model, parts = loaded(arm(LIMIT + '<dynamics damping="0.5" friction="0.2"/>'), tmp_path / "o")
+    turn = model.joint("turn")
+    assert turn.range.tolist() == [-1, 2]
+    assert (turn.damping[0], turn.frictionloss[0]) == (0.5, 0.2)
+    assert model.jnt_actfrcrange[turn.id].tolist() == [-7, 7]
+    assert model.actuator("turn").ctrlrange.tolist() == [-7, 7]
+    assert parts["joint/turn/limit@velocity"].startswith("lost: ")
+    assert parts["joint/turn/limit@effort"] == "kept: actuatorfrcrange"
+
+
+def test_equal_limits_hold_the_joint(tmp_path: Path) -> None:
+    model, parts = loaded(arm(LIMIT.replace('"2"', '"-1"')), tmp_path / "o")
+    assert model.joint("turn").range.tolist() == pytest.approx([-1, -1], abs=2e-6)
+    assert parts["joint/turn/limit"].startswith("approximated: ")
+
+
+@pytest.mark.parametrize(
+    ("interface", "gain", "range_"),
+    [("position", 70, [-1, 2]), ("velocity", 7, [-3, 3]), ("effort", 1, [-7, 7])],
+)
+def test_actuators_are_those_of_ros2_control(
+    interface: str, gain: float, range_: list[float], tmp_path: Path
+) -> None:
+    block = (
+        '<ros2_control name="c" type="system"><joint name="turn">'
+        f'<command_interface name="{interface}"/></joint></ros2_control>'
+    )
+    model, parts = loaded(arm(LIMIT, more=block), tmp_path / "o")
+    actuator = model.actuator("turn")
+    assert actuator.gainprm[0] == pytest.approx(gain)
+    assert actuator.ctrlrange.tolist() == range_
+    at = f"ros2_control/c/joint/turn/command_interface/{interface}"
+    assert parts[at] == f"kept: actuator for {interface}"
+    assert parts["ros2_control/c"].startswith("lost: ")
+
+
+def test_followers_follow(tmp_path: Path) -> None:
+    follower = (
+        f'<link name="finger">{INERTIAL}</link><joint name="follow" type="revolute">'
+        f'<parent link="tip"/><child link="finger"/>{LIMIT}'
+        '<mimic joint="turn" multiplier="-0.5" offset="0.1"/></joint>'
+    )
+    model, parts = loaded(arm(LIMIT, more=follower), tmp_path / "o")
+    assert model.eq_data[0][:2].tolist() == [0.1, -0.5]
+    assert [model.joint(model.eq_obj1id[0]).name, model.joint(model.eq_obj2id[0]).name] == [
+        "follow",
+        "turn",
+    ]
+    assert model.nu == 1
+    assert parts["joint/follow/mimic@offset"] == "kept: equality"
+
+
+def test_visuals_and_collisions(tmp_path: Path) -> None:
+    content = (
+        f'{INERTIAL}<visual><origin xyz="0 0 1"/>{BOX}'
+        '<material name="red"><color rgba="1 0 0 0.5"/></material></visual>'
+        f"<collision>{BOX}</collision>"
+    )
+    friction = '<gazebo reference="tip"><mu1>0.3</mu1><mu2>0.4</mu2></gazebo>'
+    model, parts = loaded(arm(LIMIT, tip=content, more=friction), tmp_path / "o")
+    visual, collision = 0, 1
+    assert model.geom_contype.tolist() == [0, 1]
+    assert model.geom_size.tolist() == [[0.1, 0.2, 0.3]] * 2
+    assert model.geom_pos[visual].tolist() == [0, 0, 1]
+    assert model.geom_rgba[visual].tolist() == [1, 0, 0, 0.5]
+    assert model.geom_friction[collision][0] == 0.3
+    assert parts["gazebo/tip/mu1"] == "kept: friction"
+    assert parts["gazebo/tip/mu2"].startswith("lost: ")
+
+
+def test_sensors_stand_where_gazebo_has_them(tmp_path: Path) -> None:
+    tags = (
+        '<gazebo reference="tip"><sensor name="eye" type="camera"><pose>1 0 0 0 0 0</pose>'
+        "<camera><horizontal_fov>1.5707963267948966</horizontal_fov>"
+        "<image><width>200</width><height>100</height></image></camera></sensor>"
+        '<sensor name="imu" type="imu"><pose>0 2 0 0 0 1.5707963267948966</pose></sensor>'
+        '<sensor name="scan" type="gpu_lidar"/></gazebo>'
+    )
+    model, parts = loaded(arm(LIMIT, more=tags), tmp_path / "o")
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    forward, up = (
+        -data.cam("eye").xmat.reshape(3, 3)[:, 2],
+        data.cam("eye").xmat.reshape(3, 3)[:, 1],
+    )
+    assert np.allclose(data.cam("eye").xpos, [1, 0, 0.5])
+    assert np.allclose([forward, up], [[1, 0, 0], [0, 0, 1]])
+    assert model.cam("eye").fovy[0] == pytest.approx(np.degrees(2 * np.arctan(0.5)))
+    assert np.allclose(data.site("imu").xpos, [0, 2, 0.5])
+    assert np.allclose(data.site("imu").xmat.reshape(3, 3)[:, 0], [0, 1, 0])
+    assert data.sensor("imu_linear_acceleration").data == pytest.approx([0, 0, 9.81])
+    assert parts["gazebo/tip/sensor/scan"].startswith("lost: ")
+
+
+@pytest.mark.parametrize(("base", "joints"), [("fixed", 1), ("free", 2), ("auto", 1)])
+def test_the_base(base: str, joints: int, tmp_path: Path) -> None:
+    assert loaded(arm(LIMIT), tmp_path / "o", base=base)[0].njnt == joints
+
+
+def test_what_stands_on_wheels_floats(tmp_path: Path) -> None:
+    assert loaded(ROVER, tmp_path / "o")[0].jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE
+
+
+def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
+    text = arm(LIMIT).data.replace(b'"base"', b'"world"')
+    model, parts = loaded(Source("arm.urdf", text), tmp_path / "o")
+    assert model.nbody == 2
+    assert parts["link/world/inertial"] == "lost: the world does not move"
+
+
+@pytest.mark.parametrize(
+    ("robot", "reason"),
+    [
+        (arm(LIMIT, tip=""), "arm.urdf:3:1: MuJoCo rejects the robot: mass and inertia"),
+        (arm(LIMIT.replace('"2"', '"-3"')), "lower is over upper"),
+        (arm(LIMIT, kind="hinge"), "joint 'turn' has the type 'hinge'"),
+        (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
+        (Source("r.urdf", b'<robot name="r"/>'), "do not form one tree"),
+        (arm(LIMIT, tip=INERTIAL + "<collision><geometry><sphere/></geometry></collision>"),
+         "<sphere> has no readable size"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_converted_leaves_nothing(
+    robot: Source, reason: str, tmp_path: Path
+) -> None:
+    with pytest.raises(UrdfkitError) as raised:
+        convert(read(robot), tmp_path / "o")
+    assert reason in str(raised.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_only_a_conversion_is_replaced(tmp_path: Path) -> None:
+    convert(read(arm(LIMIT)), tmp_path / "o")
+    with pytest.raises(UnwritableFile, match="--force replaces it"):
+        convert(read(arm(LIMIT)), tmp_path / "o")
+    convert(read(arm(LIMIT)), tmp_path / "o", force=True)
+    (tmp_path / "o" / REPORT).unlink()
+    with pytest.raises(UnwritableFile):
+        convert(read(arm(LIMIT)), tmp_path / "o", force=True)

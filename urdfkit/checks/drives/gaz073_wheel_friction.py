@@ -1,0 +1,135 @@
+"""A driven wheel has next to no friction, or what slides beside it has much.
+
+- A wheel that a drive turns, with `mu1` and `mu2` below 0.1: it spins in place, and the odometry of
+  the plugin, which counts turns, shows a way that the robot has not gone. The friction of a contact
+  is the smaller one of the two surfaces, so that the floor makes up for nothing. The values are
+  often those of the caster, copied.
+- A caster that is fixed to the body, a ball that slides, with a friction of 0.5 or more: the drive
+  has to drag it sideways in every turn. It turns less than commanded, or not at all. Write 0.01.
+
+Wheels of mecanum drives, and those with a first direction of friction (`fdir1`), are left out.
+
+Sources:
+    SDF, friction: http://sdformat.org/spec?ver=1.9&elem=collision
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    Gazebo, friction: https://classic.gazebosim.org/tutorials?tut=friction
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, rule
+from urdfkit.robot.model import Placed
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
+from urdfkit.robot.stability import stand
+from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.gazebo.drives import drive_of, wheels
+from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
+from urdfkit.ros.gazebo.values import leading, text_of, value
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Context
+    from urdfkit.robot.model import RobotModel
+
+#: Coefficients below which a wheel has no grip, and from which a caster has.
+LITTLE, MUCH = 0.1, 0.5
+
+_TYRE = collision_xml('<sphere radius="0.1"/>')
+BAD = robot_xml(
+    solid_xml("base"),
+    solid_xml("left", _TYRE),
+    joint_xml(
+        "continuous", '<origin xyz="0 0.2 0"/><axis xyz="0 1 0"/>', name="left", child="left"
+    ),
+    solid_xml("right", _TYRE),
+    joint_xml(
+        "continuous", '<origin xyz="0 -0.2 0"/><axis xyz="0 1 0"/>', name="right", child="right"
+    ),
+    gazebo_xml("<mu1>0.01</mu1>", "<mu2>0.01</mu2>", reference="left"),
+    gazebo_xml(
+        plugin_xml(
+            "drive",
+            "libgazebo_ros_diff_drive.so",
+            "<left_joint>left</left_joint>",
+            "<right_joint>right</right_joint>",
+            "<wheel_separation>0.4</wheel_separation>",
+            "<wheel_diameter>0.2</wheel_diameter>",
+        )
+    ),
+)
+GOOD = BAD.replace("0.01</mu", "0.9</mu")
+
+#: Drives that turn their wheels against one another, and steer.
+_ROLLERS = ("mecanum", "omni", "swerve")
+
+
+@rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Context) -> Findings:
+    driven = dict.fromkeys(_driven(subject))
+    for link in driven:
+        low = [one for one in _friction(subject.model, link) if one.value < LITTLE]
+        given = _friction(subject.model, link)
+        if low and len(low) == len(given):
+            yield Finding(
+                low[0],
+                f"driven wheel '{link}' has a friction coefficient of {low[0].value:g}: it spins "
+                "in place",
+                "write about 1",
+                weight=-low[0].value,
+            )
+    yield from _casters(subject, set(driven))
+
+
+def _driven(subject: Context) -> Iterator[str]:
+    """The links of the wheels that drive plugins and drive controllers turn."""
+    for use in subject.plugins:
+        if drive_of(use) and not any(one in use.filename for one in _ROLLERS):
+            for wheel in wheels(use, subject.tree):
+                if wheel.rolling.joint.child:
+                    yield wheel.rolling.joint.child.value
+    for _, found in subject.controllers:
+        for controller in found:
+            kind = catalogue().get(controller.type)
+            if kind is None or any(one in controller.type.lower() for one in _ROLLERS):
+                continue
+            names = (name for measure in kind.measures for side in measure.sides for name in side)
+            for written in controller.values(dict.fromkeys(names)):
+                joint = subject.model.joints_by_name.get(written.text)
+                if joint is not None and joint.child and joint.kind == "continuous":
+                    yield joint.child.value
+
+
+def _friction(model: RobotModel, link: str) -> list[Placed[float]]:
+    """The coefficients of a link, of each direction the last; none if it chooses a direction."""
+    found: dict[str, Placed[float]] = {}
+    for block in model.gazebo:
+        if block.get("reference") != link:
+            continue
+        for element in block.walk():
+            if element.tag == "fdir1":
+                return []
+            name = {"mu": "mu1"}.get(element.tag, element.tag)
+            text, _ = leading(text_of(element)) if name in ("mu1", "mu2") else ("", "")
+            if text:
+                found[name] = Placed(value(text), element)
+    return list(found.values())
+
+
+def _casters(subject: Context, driven: set[str]) -> Findings:
+    """What is fixed to the body, touches the ground beside driven wheels, and does not slide."""
+    standing = stand(subject, meshes=False) if driven and subject.tree.is_sound else None
+    if standing is None or driven.isdisjoint(standing.links):
+        return
+    fixed = {link.name for link, _ in rigid_bodies(subject.tree)[0].links}
+    for link in standing.links:
+        given = _friction(subject.model, link) if link in fixed else []
+        if given and min(one.value for one in given) >= MUCH:
+            yield Finding(
+                given[0],
+                f"'{link}' slides on the ground beside driven wheels, with a friction coefficient "
+                f"of {given[0].value:g}: it keeps the robot from turning",
+                "write 0.01",
+            )

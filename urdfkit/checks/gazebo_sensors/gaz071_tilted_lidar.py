@@ -1,0 +1,94 @@
+"""A planar lidar on a robot with wheels does not scan level.
+
+Its beams lie in the plane across z of its frame. Where that frame is pitched, the scan meets the
+floor in front of the robot and takes it for a wall, and walls behind are seen at other distances
+than at the height of the lidar; mapping and AMCL need a level scan. A scan that stands upright,
+often an optical frame or a roll of 90°, sees a line of the floor. A lidar that hangs upside down is
+an info: programs that look up its frame, as AMCL does, turn the scan over; others see a map that is
+a mirror image.
+
+Lidars behind a joint that moves, those with several layers, and narrow ones are left out.
+
+Sources:
+    sensor_msgs, LaserScan: https://docs.ros.org/en/rolling/p/sensor_msgs/msg/LaserScan.html
+    SDF, lidar: http://sdformat.org/spec?ver=1.9&elem=sensor
+    nav2, AMCL: https://github.com/ros-navigation/navigation2/blob/main/nav2_amcl/src/amcl_node.cpp
+"""
+
+from __future__ import annotations
+
+from math import degrees, pi, sin
+from typing import TYPE_CHECKING
+
+from urdfkit.lint.rules import Finding, Findings, Severity, rule
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.views import frame_of, planar_scan, tilt
+
+if TYPE_CHECKING:
+    from urdfkit.core.spatial import Transform
+    from urdfkit.lint.context import Context
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.gazebo.sensors import Sensor
+
+#: Radians: lidars are adjusted by less than the first; upright or upside down within the second.
+ADJUSTED, NEAR = 0.06, 0.06
+
+_SCAN = (
+    "<lidar>"
+    "<scan><horizontal><samples>360</samples><min_angle>-3.1</min_angle>"
+    "<max_angle>3.1</max_angle></horizontal></scan>"
+    "<range><min>0.1</min><max>10</max></range>"
+    "</lidar>"
+)
+BAD = robot_xml(
+    solid_xml("base"),
+    solid_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
+    joint_xml("continuous", '<axis xyz="0 1 0"/>', name="wheel_joint", child="wheel"),
+    solid_xml("scanner"),
+    joint_xml("fixed", '<origin xyz="0 0 0.3" rpy="0 0.3 0"/>', name="mount", child="scanner"),
+    gazebo_xml(
+        sensor_xml("front", "gpu_lidar", "<update_rate>10</update_rate>", _SCAN),
+        reference="scanner",
+    ),
+)
+GOOD = BAD.replace("0 0.3 0", "0 0 0.3")
+
+
+@rule(Severity.WARNING, help="level the <origin> of its joint, or the <pose> of the sensor")
+def check(subject: Context) -> Findings:
+    if not subject.tree.is_sound or not _rolls(subject.tree):
+        return
+    fixed = {link.name for link, _ in rigid_bodies(subject.tree)[0].links}
+    for sensor in sensors(subject.model):
+        frame = frame_of(sensor, subject.tree) if sensor.reference in fixed else None
+        if frame is not None and planar_scan(sensor) and tilt(frame) > ADJUSTED:
+            yield _finding(sensor, frame)
+
+
+def _rolls(tree: KinematicTree) -> bool:
+    """True for a robot with wheels that is not fixed to the world."""
+    is_fixed = rigid_bodies(tree)[0].is_ground
+    wheels = (
+        joint.kind == "continuous" and joint.child and "wheel" in joint.child.value.lower()
+        for joint in tree.model.joints
+    )
+    return not is_fixed and any(wheels)
+
+
+def _finding(sensor: Sensor, frame: Transform) -> Finding:
+    angle = tilt(frame)
+    if angle > pi - NEAR:
+        message = f"{sensor.who} is upside down: seen from above, its scan runs clockwise"
+        return Finding(sensor.at, message, severity=Severity.INFO)
+    if abs(angle - pi / 2) < NEAR:
+        return Finding(sensor.at, f"{sensor.who} scans upright: z of its frame is horizontal")
+    slope = min(angle, pi - angle)
+    return Finding(
+        sensor.at,
+        f"{sensor.who} scans a plane that is inclined by {degrees(slope):.3g} deg: 1 m above the "
+        f"floor it meets it after {1 / sin(slope):.3g} m",
+        weight=slope,
+    )

@@ -1,0 +1,193 @@
+"""A planar lidar or a camera sees little but the robot itself.
+
+- Many beams of a planar lidar end at the robot, at the zero pose: it is mounted at the height of
+  the deck, of an arm or of wheels. Navigation takes that for obstacles around the robot that move
+  with it. It is an info from a tenth of the beams on, a warning from three tenths on. The `ray` of
+  Gazebo Classic meets collision shapes, from inside, too; a `gpu_lidar` sees visuals from outside.
+  What is nearer than the minimum range is not seen.
+- The whole image of a camera is covered by parts of the robot nearer than half a metre: it looks
+  into its housing, or backwards into the body.
+
+Raise the sensor, turn it, or give a lidar the range of angles that is free.
+
+Sources:
+    gazebo-classic, RaySensor: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/sensors/RaySensor.cc
+    gz-sensors, GpuLidarSensor: https://github.com/gazebosim/gz-sensors/blob/main/src/GpuLidarSensor.cc
+    SDF, lidar: http://sdformat.org/spec?ver=1.9&elem=sensor
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.spatial import IDENTITY, Transform, Vector, vector
+from urdfkit.lint.rules import Finding, Findings, Related, Severity, rule
+from urdfkit.robot.ray_casting import beams_on, interval, shape_of
+from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
+from urdfkit.robot.shapes import Primitive
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.views import frame_of, image_rays, is_camera, planar_scan
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Context
+    from urdfkit.robot.model import Body
+    from urdfkit.robot.ray_casting import Scan
+    from urdfkit.ros.gazebo.sensors import Sensor
+
+#: The part of the beams of a lidar from which it is an info and a warning; of a camera's rays.
+SOME, MANY, ALL = 0.1, 0.3, 0.99
+#: In m: what a camera sees farther away is what it is for, such as the hand of its robot.
+NEAR = 0.5
+_CLIP = 0.1
+
+_SCAN = (
+    "<lidar>"
+    "<scan><horizontal><samples>360</samples><min_angle>-3.1</min_angle>"
+    "<max_angle>3.1</max_angle></horizontal></scan>"
+    "<range><min>0.1</min><max>10</max></range>"
+    "</lidar>"
+)
+_DECK = '<origin xyz="0.3 0 0"/>'
+BAD = robot_xml(
+    solid_xml("base", visual_xml('<box size="0.2 2 0.2"/>', _DECK)),
+    link_xml("scanner"),
+    joint_xml("fixed", '<origin xyz="0 0 0.05"/>', name="mount", child="scanner"),
+    gazebo_xml(
+        sensor_xml("front", "gpu_lidar", "<update_rate>10</update_rate>", _SCAN),
+        reference="scanner",
+    ),
+)
+GOOD = BAD.replace("0 0 0.05", "0 0 0.25")
+
+
+@rule(Severity.WARNING, help="raise or turn the sensor, or scan the angles that are free")
+def check(subject: Context) -> Findings:
+    if not subject.tree.is_sound:
+        return
+    for sensor in sensors(subject.model):
+        frame = frame_of(sensor, subject.tree)
+        if frame is None:
+            continue
+        if scan := planar_scan(sensor):
+            yield from _of_lidar(subject, sensor, frame, scan)
+        elif is_camera(sensor):
+            yield from _of_camera(subject, sensor, frame)
+
+
+def _of_lidar(subject: Context, sensor: Sensor, frame: Transform, scan: Scan) -> Findings:
+    sees_inside = not sensor.type.startswith("gpu")
+    directions = scan.directions
+    blocked: dict[str, set[int]] = {}
+    for name, body, at in _bodies(subject, frame, visuals=not sees_inside):
+        if name == sensor.reference and sees_inside:
+            continue  # GAZ050
+        shape = shape_of(body, at)
+        found: set[int] = set()
+        if shape is not None:
+            found = set(beams_on(shape, scan, directions, sees_inside=sees_inside))
+        elif (box := _box(subject, body, at)) and _crosses(box):
+            ends = {"low": scan.low, "high": scan.high}
+            found = _on_mesh(subject, body, at, directions, **ends, both_sides=sees_inside)
+        if found:
+            blocked.setdefault(name, set()).update(found)
+    part = len(set().union(*blocked.values())) / scan.samples
+    if part >= SOME:
+        yield _finding(
+            subject,
+            sensor,
+            f"{sensor.who}: {100 * part:.0f} % of its beams end at the robot itself",
+            blocked,
+        )._replace(severity=None if part >= MANY else Severity.INFO)
+
+
+def _of_camera(subject: Context, sensor: Sensor, frame: Transform) -> Findings:
+    rays = image_rays(sensor)
+    clip = sensor.number("camera/clip/near")
+    low = clip.value if clip else _CLIP
+    blocked: dict[str, set[int]] = {}
+    for name, body, at in _bodies(subject, frame, visuals=True):
+        own = shape_of(body, at)
+        shape = own or _box(subject, body, at)
+        met = [interval(shape, ray) for ray in rays] if shape else []
+        if own is None and any(one and one[0] <= NEAR and one[1] >= low for one in met):
+            found = _on_mesh(subject, body, at, rays, low=low, high=NEAR, both_sides=False)
+        else:
+            found = {i for i, one in enumerate(met) if own and one and low <= one[0] <= NEAR}
+        if found:
+            blocked.setdefault(name, set()).update(found)
+    if rays and len(set().union(*blocked.values())) >= ALL * len(rays):
+        message = f"{sensor.who} sees nothing but the robot itself"
+        yield _finding(subject, sensor, message, blocked)
+
+
+def _finding(
+    subject: Context, sensor: Sensor, message: str, blocked: dict[str, set[int]]
+) -> Finding:
+    worst = sorted(blocked, key=lambda name: -len(blocked[name]))[:3]
+    links = subject.model.links_by_name
+    return Finding(
+        sensor.at,
+        f"{message}: at {', '.join(worst)}",
+        related=tuple(Related(links[name].at.span, f"link '{name}'") for name in worst),
+    )
+
+
+def _bodies(
+    subject: Context, frame: Transform, *, visuals: bool
+) -> Iterator[tuple[str, Body, Transform]]:
+    """The shapes of all links, each with the frame of its link in that of the sensor."""
+    inverse = frame.inverse
+    for name, link in subject.model.links_by_name.items():
+        if name in subject.tree.frames:
+            for body in link.visuals if visuals else link.collisions:
+                yield name, body, inverse @ subject.tree.frames[name]
+
+
+def _box(subject: Context, body: Body, at: Transform) -> Primitive | None:
+    """The box around a mesh in the frame of a sensor; None if it was not measured."""
+    measures = subject.measures(body.shape) if body.shape and body.shape.filename else ""
+    if body.shape is None or isinstance(measures, str):
+        return None
+    ends = zip(measures.low, measures.high, body.shape.scale, strict=True)
+    factor = measures.unit
+    pairs = [sorted((low * scale * factor, high * scale * factor)) for low, high, scale in ends]
+    size = vector(high - low for low, high in pairs)
+    center = vector((high + low) / 2 for low, high in pairs)
+    return Primitive("box", size, 0.0, 0.0, at @ body.origin @ Transform(IDENTITY, center))
+
+
+def _crosses(box: Primitive) -> bool:
+    """True if a box reaches into the plane of a scan."""
+    row = box.origin.rotation[2]
+    reach = sum(abs(part) * edge / 2 for part, edge in zip(row, box.size, strict=True))
+    return abs(box.origin.position[2]) <= reach
+
+
+def _on_mesh(
+    subject: Context,
+    body: Body,
+    at: Transform,
+    directions: list[Vector],
+    *,
+    low: float,
+    high: float,
+    both_sides: bool,
+) -> set[int]:
+    """The numbers of the rays that meet a mesh; none if it cannot be loaded."""
+    from urdfkit.mesh.ray_casting import rays_that_meet  # with numpy: few robots get here
+
+    assert body.shape is not None
+    mesh, vertices = subject.meshes.mesh(body.shape), subject.meshes.vertices(body.shape)
+    if mesh is None or vertices is None:
+        return set()
+    return rays_that_meet(
+        vertices,
+        mesh.faces,
+        at @ body.origin,
+        directions,
+        low=low,
+        high=high,
+        both_sides=both_sides,
+    )

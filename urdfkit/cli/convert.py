@@ -1,0 +1,73 @@
+"""``urdfkit convert``: a robot in the format of another program, with what is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.decorators import in_formats, limited, with_examples
+from urdfkit.cli.progress import shown as progress
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core.words import counted
+from urdfkit.output.conversion import BASES, convert
+from urdfkit.output.conversion.losses import Result
+from urdfkit.text.source import shown
+
+if TYPE_CHECKING:
+    from urdfkit.output.conversion.writing import Conversion
+
+
+@with_examples(
+    "convert",
+    "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf",
+    "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --base free",
+)
+@one_robot
+@click.option("--to", type=click.Choice(["mjcf"]), required=True, help="Format to write.")
+@click.option(
+    "-o", "--output", "out", metavar="OUT", required=True, help="Directory or .zip to write."
+)
+@click.option(
+    "--base",
+    type=click.Choice(BASES),
+    default="auto",
+    help="Weld the root to the world, or let it float.",
+)
+@click.option("--force", is_flag=True, help="Replace OUT if it is a conversion.")
+@in_formats("text", "json")
+@limited
+def command(asked: dict[str, Any], to: str, out: str, base: str, force: bool, form: str) -> int:
+    """Convert a robot to MuJoCo's MJCF, with meshes and a proof.
+
+    OUT has the model, its meshes, and conversion.json, which says what became of every element
+    and attribute. MuJoCo loads what was written; its masses, frames, mass matrix and gravity
+    torques are compared with those of Pinocchio.
+
+    Exit codes: 0 done, 2 the robot cannot be converted, or OUT cannot be written.
+    """
+    with progress() as bar:
+        subject = robot(asked, bar)
+    found = convert(subject, out, base=base, force=force)
+    output.json_or_page(form, found.facts, _page(found, out))
+    return 0
+
+
+def _page(found: Conversion, out: str) -> Iterator[str]:
+    base = "floats" if found.is_free else "is welded to the world"
+    yield f"wrote {shown(out)}: {found.file}; its root {base}"
+    counts = (counted(number, what) for what, number in found.counts.items() if number)
+    yield from output.indented(", ".join(counts))
+    agreed = "masses, frames, mass matrix and gravity torques"
+    yield from output.indented(f"MuJoCo and Pinocchio agree on {agreed}")
+    for result in (Result.APPROXIMATED, Result.LOST):
+        parts = list(found.alike(result))
+        if parts:
+            yield f"{result.value}:"
+        for note, entries in parts:
+            tags = dict.fromkeys(one.tag for one in entries)
+            first = entries[0]
+            more = f", and {counted(len(entries) - 1, 'more place')}" if entries[1:] else ""
+            yield from output.indented(f"{', '.join(tags)}: {note} ({first.span}{more})")

@@ -1,0 +1,108 @@
+"""What a conversion does with every element and attribute of a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from enum import Enum
+
+from urdfkit.core.record import Record
+from urdfkit.text.document import Attribute, Element
+from urdfkit.text.source import Span
+
+
+class Result(str, Enum):
+    """What becomes of a part of a robot."""
+
+    KEPT = "kept"
+    APPROXIMATED = "approximated"
+    LOST = "lost"
+
+
+class Entry(Record):
+    """One element or attribute.
+
+    Attributes:
+        part: its path in the expanded robot, such as ``joint/elbow/limit@velocity``.
+        tag: of the element, or the name of the attribute.
+        span: where it was written.
+        result: what becomes of it.
+        note: as what it is kept, by how much it is off, or why it is lost.
+    """
+
+    part: str
+    tag: str
+    span: Span
+    result: Result
+    note: str
+
+
+#: The attributes that go with an element that is kept.
+_OWN = {
+    "robot": ("name",),
+    "link": ("name",),
+    "joint": ("name", "type"),
+    "origin": ("xyz", "rpy"),
+    "parent": ("link",),
+    "child": ("link",),
+    "axis": ("xyz",),
+    "limit": ("lower", "upper"),
+    "mass": ("value",),
+    "inertia": ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"),
+    "box": ("size",),
+    "sphere": ("radius",),
+    "cylinder": ("radius", "length"),
+    "capsule": ("radius", "length"),
+    "mesh": ("filename", "scale"),
+    "material": ("name",),
+    "color": ("rgba",),
+    "texture": ("filename",),
+    "mimic": ("joint", "multiplier", "offset"),
+    "gazebo": ("reference",),
+    "sensor": ("name", "type"),
+}
+
+
+class LossTable:
+    """The entries of a conversion while it is made: what nobody keeps is lost."""
+
+    def __init__(self) -> None:
+        self._marks: dict[int, tuple[Result, str]] = {}
+
+    def keep(self, part: Element | Attribute | None, note: str) -> None:
+        """An element with the attributes that belong to it, or one attribute."""
+        self._mark(part, Result.KEPT, note)
+
+    def approximate(self, part: Element | Attribute | None, note: str) -> None:
+        """The same for what is not quite what it was."""
+        self._mark(part, Result.APPROXIMATED, note)
+
+    def lose(self, part: Element | Attribute | None, note: str) -> None:
+        """A reason that is better than that of all others; it holds for all in an element."""
+        self._mark(part, Result.LOST, note)
+
+    def _mark(self, part: Element | Attribute | None, result: Result, note: str) -> None:
+        if part is None:
+            return
+        self._marks[id(part)] = result, note
+        if isinstance(part, Element) and result is not Result.LOST:
+            for name in _OWN.get(part.tag, ()):
+                if name in part.attributes:
+                    self._marks.setdefault(id(part.attributes[name]), (result, note))
+
+    def entries(self, root: Element, otherwise: str) -> Iterator[Entry]:
+        """Every element and attribute of a robot, in the order of the document.
+
+        Args:
+            root: of the robot.
+            otherwise: why a part is lost that was not marked.
+        """
+        lost = Result.LOST, otherwise
+        for element in root.walk():
+            above = self._marks.get(id(element.parent), lost)
+            inherited = above if above[0] is Result.LOST else lost
+            mark = self._marks.setdefault(id(element), inherited)
+            yield Entry(element.path, f"<{element.tag}>", element.span, *mark)
+            inherited = mark if mark[0] is Result.LOST else lost
+            for name, attribute in element.attributes.items():
+                own = self._marks.get(id(attribute), inherited)
+                yield Entry(f"{element.path}@{name}", name, attribute.span, *own)

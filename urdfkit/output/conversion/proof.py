@@ -1,0 +1,160 @@
+"""Two engines on one robot: what MuJoCo makes of a file, and Pinocchio of the robot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from urdfkit.core.record import Record
+from urdfkit.lint.context import Context
+from urdfkit.mesh.geometry import Floats
+from urdfkit.physics.dynamics.robot import Dynamics
+from urdfkit.robot.kinematics import laws, positions
+
+#: Random poses that the frames and the dynamics are compared at.
+POSES, DYNAMIC_POSES = 100, 10
+#: Bounds: of frames in m, and of masses, mass matrix and torques as a part of the largest entry.
+LENGTH, PART = 1e-9, 1e-6
+#: Positions are drawn between these where no limit is nearer, in rad or m.
+_REACH = 3.0
+
+
+class Proof(Record):
+    """The largest differences.
+
+    Attributes:
+        mass: of a link, in kg.
+        frames: of the placement of a link, in m and of entries of its rotation.
+        mass_matrix, gravity: as a part of the largest entry.
+        link: whose placement differs most.
+    """
+
+    mass: float
+    frames: float
+    mass_matrix: float
+    gravity: float
+    link: str
+
+    @property
+    def holds(self) -> bool:
+        """True within the bounds."""
+        return self.frames <= LENGTH and max(self.mass, self.mass_matrix, self.gravity) <= PART
+
+    @property
+    def differences(self) -> str:
+        """In words."""
+        return (
+            f"frames {self.frames:.2g} m (link '{self.link}'), masses {self.mass:.2g} kg, "
+            f"mass matrix {self.mass_matrix:.2g}, gravity torques {self.gravity:.2g}"
+        )
+
+
+def prove(model: Any, robot: Context) -> Proof:
+    """Compare a compiled model of MuJoCo with a robot.
+
+    Args:
+        model: an ``mujoco.MjModel``; its bodies and joints have the names of the robot's.
+        robot: that it was made from.
+
+    Raises:
+        UrdfkitError: Pinocchio cannot take the robot.
+    """
+    dynamics, data = robot.dynamics, mujoco.MjData(model)
+    random = np.random.default_rng(0)
+    joints = _Coordinates(model, robot, dynamics)
+    worst = (0.0, "")
+    matrix = gravity = 0.0
+    for number in range(POSES):
+        pose = joints.draw(random) if number else {}
+        joints.set(data, robot, pose)
+        mujoco.mj_forward(model, data)
+        worst = max(worst, _placed(data, dynamics.placements(pose)))
+        if number < DYNAMIC_POSES:
+            ours = joints.compared(dynamics.mass_matrix(pose))
+            matrix = max(matrix, _part(ours, joints.mass_matrix(data)))
+            ours = joints.compared(dynamics.gravity(pose))
+            gravity = max(gravity, _part(ours, joints.gravity(data)))
+    return Proof(_masses(model, robot), worst[0], matrix, gravity, worst[1])
+
+
+class _Coordinates:
+    """The joints of a model of MuJoCo as Pinocchio's coordinates; what follows, follows.
+
+    Planar and floating joints stay at zero.
+    """
+
+    def __init__(self, model: Any, robot: Context, dynamics: Dynamics) -> None:
+        self._model = model
+        joints = robot.model.joints_by_name
+        self._limits = {name: joints[name].limit for name in dynamics.columns if name in joints}
+        known = laws(joints)
+        self._q: dict[str, int] = {}
+        self._columns = np.zeros((model.nv, len(dynamics.columns)))
+        for number in range(model.njnt):
+            name = model.joint(number).name
+            if name in joints:
+                self._q[name] = model.jnt_qposadr[number]
+                leader, factor, _ = known[name]
+                if leader in dynamics.columns:
+                    column = dynamics.columns.index(leader)
+                    self._columns[model.jnt_dofadr[number], column] = factor
+        self._is_compared = self._columns.any(axis=0)
+
+    def draw(self, random: np.random.Generator) -> dict[str, float]:
+        """Positions within the limits."""
+        found = {}
+        for name, limit in self._limits.items():
+            lower = limit.lower.value if limit and limit.lower else -_REACH
+            upper = limit.upper.value if limit and limit.upper else _REACH
+            lower, upper = max(lower, -_REACH), min(upper, _REACH)
+            found[name] = random.uniform(lower, upper) if lower < upper else lower
+        return found
+
+    def set(self, data: Any, robot: Context, pose: Mapping[str, float]) -> None:
+        """Put the model into a pose."""
+        for name, position in positions(robot.tree, pose).items():
+            if name in self._q:
+                data.qpos[self._q[name]] = position
+
+    def mass_matrix(self, data: Any) -> Floats:
+        """Of the coordinates, (nv, nv)."""
+        whole = np.zeros((self._model.nv, self._model.nv))
+        mujoco.mj_fullM(self._model, data, whole)
+        found: Floats = self._columns.T @ whole @ self._columns
+        return found
+
+    def gravity(self, data: Any) -> Floats:
+        """What holds each coordinate still, (nv,)."""
+        found: Floats = self._columns.T @ data.qfrc_bias
+        return found
+
+    def compared(self, ours: Floats) -> Floats:
+        """Pinocchio's values for the coordinates that are compared; the others are 0."""
+        mask = self._is_compared
+        return ours * (np.outer(mask, mask) if ours.ndim == 2 else mask)
+
+
+def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
+    """The largest difference of a placement, and whose."""
+    worst = (0.0, "")
+    for name, matrix in links.items():
+        body = data.body(name)
+        found = np.eye(4)
+        found[:3, :3], found[:3, 3] = body.xmat.reshape(3, 3), body.xpos
+        worst = max(worst, (float(np.abs(found - matrix).max()), name))
+    return worst
+
+
+def _masses(model: Any, robot: Context) -> float:
+    """The largest difference of the mass of a link, in kg."""
+    bodies = ((link, model.body(link.name)) for link in robot.model.links if link.name != "world")
+    return max((abs(float(body.mass[0]) - link.mass) for link, body in bodies), default=0.0)
+
+
+def _part(ours: Floats, theirs: Floats) -> float:
+    """The largest difference as a part of the largest entry."""
+    largest = float(np.abs(ours).max(initial=0.0))
+    return float(np.abs(ours - theirs).max(initial=0.0)) / largest if largest else 0.0

@@ -1,0 +1,123 @@
+"""Rays against the shapes of a robot: what a sensor on it sees of the robot itself.
+
+Lengths in m, directions of length 1. Primitives are met in closed form; for meshes see
+`urdfkit.mesh.ray_casting`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import cos, hypot, inf, sin, sqrt
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import ORIGIN, Transform, Vector, dot, rotate
+from urdfkit.robot.shapes import Primitive, primitive
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import Body
+
+#: Below this a direction is along a face, or along an axis.
+_SMALL = 1e-9
+
+
+class Scan(Record):
+    """The beams of a planar lidar, in its own frame: x forwards, z across the plane.
+
+    Attributes:
+        first, last: directions of the outermost beams in rad, counter-clockwise from x.
+        samples: how many beams there are, more than one.
+        low, high: range in m.
+    """
+
+    first: float
+    last: float
+    samples: int
+    low: float
+    high: float
+
+    @property
+    def step(self) -> float:
+        return (self.last - self.first) / (self.samples - 1)
+
+    @property
+    def directions(self) -> list[Vector]:
+        angles = (self.first + number * self.step for number in range(self.samples))
+        return [(cos(angle), sin(angle), 0.0) for angle in angles]
+
+
+def shape_of(body: Body, at: Transform) -> Primitive | None:
+    """A primitive in the frame of a sensor; None for a mesh, and without sizes.
+
+    Args:
+        body: a visual or collision.
+        at: the frame of its link in that of the sensor.
+    """
+    return primitive(body._replace(origin=at @ body.origin))
+
+
+def interval(shape: Primitive, direction: Vector) -> tuple[float, float] | None:
+    """Where a ray from the origin enters and leaves a shape; below 0 behind it, None beside it."""
+    frame = shape.origin.inverse
+    start, along = frame.apply(ORIGIN), rotate(frame.rotation, direction)
+    if shape.kind == "box":
+        halves = (shape.size[0] / 2, shape.size[1] / 2, shape.size[2] / 2)
+        return _common(_slab(s, d, h) for s, d, h in zip(start, along, halves, strict=True))
+    if shape.kind == "sphere":
+        return _round(start, along, shape.radius)
+    (x, y, z), (dx, dy, dz) = start, along
+    ends = shape.radius if shape.kind == "capsule" else 0.0  # taken for flat
+    side = _round((x, y, 0.0), (dx, dy, 0.0), shape.radius)
+    return _common((side, _slab(z, dz, shape.length / 2 + ends)))
+
+
+def _slab(start: float, along: float, half: float) -> tuple[float, float] | None:
+    if abs(along) < _SMALL:
+        return (-inf, inf) if abs(start) <= half else None
+    one, two = (-half - start) / along, (half - start) / along
+    return min(one, two), max(one, two)
+
+
+def _round(start: Vector, along: Vector, radius: float) -> tuple[float, float] | None:
+    """A ball; without z a cylinder."""
+    square, middle = dot(along, along), dot(start, along)
+    off = dot(start, start) - radius * radius
+    if square < _SMALL:
+        return (-inf, inf) if off <= 0 else None
+    root = middle * middle - square * off
+    if root < 0:
+        return None
+    return (-middle - sqrt(root)) / square, (-middle + sqrt(root)) / square
+
+
+def _common(parts: Iterable[tuple[float, float] | None]) -> tuple[float, float] | None:
+    low, high = -inf, inf
+    for part in parts:
+        if part is None:
+            return None
+        low, high = max(low, part[0]), min(high, part[1])
+    return (low, high) if low <= high else None
+
+
+def beams_on(
+    shape: Primitive, scan: Scan, directions: Sequence[Vector], *, sees_inside: bool
+) -> Iterator[int]:
+    """The numbers of the beams that end at a primitive.
+
+    Args:
+        shape: in the frame of the sensor.
+        scan: the beams.
+        directions: of the scan.
+        sees_inside: True if a beam that begins in the shape ends where it leaves it, as in Gazebo
+            Classic; rendered shapes are seen from outside only.
+    """
+    x, y, z = shape.origin.position
+    if abs(z) > shape.longest or hypot(x, y) - shape.longest > scan.high:
+        return
+    for number, direction in enumerate(directions):
+        found = interval(shape, direction)
+        if found is None:
+            continue
+        begins = found[1] if sees_inside and found[0] < scan.low else found[0]
+        if scan.low <= begins <= scan.high:
+            yield number

@@ -1,0 +1,82 @@
+"""What the lidars and cameras of a model look at: their frames, beams and fields of view."""
+
+from __future__ import annotations
+
+from math import atan2, hypot, pi, tan
+from typing import TYPE_CHECKING
+
+from urdfkit.core.spatial import Transform, Vector, from_rpy, length, times
+from urdfkit.robot.ray_casting import Scan
+from urdfkit.robot.values import numbers
+
+if TYPE_CHECKING:
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.gazebo.sensors import Sensor
+
+#: Beams of a scan, and rays along an edge of an image, that are looked at.
+MAX_BEAMS, EDGE = 360, 5
+#: Radians that a scan covers at least: narrower ones are of sonars and cliff sensors.
+NARROW = 1.5
+
+_FIELD, _WIDTH, _HEIGHT = 1.047, 320.0, 240.0
+
+
+def frame_of(sensor: Sensor, tree: KinematicTree) -> Transform | None:
+    """The frame of a sensor in that of the root; None if its link or its pose is not known."""
+    frame = tree.frames.get(sensor.reference)
+    pose = sensor.find("pose")
+    if frame is None or pose is None or not pose.text.strip():
+        return frame
+    written = numbers(pose.text)
+    if pose.attributes or written is None or len(written) != 6:
+        return None
+    x, y, z, roll, pitch, yaw = written
+    return frame @ Transform(from_rpy(roll, pitch, yaw), (x, y, z))
+
+
+def planar_scan(sensor: Sensor) -> Scan | None:
+    """The beams of a lidar that scans one plane; None for any other sensor."""
+    block = sensor.lidar
+    if not block:
+        return None
+    names = ("samples", "min_angle", "max_angle")
+    wide = [sensor.number(f"{block}/scan/horizontal/{name}") for name in names]
+    high = sensor.number(f"{block}/scan/vertical/samples")
+    ends = [sensor.number(f"{block}/range/{name}") for name in ("min", "max")]
+    samples, first, last, low, top = (one.value if one else None for one in (*wide, *ends))
+    if samples is None or first is None or last is None or low is None or top is None:
+        return None
+    is_flat = high is None or high.value <= 1
+    if not is_flat or not NARROW <= last - first <= 2 * pi + 0.01 or samples < 2 or low < 0:
+        return None
+    return Scan(first, last, min(int(samples), MAX_BEAMS), low, top)
+
+
+def is_camera(sensor: Sensor) -> bool:
+    return "camera" in sensor.type or sensor.type in ("depth", "rgbd")
+
+
+def image_rays(sensor: Sensor) -> list[Vector]:
+    """Directions across the image of a camera, in its frame: x forwards, z upwards."""
+    numbers_of = (
+        sensor.number(f"camera/{path}")
+        for path in ("horizontal_fov", "image/width", "image/height")
+    )
+    found = [one.value if one else None for one in numbers_of]
+    field, width, height = (
+        value if value and value > 0 else default
+        for value, default in zip(found, (_FIELD, _WIDTH, _HEIGHT), strict=True)
+    )
+    if field >= pi:
+        return []
+    across = tan(field / 2)
+    up = across * height / width
+    steps = [2 * number / (EDGE - 1) - 1 for number in range(EDGE)]
+    rays = ((1.0, across * y, up * z) for y in steps for z in steps)
+    return [times(ray, 1 / length(ray)) for ray in rays]
+
+
+def tilt(frame: Transform) -> float:
+    """How far z of a frame is from upright, in rad: 0, or pi for one that is upside down."""
+    x, y, z = (row[2] for row in frame.rotation)
+    return atan2(hypot(x, y), z)
