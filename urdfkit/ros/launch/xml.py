@@ -66,7 +66,7 @@ class _File:
         collector: Collector,
         source: Source,
         arguments: Mapping[str, str | None],
-        lent: Iterable[str] = (),
+        inherited: Iterable[str] = (),
         frame: CallFrame | None = None,
         outer: tuple[str, ...] = (),
     ) -> None:
@@ -80,7 +80,7 @@ class _File:
         self._ros: int | None = None
         self._level = 0
         self._unknown_conditions = 0
-        self._arguments = ArgumentUses({*arguments, *lent})
+        self._arguments = ArgumentUses({*arguments, *inherited})
         self._is_whole = True
 
     def read(self) -> None:
@@ -181,9 +181,9 @@ class _File:
 
     def _is_sure(self) -> bool:
         """True if no other file can declare what this one uses."""
-        return (self._ros == 1 or self._is_whole) and not self._may_be_lent()
+        return (self._ros == 1 or self._is_whole) and not self._may_inherit()
 
-    def _may_be_lent(self) -> bool:
+    def _may_inherit(self) -> bool:
         """True if files that include this one may give it more arguments than are known."""
         return not self.outer and is_included(self.source.path, self.collector.resolver)
 
@@ -235,12 +235,12 @@ class _File:
         if not is_followed or self.collector.included > MAX_INCLUDED:
             self.collector.unread.append(path)
             return
-        lent = {child.get("name") or "" for child in element.children}
-        if self._lends(element):
-            lent |= self._arguments.declared
-        _File(self.collector, source, self._passed(element), lent, frame, here).read()
+        inherited = {child.get("name") or "" for child in element.children}
+        if self._passes_all(element):
+            inherited |= self._arguments.declared
+        _File(self.collector, source, self._passed(element), inherited, frame, here).read()
 
-    def _lends(self, element: Element) -> bool:
+    def _passes_all(self, element: Element) -> bool:
         """True if an included file sees all arguments of this one."""
         return self._ros == 2 or element.get("pass_all_args") in ("true", "True", "1")
 
@@ -258,12 +258,12 @@ class _File:
             known |= self._arguments.declared
         problems = self.collector.problems
         problems += unknown_to_included(passed, taken, source, self.frame, ros=self._ros or 2)
-        if self._ros == 1 or not self._may_be_lent():
+        if self._ros == 1 or not self._may_inherit():
             problems += missing_in_include(known, taken, source, element.span, self.frame)
 
     def _passed(self, element: Element) -> dict[str, str | None]:
         """The arguments of an include; None for those that are known at run time only."""
-        passed: dict[str, str | None] = {**self.values} if self._lends(element) else {}
+        passed: dict[str, str | None] = {**self.values} if self._passes_all(element) else {}
         for child in element.children:
             attribute = child.attributes.get("value")
             if child.tag in ("arg", "let") and attribute:
@@ -312,7 +312,8 @@ class _File:
             text = found.group(2)
         command = self.substitutions.text(text, attribute.span)
         if command is not None:
-            self.collector.command(command, attribute.span, frame)
+            is_yaml = attribute.name == "value" and attribute.element.get("type") is None
+            self.collector.command(command, attribute.span, frame, is_yaml=is_yaml)
 
     def _node(self, element: Element) -> None:
         package = element.attributes.get("pkg")
