@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import FileUse
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.mujoco import Compiler
-    from urdfkit.ros.targets import Targets
+    from urdfkit.ros.targets import TargetFacts, Targets
     from urdfkit.text.diagnostic import Diagnostic
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
@@ -172,6 +172,11 @@ class Context(DescriptionFile):
     def given_targets(self) -> tuple[str, ...]:
         """The consumers that were named; none where they are to be inferred."""
         return self._given_targets.names if self._given_targets else ()
+
+    @property
+    def given_facts(self) -> tuple[TargetFacts, ...]:
+        """What is known of the consumers that were named."""
+        return self._given_targets.facts if self._given_targets else ()
 
     @cached_property
     def targets(self) -> Targets:
