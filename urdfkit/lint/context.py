@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import FileUse
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.mujoco import Compiler
-    from urdfkit.ros.targets import Targets
+    from urdfkit.ros.targets import TargetFacts, Targets
     from urdfkit.text.diagnostic import Diagnostic
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
@@ -107,7 +107,7 @@ class Context(DescriptionFile):
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self._is_srdf:
+        if self._is_srdf or self.is_list_of_joints:
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
@@ -126,6 +126,15 @@ class Context(DescriptionFile):
         children = self.document.root.children
         return not any(child.tag == "link" for child in children) and any(
             child.tag in SRDF_TAGS for child in children
+        )
+
+    @property
+    def is_list_of_joints(self) -> bool:
+        """True for joints without links, parents and children: the settings of another program."""
+        joints = self.document.root.children
+        return bool(joints) and all(
+            joint.tag == "joint" and not (joint.child("parent") or joint.child("child"))
+            for joint in joints
         )
 
     @cached_property
@@ -164,6 +173,11 @@ class Context(DescriptionFile):
     def given_targets(self) -> tuple[str, ...]:
         """The consumers that were named; none where they are to be inferred."""
         return self._given_targets.names if self._given_targets else ()
+
+    @property
+    def given_facts(self) -> tuple[TargetFacts, ...]:
+        """What is known of the consumers that were named."""
+        return self._given_targets.facts if self._given_targets else ()
 
     @cached_property
     def targets(self) -> Targets:
@@ -252,7 +266,9 @@ class Context(DescriptionFile):
             return None
         from urdfkit.ros.moveit.srdf import find
 
-        return find(self.source.path, self.tree, self.resolver, trust=self.trust)
+        return find(
+            self.source.path, self.tree, self.resolver, trust=self.trust, arguments=self.arguments
+        )
 
     @cached_property
     def other_variant(self) -> str:
