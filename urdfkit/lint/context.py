@@ -29,10 +29,11 @@ if TYPE_CHECKING:
     from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import Conversion
     from urdfkit.ros.gazebo.plugins import PluginUse
+    from urdfkit.ros.importers.imported import Imported
     from urdfkit.ros.launch.contents import FileUse
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.mujoco import Compiler
-    from urdfkit.ros.targets import Targets
+    from urdfkit.ros.targets import TargetFacts, Targets
     from urdfkit.text.diagnostic import Diagnostic
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
@@ -173,6 +174,11 @@ class Context(DescriptionFile):
         """The consumers that were named; none where they are to be inferred."""
         return self._given_targets.names if self._given_targets else ()
 
+    @property
+    def given_facts(self) -> tuple[TargetFacts, ...]:
+        """What is known of the consumers that were named."""
+        return self._given_targets.facts if self._given_targets else ()
+
     @cached_property
     def targets(self) -> Targets:
         """The targets that it is checked for: as given, else as detected."""
@@ -215,6 +221,27 @@ class Context(DescriptionFile):
         from urdfkit.ros.gazebo.conversion import Conversion
 
         return Conversion(self.tree)
+
+    def imported(self, importer: str) -> Imported:
+        """What a program makes of the model: bodies, masses and the order of its joints.
+
+        >>> from urdfkit.lint.loading import read
+        >>> robot = read("models/good/gripper.urdf").imported("mujoco")
+        >>> [(one.joint.name, one.q, one.v) for one in robot.joints]
+        [('left_finger_joint', 0, 0), ('right_finger_joint', 1, 1)]
+
+        Args:
+            importer: a name of `urdfkit.ros.importers.facts.IMPORTERS`.
+
+        Raises:
+            UnknownImporter: with the nearest.
+        """
+        from urdfkit.robot.assets.collision_solids import CollisionSolids
+        from urdfkit.ros.importers.facts import facts_of
+        from urdfkit.ros.importers.imported import Imported
+
+        solids = CollisionSolids(lambda: self.meshes, self.mesh_solid)
+        return Imported(self.tree, facts_of(importer), solids)
 
     @cached_property
     def plugins(self) -> tuple[PluginUse, ...]:

@@ -188,6 +188,17 @@ class Rule(Record):
         return worst, tuple(name for name, severity in affected.items() if severity is worst)
 
     @property
+    def severities(self) -> dict[str, Severity]:
+        """For single targets, where they differ: as declared, and as the facts about them say."""
+        from urdfkit.ros.targets import TARGETS, facts_of  # reads a file for each
+
+        told = {name: facts_of(name).severities.get(self.code) for name in TARGETS}
+        return {
+            **self.by_target,
+            **{name: Severity(severity) for name, severity in told.items() if severity},
+        }
+
+    @property
     def explanation(self) -> str:
         """What the rule finds, why it matters and what to do, for people."""
         return self._documentation.partition(_SOURCES)[0]

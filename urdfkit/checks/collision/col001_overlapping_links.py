@@ -32,7 +32,6 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
@@ -72,7 +71,7 @@ _PART = 0.6
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
 def check(subject: Context) -> Findings:
     contacts = subject.collisions.contacts
-    colliding = set(_self_colliding(subject))
+    colliding = _self_colliding(subject)
     reported = set()
     for pair in contacts.pairs:
         if pair.is_rigid:
@@ -81,7 +80,8 @@ def check(subject: Context) -> Findings:
             if not pair.is_adjacent:
                 reported.add(pair.names)
             contact, message, help, severity = found
-            if not pair.is_adjacent and severity is Severity.INFO and colliding & {*pair.names}:
+            is_info = severity is Severity.INFO and not pair.is_adjacent
+            if is_info and _collide_in_gazebo(subject, pair.names, colliding):
                 message += ", and <self_collide> makes Gazebo push them apart"
                 help, severity = "turn <self_collide> off, or make one smaller", Severity.WARNING
             small, large = contact.small, contact.large
@@ -107,13 +107,24 @@ def check(subject: Context) -> Findings:
                 yield from _of_hulls(subject, overlap, simulators)
 
 
-def _self_colliding(subject: Context) -> Iterator[str]:
+def _self_colliding(subject: Context) -> set[str]:
     """The links that collide with others of their robot in Gazebo; those with a joint never do."""
+    found: set[str] = set()
     for block in subject.model.gazebo:
         flags = (one for one in block.children if one.tag in ("selfCollide", "self_collide"))
         if any(map(is_true, flags)):
             reference = block.get("reference")
-            yield from [reference] if reference else subject.model.links_by_name
+            found.update([reference] if reference else subject.model.links_by_name)
+    return found
+
+
+def _collide_in_gazebo(subject: Context, names: tuple[str, str], colliding: set[str]) -> bool:
+    """True if Gazebo pushes two links apart: once links are merged, no joint is between them."""
+    if colliding.isdisjoint(names):
+        return False
+    first, second = (subject.gazebo.survivor.get(name, "") for name in names)
+    joined = {frozenset((joint.parent, joint.child)) for joint in subject.gazebo.joints}
+    return bool(first and second) and first != second and {first, second} not in joined
 
 
 def _of_hulls(subject: Context, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:

@@ -31,7 +31,6 @@ class StartedWorld(Record):
         engine: the render engine that the command line chooses; empty if it chooses none.
         libraries: that Gazebo Classic loads besides the plugins of the world.
         has_window: False if only the server is started.
-        is_running: False if it waits for somebody who presses play.
         span: where the world is named.
         frame: the launch files that led there.
         is_sure: False if a condition decides that is known at run time only.
@@ -42,7 +41,6 @@ class StartedWorld(Record):
     engine: str
     libraries: tuple[str, ...]
     has_window: bool
-    is_running: bool
     span: Span
     frame: CallFrame | None
     is_sure: bool
@@ -74,7 +72,7 @@ def _of_file(included: IncludedFile) -> StartedWorld | None:
     if word.text is None:
         return None
     is_line = names[0].endswith("_args")
-    words = _words(word.text) if is_line else ["-r", word.text]
+    words = _words(word.text) if is_line else [word.text]
     found = _started(generation, words, word.span, included)
     return found._replace(libraries=_OF_ROS) if found else None
 
@@ -85,7 +83,7 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
     texts = [word.text for word in started.words]
     if generation == GZ:
         path = started.parameters.values.get("world_sdf_file")
-        return _started(GZ, ["-s", "-r", path], started.span, started) if path else None
+        return _started(GZ, ["-s", path], started.span, started) if path else None
     known = [text for text in texts if text is not None]
     if len(known) < len(texts):
         return None
@@ -133,7 +131,6 @@ def _started(
         engine,
         tuple(libraries),
         generation == CLASSIC or "-s" not in given,
-        generation == CLASSIC or "-r" in given,
         span,
         by.frame,
         by.is_sure,

@@ -312,7 +312,8 @@ class _File:
             text = found.group(2)
         command = self.substitutions.text(text, attribute.span)
         if command is not None:
-            self.collector.command(command, attribute.span, frame)
+            is_yaml = attribute.name == "value" and attribute.element.get("type") is None
+            self.collector.command(command, attribute.span, frame, is_yaml=is_yaml)
 
     def _node(self, element: Element) -> None:
         package = element.attributes.get("pkg")
