@@ -24,6 +24,7 @@ SECTIONS = {
         "inertia",
         "statics",
         "collisions",
+        "importers",
         "gazebo",
         "diff",
     ),

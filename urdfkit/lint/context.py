@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import Conversion
     from urdfkit.ros.gazebo.plugins import PluginUse
+    from urdfkit.ros.importers.imported import Imported
     from urdfkit.ros.launch.contents import FileUse
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.mujoco import Compiler
@@ -220,6 +221,27 @@ class Context(DescriptionFile):
         from urdfkit.ros.gazebo.conversion import Conversion
 
         return Conversion(self.tree)
+
+    def imported(self, importer: str) -> Imported:
+        """What a program makes of the model: bodies, masses and the order of its joints.
+
+        >>> from urdfkit.lint.loading import read
+        >>> robot = read("models/good/gripper.urdf").imported("mujoco")
+        >>> [(one.joint.name, one.q, one.v) for one in robot.joints]
+        [('left_finger_joint', 0, 0), ('right_finger_joint', 1, 1)]
+
+        Args:
+            importer: a name of `urdfkit.ros.importers.facts.IMPORTERS`.
+
+        Raises:
+            UnknownImporter: with the nearest.
+        """
+        from urdfkit.robot.assets.collision_solids import CollisionSolids
+        from urdfkit.ros.importers.facts import facts_of
+        from urdfkit.ros.importers.imported import Imported
+
+        solids = CollisionSolids(lambda: self.meshes, self.mesh_solid)
+        return Imported(self.tree, facts_of(importer), solids)
 
     @cached_property
     def plugins(self) -> tuple[PluginUse, ...]:
