@@ -10,7 +10,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, with_examples
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
 from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, SimulatedJoint, SimulatedLink
 from urdfkit.ros.gazebo.rejection import CODES, Rejection, rejections
@@ -37,7 +37,7 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
     return show(robot(asked), form, old=old)
 
 
-def show(subject: Subject, form: str, *, old: bool) -> int:
+def show(subject: Context, form: str, *, old: bool) -> int:
     """Print what Gazebo makes of a robot.
 
     Args:

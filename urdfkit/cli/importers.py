@@ -13,7 +13,7 @@ from urdfkit.cli.decorators import in_formats, with_examples
 from urdfkit.cli.options import UsageError, words
 from urdfkit.cli.robot import check_options, one_robot, only_file, robot
 from urdfkit.core.words import counted
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
 from urdfkit.ros.importers.changes import changes
 from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS, ImporterFacts, UnknownImporter, chosen
@@ -89,7 +89,7 @@ def _map(asked: dict[str, Any], names: list[str], pair: str, form: str) -> int:
     return 0
 
 
-def _errors(asked: dict[str, Any], subject: Subject, facts: ImporterFacts) -> list[Diagnostic]:
+def _errors(asked: dict[str, Any], subject: Context, facts: ImporterFacts) -> list[Diagnostic]:
     """The errors of a check for a program; those of the tree alone, if it is no target."""
     options = check_options(asked, only_file(asked))
     if facts.target:

@@ -44,7 +44,6 @@ __all__ = [
     "NotApplicable",
     "Reading",
     "RunState",
-    "Subject",
     "Unavailable",
 ]
 
@@ -376,7 +375,3 @@ class Context(DescriptionFile):
         from urdfkit.robot.assets.triangles import Meshes
 
         return Meshes(self.files, self._progress)
-
-
-#: The former name.
-Subject = Context

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import RuleError
-from urdfkit.lint.context import Context, Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Span
@@ -26,8 +26,7 @@ if TYPE_CHECKING:
 #: All that the file of a rule needs, but what its subject matter is.
 __all__ = [
     "FIRST_VERSION", "NAMES", "Check", "Confidence", "Context", "Finding", "Findings", "Fix",
-    "Location", "Need", "Related", "Rule", "Severity", "Subject", "code_of", "name_of", "reported",
-    "rule",
+    "Location", "Need", "Related", "Rule", "Severity", "code_of", "name_of", "reported", "rule",
 ]  # fmt: skip
 
 #: The version of urdfkit that brought every rule that names no other.

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tests.consumers.comparison import robots, with_absolute_paths
 from tests.ros.importers.engines import SCRIPTS, loaded
 from urdfkit.lint import engine
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.description_file import Unavailable
 from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
@@ -24,7 +24,7 @@ KINDS = ("fixed", "revolute", "continuous", "prismatic", "planar", "floating")
 WITHOUT = {"mujoco": ("floating",), "pinocchio": (), "pybullet": ("floating", "planar")}
 
 
-def compare(robot: Subject, name: str, expected: dict[str, Any]) -> None:
+def compare(robot: Context, name: str, expected: dict[str, Any]) -> None:
     found = robot.imported(name)
     names = [(one.names[0], one.q, one.v) for one in found.joints]
     ends = ("_TY", "_RZ")  # the second and third joint that MuJoCo makes of a planar one

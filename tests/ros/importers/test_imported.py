@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from urdfkit.lint.context import Subject
+from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.ros.importers.changes import changes
 from urdfkit.ros.importers.facts import IMPORTERS, UnknownImporter, facts_of
@@ -17,7 +17,7 @@ INERTIAL = (
 )
 
 
-def robot(*parts: str) -> Subject:
+def robot(*parts: str) -> Context:
     return read(Source("r.urdf", f'<robot name="r">{"".join(parts)}</robot>'.encode()))
 
 

@@ -31,7 +31,7 @@ from urdfkit.robot.assets.mesh_defects import (
     MeshDefect,
 )
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.ros.targets import TARGETS, facts_of
+from urdfkit.ros import targets
 
 BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")
@@ -83,7 +83,7 @@ def _slow_collisions(subject: Context, bound: float) -> Findings:
         number = use.measures.triangles
         rejecting = []
         if subject.files.facts(use.path).format == BINARY_STL:
-            known = map(facts_of, subject.given_targets or TARGETS)
+            known = map(targets.facts_of, subject.given_targets or targets.TARGETS)
             rejecting = [one for one in known if 0 < one.most_triangles < number]
         bounds = [f"{one.title} rejects more than {one.most_triangles:,}" for one in rejecting]
         fatal = tuple(one.name for one in rejecting if one.name in subject.given_targets)

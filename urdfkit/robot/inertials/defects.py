@@ -29,8 +29,8 @@ TOO_SMALL = 0.01
 
 #: Densities of robot parts in kg/m³, from hollow plastic to lead.
 LIGHTEST, HEAVIEST = 20.0, 12000.0
-#: Volumes that differ by more are those of meshes in different units.
-SCALED = 1e6
+#: Lengths that differ by more are those of shapes in different units.
+SCALED = 500.0
 #: A centre of mass may be this far in m from a shape that only marks a place.
 FAR_FROM_MARKER = 0.1
 
@@ -122,7 +122,8 @@ def _defect(one: LinkInertia, matters: Matters) -> InertiaDefect | None:
 
 def _is_of_unknown_size(one: LinkInertia) -> bool:
     """True if the shapes mark a place, or are in metres and in millimetres (MSH012, GEO004)."""
-    differ = one.densities is not None and one.densities[0] * SCALED < one.densities[1]
+    lengths = [max(part.longest for part in solid.parts) for solid in one.solids]
+    differ = max(lengths) > SCALED * min(lengths)
     return differ or (one.is_marker and one.radius_of_gyration < WIDE)
 
 
