@@ -101,6 +101,7 @@ SLOW = (
     "tests/pytest_plugin/",
     "tests/render/",
     "tests/ros/gazebo/test_conversion.py",
+    "tests/ros/importers/test_against_engines.py",
     "tests/ros/launch/test_corpus.py",
     "tests/ros/launch/test_robot_arguments.py",
     "tests/scan/test_scan.py",

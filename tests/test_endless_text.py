@@ -20,6 +20,7 @@ from urdfkit.mesh.io.salvage import salvage
 from urdfkit.mesh.io.sniff import sniff
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.package_references import mentions
 from urdfkit.workspace.resolve import Resolver
@@ -107,6 +108,15 @@ def test_comments_of_a_robot(comment: bytes):
         return lambda: (is_xacro(again), ignores(again), mentions(again))
 
     assert_linear(reading, MANY)
+
+
+def test_paths_of_many_siblings() -> None:
+    def work(many: int) -> Callable[[], object]:
+        document, _ = read_xml(Source("r.urdf", b"<robot>" + b"<a/>" * many + b"</robot>"))
+        assert document is not None
+        return lambda: [element.path for element in document.root.walk()]
+
+    assert_linear(work, 20_000)
 
 
 def test_many_ignore_comments():

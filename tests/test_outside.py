@@ -31,6 +31,7 @@ CONTENTS = {
     ".srdf": f'<robot name="r"><group name="{SECRET}"><link name="{SECRET}"/></group></robot>',
     ".launch": f'<launch><param name="{SECRET}" value="$(find {SECRET})"/></launch>',
     ".yaml": f"{SECRET}: {{type: {SECRET}}}\n",
+    ".sdf": f'<sdf><world name="{SECRET}"><plugin filename="gz-sim-{SECRET}"/></world></sdf>',
     ".mtl": f"newmtl {SECRET}\nKd 1 0 0\n",
     ".png": f"\x89PNG{SECRET}",
     ".bin": SECRET * 10,
@@ -121,6 +122,10 @@ READERS: dict[str, tuple[str, Callable[[str], Files]]] = {
     "rosparam": (
         ".yaml",
         lambda at: {"r.launch": f'<launch><rosparam file="{at}" command="load"/></launch>'},
+    ),
+    "world": (
+        ".sdf",
+        lambda at: {"r.launch": f'<launch><executable cmd="gz sim -r {at}"/></launch>'},
     ),
     "control parameters": (
         ".yaml",

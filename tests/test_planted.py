@@ -1,6 +1,7 @@
 """Each defect that is planted into a sound robot is found where it was planted.
 
-The defects are listed in ``planted.txt``, as people make them.
+The defects are listed in ``planted.txt`` and, for all that starts a robot, in
+``bringup/planted.txt``, as people make them.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ ROBOTS: dict[str, tuple[Path, tuple[str, ...]]] = {
     "rover": (CARRIERS / "rover", ("urdf/rover.urdf.xacro", "launch/simulation.launch.py")),
     "crawler": (CARRIERS / "crawler", ("urdf/crawler.xacro", "launch/gazebo.launch")),
     "picker": (CARRIERS / "picker", ("urdf/picker.urdf",)),
+    "porter": (CARRIERS / "porter", (".",)),
     "mobile_base": (MODELS / "good" / "mobile_base", ("urdf/mobile_base.urdf.xacro",)),
     "gripper": (MODELS / "good", ("gripper.urdf",)),
 }
@@ -55,7 +57,8 @@ class Plant(Record):
 
 
 def plants() -> Iterator[Plant]:
-    for block in (HERE / "planted.txt").read_text(encoding="utf-8").split("\n\n"):
+    files = (HERE / "planted.txt", HERE / "bringup" / "planted.txt")
+    for block in "\n\n".join(file.read_text(encoding="utf-8") for file in files).split("\n\n"):
         lines = [line for line in block.split("\n") if line and not line.startswith("#")]
         if not lines:
             continue

@@ -35,7 +35,7 @@ PARTS = {
 OPTIONAL = {family: {"files", "measured"} for family in ("INE", "GEO", "MSH")}
 OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "measured", "xacro"}}
 #: Of the robots that a launch file starts.
-OPTIONAL |= {"WLD": {"document", "model", "plugins", "tree"}}
+OPTIONAL |= {"LAU023": {"document", "model"}, "WLD": {"document", "model", "plugins", "tree"}}
 
 #: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
 OUR_OWN = {"CFG001", "CFG002", "CFG003", "MSH024"}

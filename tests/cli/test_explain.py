@@ -52,7 +52,7 @@ def test_every_rule_can_be_explained(code: str) -> None:
     flat = " ".join(page.split())
     assert flat.startswith(f"{code} {rule.name} ({rule.severity.value}, ")
     head = " ".join(page.partition("\n\n")[0].split())
-    for target, severity in rule.by_target.items():
+    for target, severity in rule.severities.items():
         assert severity is rule.severity or re.search(f", {severity.value} for.*{target}", head)
     assert " ".join(rule.explanation.split()) in flat
     assert head.endswith(", with a fix)" if rule.fixable else ", without a fix)")

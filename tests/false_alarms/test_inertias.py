@@ -165,3 +165,19 @@ def test_masses_that_are_lost_in_the_body(mass: str, count: int) -> None:
     )
     base = link("base", inertial(float(mass), (0.1, 0, 0, 0.1, 0, 0.1)))
     assert len(reported("INE012", base + sides)) == count
+
+
+@pytest.mark.parametrize(("edge", "count"), [("100", 0), ("0.1", 1)])
+def test_a_shape_in_millimetres_says_nothing_of_the_tensor(edge: str, count: int) -> None:
+    """AUBO's i7: the mesh of the collision is a thousand times that of the visual."""
+    visual = shape("visual", '<box size="0.1 0.1 0.1"/>')
+    collision = shape("collision", f'<box size="{edge} {edge} {edge}"/>')
+    text = link("arm", visual, collision, inertial(5, (1e-5, 0, 0, 1e-5, 0, 1e-5)))
+    assert len(messages("INE006", text)) == count
+
+
+def test_a_flat_shape_is_in_no_other_unit() -> None:
+    """The PR2's forearm: one of its shapes has hardly any volume."""
+    flat = shape("visual", '<box size="0.1 0.1 1e-7"/>')
+    text = link("arm", flat, shape("collision", BALL), inertial(1, (1, 0, 0, 1, 0, 1)))
+    assert len(messages("INE006", text)) == 1

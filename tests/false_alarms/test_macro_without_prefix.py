@@ -84,3 +84,17 @@ def test_the_fix_of_the_cause_may_reveal_another_error(tmp_path: Path) -> None:
     fixes = fix(tmp_path / "r.xacro", unsafe=True)
     assert [one.code for one in fixes.applied] == ["XAC002"]
     assert "REF001" in {one.code for one in fixes.report.diagnostics}
+
+
+@pytest.mark.parametrize("count", [0, 1])
+def test_what_the_macro_would_make_is_not_missing(tmp_path: Path, count: int) -> None:
+    """rbkairos_description: <solid_cuboid_inertia> without xacro: in <inertial>."""
+    macro = '<xacro:macro name="cuboid"><inertia ixx="1" iyy="1" izz="1"/></xacro:macro>'
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'{"" if count else macro}<link name="a"><inertial><mass value="1"/><cuboid/></inertial>'
+        "</link></robot>"
+    )
+    path = tmp_path / "r.xacro"
+    path.write_text(text)
+    assert len(check(path, select=["URD004"]).diagnostics) == count

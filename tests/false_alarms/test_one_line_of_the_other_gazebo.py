@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from urdfkit import check
+from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.resolve import Resolver
 
 ROBOT = """<robot name="r">
 <link name="base"><inertial><mass value="1"/>
@@ -59,3 +61,12 @@ def test_a_robot_for_both_is_checked_for_both(tmp_path: Path) -> None:
     )
     found = codes(tmp_path, "gz_ros2_control/GazeboSimSystem", both)
     assert found.count("GAZ040") == 2
+
+
+def test_a_package_for_both_generations_of_ros(tmp_path: Path) -> None:
+    """LimX's robot-description: catkin in ROS 1 and ament in ROS 2, by conditions."""
+    tools = (f"<buildtool_depend>{tool}</buildtool_depend>" for tool in ("catkin", "ament_cmake"))
+    (tmp_path / "package.xml").write_text(f"<package><name>a</name>{''.join(tools)}</package>")
+    manifest = manifest_of(Resolver(environment={}), str(tmp_path / "r.urdf"))
+    assert manifest is not None
+    assert manifest.ros is None

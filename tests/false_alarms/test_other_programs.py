@@ -71,3 +71,20 @@ def test_a_tag_that_a_program_of_the_workspace_reads(
     (found,) = check(path, select=["URD001"]).diagnostics
     assert found.severity.value == severity
     assert (found.fix is None) is (severity == "info")
+
+
+def test_a_list_of_joints_is_no_robot(tmp_path: Path) -> None:
+    """bluerov_ros_playground: the range of each thruster, for the node that drives them."""
+    joints = "".join(
+        f'<joint name="thr{n}"><limit lower="-40" upper="49"/></joint>' for n in (1, 2)
+    )
+    path = add_file(tmp_path / "thrusters.urdf", f'<robot name="t">{joints}</robot>'.encode())
+    (found,) = check(path, select=["TRE", "URD", "JNT", "REF"]).diagnostics
+    assert (found.code, found.severity.value) == ("TRE001", "info")
+
+
+def test_sensors_of_mujoco(tmp_path: Path) -> None:
+    """mujoco_ros2_control: <sensor> in <mujoco> is not Gazebo's."""
+    sensor = '<mujoco><sensor><force name="f" site="s"/></sensor></mujoco>'
+    text = f'<robot name="r"><link name="a"/>{sensor}</robot>'
+    assert not check(add_file(tmp_path / "r.urdf", text.encode()), select=["URD008"]).diagnostics

@@ -99,7 +99,7 @@ def test_a_later_version_is_refused(tmp_path):
         load(str(path))
 
 
-@pytest.mark.parametrize("text", ["", "[]", "{}", '{"version": 1}', "\x00"])
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"version": 1}', "\x00", "[" * 100_000])
 def test_another_file_is_refused_by_name(tmp_path, text):
     path = tmp_path / "b.json"
     path.write_text(text)

@@ -77,6 +77,14 @@ JOINT = (
 )
 
 
+def test_frames_of_a_robot_without_geometry_are_seen_from_outside() -> None:
+    subject = robot('<link name="a"/>')
+    scene = explained(build(subject), subject, ["frames"])
+    camera = place_camera(scene.points(), "front")
+    ends = np.concatenate([item.vertices for item in scene.items])
+    assert np.linalg.norm(np.array(camera.eye)) > 3 * np.abs(ends).max()
+
+
 def test_the_sector_of_a_joint_spans_its_range() -> None:
     subject = robot(
         link("a", '<box size="1 1 1"/>'),

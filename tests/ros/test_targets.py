@@ -9,9 +9,11 @@ import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
 from tests.gazebos import BASE, plugin
+from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.ros.targets import GAZEBO, TARGETS, Targets, UnknownTarget, parse
+from urdfkit.ros.catalog import data
+from urdfkit.ros.targets import GAZEBO, TARGETS, TargetFacts, Targets, UnknownTarget, parse
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -111,3 +113,11 @@ def test_the_generation_of_real_robots(entry: tuple[Path, dict[str, Any]]) -> No
     assert targets.evidence[0] == f"{targets.names[0]}: package.xml"
     named = targets.evidence[1].removeprefix(f"{expected}: plugin ")
     assert named in facts["expect"]["gazebo_plugins"]
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_each_fact_has_a_source(name: str) -> None:
+    facts = data(f"targets/{name}")
+    assert facts.keys() - {"sources", "title"} <= facts.get("sources", {}).keys()
+    assert facts.keys() - {"sources"} <= set(TargetFacts._fields)
+    assert set(facts.get("severities", {})) <= set(rule_index.codes())

@@ -3,6 +3,7 @@
 import shutil
 import tarfile
 import zipfile
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -97,6 +98,45 @@ def test_a_list_that_has_no_end_or_is_none(zoo: Path, text: str) -> None:
     (zoo / "some.txt").write_text(text)
     with pytest.raises(UnreadableFile, match=r"names itself|not a list"):
         list(models([str(zoo / "some.txt")]))
+
+
+@pytest.mark.parametrize("suffix", [".zip", ".tar.gz"])
+def test_a_bomb_is_not_extracted(
+    suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("urdfkit.scan.models._LARGE", 10**6)
+    (tmp_path / "zeros").write_bytes(bytes(2 * 10**6))
+    archive = tmp_path / f"bomb{suffix}"
+    if suffix == ".zip":
+        with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
+            packed.write(tmp_path / "zeros")
+    else:
+        with tarfile.open(archive, "w:gz") as tar:
+            tar.add(tmp_path / "zeros")
+    with pytest.raises(UnreadableFile, match="over 100 times"):
+        list(models([str(archive)]))
+
+
+def test_nothing_of_an_archive_is_written_elsewhere(tmp_path: Path) -> None:
+    """Neither by its names nor through its links."""
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    with tarfile.open(tmp_path / "a.tar", "w") as tar:
+        tar.addfile(tarfile.TarInfo("a.urdf"))
+        link = tarfile.TarInfo("link")
+        link.type, link.linkname = tarfile.SYMTYPE, str(outside)
+        tar.addfile(link)
+        tar.addfile(tarfile.TarInfo("link/b.urdf"))
+    with zipfile.ZipFile(tmp_path / "a.zip", "w") as packed:
+        for name in ("a.urdf", "../../outside/b.urdf", f"{outside}/c.urdf"):
+            packed.writestr(name, "<robot/>")
+    for name in ("a.tar", "a.zip"):
+        with Extraction() as extraction:
+            found = list(models([str(tmp_path / name)]))
+            with suppress(UnreadableFile):
+                for model in found:
+                    extraction.on_disk(model)
+    assert list(outside.iterdir()) == []
 
 
 def test_a_damaged_archive_is_an_error(tmp_path: Path) -> None:

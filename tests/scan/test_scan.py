@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from urdfkit.cli import main
-from urdfkit.errors import UnwritableFile, UrdfkitError
+from urdfkit.errors import UnreadableFile, UnwritableFile, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.options import Options
 from urdfkit.scan import journal
@@ -146,6 +146,13 @@ def test_a_run_goes_on_behind_the_last_whole_line(tmp_path: Path) -> None:
     assert scan([str(zoo)], str(out), Settings(Options())) == 3
     assert rows(out) == expected
     assert scan([str(zoo)], str(out), Settings(Options())) == 0
+
+
+@pytest.mark.parametrize("line", ["x", "[1]", "[" * 100_000, '{"model": "a"}'])
+def test_results_of_something_else_are_an_error(tmp_path: Path, line: str) -> None:
+    (tmp_path / "results.jsonl").write_text(f"{line}\n")
+    with pytest.raises(UnreadableFile, match="no results of a scan"):
+        list(journal.rows(str(tmp_path)))
 
 
 def test_a_run_that_is_killed_loses_and_doubles_nothing(tmp_path: Path) -> None:

@@ -68,6 +68,6 @@ def _summary(bundle: Bundle, out: str) -> Iterator[str]:
 
 def _reasons(consumer: str, rejections: tuple[TargetError, ...]) -> Iterator[str]:
     if rejections:
-        yield f"{CONSUMERS[consumer].what} rejects it all the same:"
+        yield f"rejected by {CONSUMERS[consumer].what} all the same:"
     for one in rejections:
         yield from output.indented(f"{one.span}: {one.message} ({one.code})")

@@ -93,7 +93,7 @@ def severities(rule: Rule) -> str:
     """Such as ``info, error for gz-harmonic and gz-jetty``."""
     parts = [rule.severity.value]
     for severity in Severity:
-        names = [name for name, one in rule.by_target.items() if one is severity]
+        names = [name for name, one in rule.severities.items() if one is severity]
         if names and severity is not rule.severity:
             parts.append(f"{severity.value} for {listed(names)}")
     return ", ".join(parts)

@@ -10,6 +10,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, with_examples
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
 from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, SimulatedJoint, SimulatedLink
 from urdfkit.ros.gazebo.rejection import CODES, Rejection, rejections
@@ -33,7 +34,17 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
 
     Exit codes: 0 done, 2 the file cannot be read.
     """
-    subject = robot(asked)
+    return show(robot(asked), form, old=old)
+
+
+def show(subject: Context, form: str, *, old: bool) -> int:
+    """Print what Gazebo makes of a robot.
+
+    Args:
+        subject: the robot.
+        form: ``text`` or ``json``.
+        old: convert as sdformat did before 9.10.1 and 12.7.2.
+    """
     conversion = Conversion(subject.tree, OLD if old else NEW)
     rejected = rejections(run_rules(subject, sorted(CODES)).diagnostics, conversion)
     lines = (*_rejection(rejected), *render(conversion))

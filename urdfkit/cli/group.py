@@ -25,6 +25,7 @@ SECTIONS = {
         "statics",
         "collisions",
         "simulate",
+        "importers",
         "gazebo",
         "diff",
     ),

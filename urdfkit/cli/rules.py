@@ -57,7 +57,7 @@ def _json(rules: Sequence[Rule]) -> str:
             "code": rule.code,
             "name": rule.name,
             "severity": rule.severity.value,
-            "by_target": {name: severity.value for name, severity in rule.by_target.items()},
+            "by_target": {name: severity.value for name, severity in rule.severities.items()},
             "status": "preview" if rule.preview else "stable",
             "since": rule.since,
             "options": dict(rule.options),

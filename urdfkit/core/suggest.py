@@ -128,6 +128,8 @@ def _are_siblings(word: str, other: str) -> bool:
 def _has_more_words(word: str, other: str) -> bool:
     """True if one name is the other with more words than those that say what has it."""
     words, others = _words(word), _words(other)
+    if {"link", "joint"} <= words ^ others:
+        return True  # a link is no joint
     if len(others) > 1 and others < words:
         return not words - others <= _KINDS
     is_cut_short = other.casefold().startswith(word.casefold())

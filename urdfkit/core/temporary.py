@@ -26,7 +26,7 @@ _NAME = re.compile(r"urdfkit-\w{8}\.tmp")
 @contextmanager
 def scratch() -> Iterator[str]:
     """An empty directory where the system has its temporary files."""
-    _remove_abandoned(tempfile.gettempdir())
+    remove_abandoned()
     while True:
         path = tempfile.mkdtemp(_SUFFIX, _PREFIX)
         descriptor = _lock(path)
@@ -65,10 +65,11 @@ def workshop(path: str) -> Iterator[str]:
         _remove(directory, descriptor)
 
 
-def _remove_abandoned(home: str) -> None:
-    """Remove the directories of processes that have ended without doing so."""
+def remove_abandoned() -> None:
+    """Remove the scratch directories of processes that have ended without doing so."""
     if sys.platform == "win32":
         return
+    home = tempfile.gettempdir()
     for name in filter(_NAME.fullmatch, os.listdir(home)):
         path = os.path.join(home, name)
         try:

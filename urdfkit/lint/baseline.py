@@ -96,7 +96,7 @@ def load(path: str) -> Counter[Fingerprint]:
         return found
     except OSError as error:
         raise BaselineError(f"{path}: {why_unreadable(path, error)}") from error
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise BaselineError(f"{path}: not a urdfkit baseline ({error})") from error
 
 

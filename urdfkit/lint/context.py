@@ -29,10 +29,11 @@ if TYPE_CHECKING:
     from urdfkit.ros.controllers import Controller, ParameterFile
     from urdfkit.ros.gazebo.conversion import Conversion
     from urdfkit.ros.gazebo.plugins import PluginUse
+    from urdfkit.ros.importers.imported import Imported
     from urdfkit.ros.launch.contents import FileUse
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.mujoco import Compiler
-    from urdfkit.ros.targets import Targets
+    from urdfkit.ros.targets import TargetFacts, Targets
     from urdfkit.text.diagnostic import Diagnostic
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
@@ -43,7 +44,6 @@ __all__ = [
     "NotApplicable",
     "Reading",
     "RunState",
-    "Subject",
     "Unavailable",
 ]
 
@@ -106,7 +106,7 @@ class Context(DescriptionFile):
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that reports it."""
-        if self._is_srdf:
+        if self._is_srdf or self.is_list_of_joints:
             return {}
         from urdfkit.text.grammar import deviations
         from urdfkit.text.schema import XACRO_TAGS
@@ -125,6 +125,15 @@ class Context(DescriptionFile):
         children = self.document.root.children
         return not any(child.tag == "link" for child in children) and any(
             child.tag in SRDF_TAGS for child in children
+        )
+
+    @property
+    def is_list_of_joints(self) -> bool:
+        """True for joints without links, parents and children: the settings of another program."""
+        joints = self.document.root.children
+        return bool(joints) and all(
+            joint.tag == "joint" and not (joint.child("parent") or joint.child("child"))
+            for joint in joints
         )
 
     @cached_property
@@ -163,6 +172,11 @@ class Context(DescriptionFile):
     def given_targets(self) -> tuple[str, ...]:
         """The consumers that were named; none where they are to be inferred."""
         return self._given_targets.names if self._given_targets else ()
+
+    @property
+    def given_facts(self) -> tuple[TargetFacts, ...]:
+        """What is known of the consumers that were named."""
+        return self._given_targets.facts if self._given_targets else ()
 
     @cached_property
     def targets(self) -> Targets:
@@ -207,6 +221,27 @@ class Context(DescriptionFile):
 
         return Conversion(self.tree)
 
+    def imported(self, importer: str) -> Imported:
+        """What a program makes of the model: bodies, masses and the order of its joints.
+
+        >>> from urdfkit.lint.loading import read
+        >>> robot = read("models/good/gripper.urdf").imported("mujoco")
+        >>> [(one.joint.name, one.q, one.v) for one in robot.joints]
+        [('left_finger_joint', 0, 0), ('right_finger_joint', 1, 1)]
+
+        Args:
+            importer: a name of `urdfkit.ros.importers.facts.IMPORTERS`.
+
+        Raises:
+            UnknownImporter: with the nearest.
+        """
+        from urdfkit.robot.assets.collision_solids import CollisionSolids
+        from urdfkit.ros.importers.facts import facts_of
+        from urdfkit.ros.importers.imported import Imported
+
+        solids = CollisionSolids(lambda: self.meshes, self.mesh_solid)
+        return Imported(self.tree, facts_of(importer), solids)
+
     @cached_property
     def plugins(self) -> tuple[PluginUse, ...]:
         """The plugins that the model gives to Gazebo."""
@@ -230,7 +265,9 @@ class Context(DescriptionFile):
             return None
         from urdfkit.ros.moveit.srdf import find
 
-        return find(self.source.path, self.tree, self.resolver, trust=self.trust)
+        return find(
+            self.source.path, self.tree, self.resolver, trust=self.trust, arguments=self.arguments
+        )
 
     @cached_property
     def other_variant(self) -> str:
@@ -338,7 +375,3 @@ class Context(DescriptionFile):
         from urdfkit.robot.assets.triangles import Meshes
 
         return Meshes(self.files, self._progress)
-
-
-#: The former name.
-Subject = Context

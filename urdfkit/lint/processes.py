@@ -38,6 +38,8 @@ def in_processes(jobs: list[Job], known: Known, count: int) -> Iterator[list[Che
     from collections import deque
     from concurrent.futures.process import BrokenProcessPool
 
+    for code in known[1].select:
+        rule_index.get(code)  # imported once: processes that are forked share the modules
     size = max(1, min(MAX_BATCH, len(jobs) // (8 * count)))
     batches = deque(jobs[start : start + size] for start in range(0, len(jobs), size))
     waiting: deque[tuple[list[Job], Future[Batch]]] = deque()

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import RuleError
-from urdfkit.lint.context import Context, Subject
+from urdfkit.lint.context import Context
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Span
@@ -26,8 +26,7 @@ if TYPE_CHECKING:
 #: All that the file of a rule needs, but what its subject matter is.
 __all__ = [
     "FIRST_VERSION", "NAMES", "Check", "Confidence", "Context", "Finding", "Findings", "Fix",
-    "Location", "Need", "Related", "Rule", "Severity", "Subject", "code_of", "name_of", "reported",
-    "rule",
+    "Location", "Need", "Related", "Rule", "Severity", "code_of", "name_of", "reported", "rule",
 ]  # fmt: skip
 
 #: The version of urdfkit that brought every rule that names no other.
@@ -186,6 +185,17 @@ class Rule(Record):
             return self.severity, ()
         worst = min(affected.values(), key=lambda severity: severity.rank)
         return worst, tuple(name for name, severity in affected.items() if severity is worst)
+
+    @property
+    def severities(self) -> dict[str, Severity]:
+        """For single targets, where they differ: as declared, and as the facts about them say."""
+        from urdfkit.ros.targets import TARGETS, facts_of  # reads a file for each
+
+        told = {name: facts_of(name).severities.get(self.code) for name in TARGETS}
+        return {
+            **self.by_target,
+            **{name: Severity(severity) for name, severity in told.items() if severity},
+        }
 
     @property
     def explanation(self) -> str:

@@ -150,6 +150,8 @@ class _RuleRun:
             # Detected only where severities depend on them.
             targets = self.subject.targets.names if findings and rule.by_target else ()
             findings = [self._of_what_is_loaded(rule, finding, targets) for finding in findings]
+            if self.subject.given_targets:
+                findings = [self._as_target_says(rule, finding, targets) for finding in findings]
             self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
         except Exception as error:
             self.ran.discard(rule.code)
@@ -215,6 +217,23 @@ class _RuleRun:
         if not _is_of_visual(finding.node):
             return finding
         return finding._replace(severity=Severity.WARNING, targets=())
+
+    def _as_target_says(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:
+        """A finding as severe as the facts about the given targets say.
+
+        What one of them has no severity for stays as it is, and so does a finding that the rule
+        gives a severity of its own, unless all of them take what it is about.
+        """
+        given = self.subject.given_facts
+        told = {one.name: one.severities.get(rule.code) for one in given}
+        severity = finding.severity or rule.severity_for(targets)[0]
+        each = {name: Severity(one) if one else severity for name, one in told.items()}
+        worst = min(each.values(), key=lambda one: one.rank)
+        if worst is severity or (finding.severity and worst.rank < severity.rank):
+            return finding
+        return finding._replace(
+            severity=worst, targets=tuple(name for name, one in each.items() if one is worst)
+        )
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
         severity = self.config.severities.get(diagnostic.code)

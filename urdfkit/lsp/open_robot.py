@@ -5,8 +5,7 @@ from __future__ import annotations
 import os
 from functools import cached_property
 
-from urdfkit.lint.config import Config
-from urdfkit.lint.config import RobotEntry as EntryPoint
+from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.context import Context
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.names import NameIndex
@@ -28,7 +27,7 @@ class OpenRobot:
     """
 
     def __init__(
-        self, entry: EntryPoint, resolver: Resolver, config: Config, before: OpenRobot | None
+        self, entry: RobotEntry, resolver: Resolver, config: Config, before: OpenRobot | None
     ) -> None:
         self.path = entry.file
         self.resolver = resolver

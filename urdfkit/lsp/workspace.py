@@ -14,8 +14,7 @@ from urdfkit.core.record import Record
 from urdfkit.errors import Cancelled, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.config import Config
-from urdfkit.lint.config import RobotEntry as EntryPoint
+from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import affected
@@ -57,7 +56,7 @@ class Workspace:
 
     def __init__(self) -> None:
         self.texts: dict[str, bytes] = {}
-        self._entries: dict[str, tuple[EntryPoint, ...]] = {}
+        self._entries: dict[str, tuple[RobotEntry, ...]] = {}
         self._launched: dict[str, dict[str, str]] = {}
         self._configs: dict[str, tuple[Config, str]] = {}
         self._resolvers: dict[str, Resolver] = {}
@@ -110,14 +109,14 @@ class Workspace:
             self._configs[directory] = found, failure
         return self._configs[directory]
 
-    def entries(self, path: str) -> tuple[EntryPoint, ...]:
+    def entries(self, path: str) -> tuple[RobotEntry, ...]:
         """The first robots that a file is part of; itself if there are none and it may be one."""
         if path not in self._entries:
             self._entries[path] = self._find_entries(path)
         return self._entries[path]
 
-    def _find_entries(self, path: str) -> tuple[EntryPoint, ...]:
-        alone = (EntryPoint(path, "", {}),)
+    def _find_entries(self, path: str) -> tuple[RobotEntry, ...]:
+        alone = (RobotEntry(path, "", {}),)
         if is_launch(path) or not os.path.isdir(os.path.dirname(path)):
             return alone
         config, _ = self.config(path)
@@ -129,7 +128,7 @@ class Workspace:
         robots = own or found or (() if path.endswith(_NO_ROBOTS) else alone)
         return tuple(self._started(robot, config) for robot in robots[:MAX_ROBOTS])
 
-    def _started(self, robot: EntryPoint, config: Config) -> EntryPoint:
+    def _started(self, robot: RobotEntry, config: Config) -> RobotEntry:
         """A robot; one that lacks arguments, with the first values that are found for them."""
         if robot.arguments or not robot.file.endswith(".xacro"):
             return robot

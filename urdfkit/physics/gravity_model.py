@@ -25,7 +25,7 @@ from urdfkit.core.spatial import (
 )
 from urdfkit.robot.joint_loads import GRAVITY
 from urdfkit.robot.joints import span
-from urdfkit.robot.kinematics import SLIDING, STILL, TURNING, MimicLaw, direction, laws
+from urdfkit.robot.kinematics import LOCKED, SLIDING, TURNING, MimicLaw, direction, laws
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 
@@ -182,7 +182,7 @@ def _bodies(
             extra = payload.get(link.name, 0.0)
             moment = plus(moment, times(frame.position, extra))
             mass += own + extra
-        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), STILL, UP, False
+        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), LOCKED, UP, False
         if joint is not None and joint.parent is not None:
             parent, frame = placed[joint.parent.value]
             at, axis, turns = frame @ joint.origin, direction(joint), joint.kind in TURNING

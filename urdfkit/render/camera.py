@@ -24,6 +24,8 @@ VIEWS = {
 FIELD = 28.0
 #: Part of the image that stays free on each side.
 MARGIN = 0.09
+#: Metres on each side of what has no size: frames and joints are drawn there as of 1 m.
+_ROOM = np.eye(3, dtype=np.float32) / 2
 
 
 #: Pixels of an edge of an image at least; and of a whole one at most, as of a sheet of paper at
@@ -157,6 +159,8 @@ def place_camera(
         raise NoSuchView(reason)
     axes = _axes(view, azimuth, elevation)
     seen = turned(points, axes) if len(points) else np.zeros((1, 3), dtype=np.float32)
+    if not np.ptp(seen, axis=0).any():  # else it is looked at from within
+        seen = seen[:1] + np.concatenate((_ROOM, -_ROOM))
     lowest, highest = (end.astype(np.float64) for end in bounds(seen))
     reach = max(float(np.linalg.norm(highest - lowest)) / 2, 1e-3)
     middle = (lowest + highest) / 2

@@ -22,7 +22,7 @@ class MimicLaw(Record):
 
     Attributes:
         leader: a joint that follows none; the joint itself where it follows none; empty for one
-            that stands still, since it follows a joint that is not there, a ring, or by numbers
+            that is locked, since it follows a joint that is not there, a ring, or by numbers
             that no linkage has.
         factor, shift: of all multipliers and offsets on the way to the leader.
     """
@@ -35,8 +35,8 @@ class MimicLaw(Record):
 #: In rad or m, and as a factor: no linkage moves a joint by so much.
 _LARGEST = 1e9
 
-#: Of a joint that stands still: one that is not set by one number, or follows itself.
-STILL = MimicLaw("", 0.0, 0.0)
+#: Of a locked joint: one that is not set by one number, or follows itself.
+LOCKED = MimicLaw("", 0.0, 0.0)
 #: Of a leader that is not there.
 _ABSENT = MimicLaw("", 0.0, 0.0)
 
@@ -55,7 +55,7 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
             if mimic is None or mimic.joint is None:
                 found[name] = MimicLaw(name, 1.0, 0.0)
                 break
-            found[name] = STILL  # unless the chain ends, and does not come back here
+            found[name] = LOCKED  # unless the chain ends, and does not come back here
             chain.append((name, mimic))
             name = mimic.joint.value
         law = found.get(name, _ABSENT)
@@ -69,7 +69,7 @@ def _followed(law: MimicLaw, mimic: Mimic) -> MimicLaw:
     """What a joint follows, from what its leader follows."""
     factor, shift = mimic.multiplier * law.factor, mimic.multiplier * law.shift + mimic.offset
     is_linkage = abs(factor) < _LARGEST and abs(shift) < _LARGEST
-    return MimicLaw(law.leader, factor, shift) if is_linkage and law is not STILL else STILL
+    return MimicLaw(law.leader, factor, shift) if is_linkage and law is not LOCKED else LOCKED
 
 
 def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, float]:

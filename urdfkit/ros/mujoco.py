@@ -6,6 +6,8 @@ import os
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.robot.inertia import MassProperties, principal_axes, rotated
+from urdfkit.robot.model import Tensor
 
 if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
@@ -23,6 +25,8 @@ class Compiler(Record):
         drops_visuals: True if visuals, and their meshes, are not loaded.
         balances_inertia: True if moments that violate the triangle inequality become equal.
         least_mass, least_moment: what links have at least, in kg and kg·m².
+        fuses_static: True if what no joint moves becomes part of the body above.
+        inertia_from_geometry: True if every mass is computed from shapes, whatever is written.
     """
 
     mesh_directory: str = ""
@@ -31,6 +35,19 @@ class Compiler(Record):
     balances_inertia: bool = False
     least_mass: float = 0.0
     least_moment: float = 0.0
+    fuses_static: bool = True
+    inertia_from_geometry: bool = False
+
+    def bounded(self, given: MassProperties) -> MassProperties:
+        """What MuJoCo takes the mass properties of a link for, before links are merged."""
+        moments, axes = principal_axes(given.tensor)
+        low, middle, high = (max(moment, self.least_moment) for moment in moments)
+        if self.balances_inertia and low + middle < high:
+            low = middle = high = (low + middle + high) / 3
+        if (low, middle, high) == moments:
+            return given._replace(mass=max(given.mass, self.least_mass))
+        tensor = rotated(Tensor(low, 0.0, 0.0, middle, 0.0, high), axes)
+        return MassProperties(max(given.mass, self.least_mass), given.center, tensor)
 
     def mesh_path(self, filename: str, urdf: str) -> tuple[str, str]:
         """The directory in which MuJoCo looks for a mesh that a URDF names, and its path there."""
@@ -53,6 +70,8 @@ def compiler_of(model: RobotModel) -> Compiler:
         _flag(element, "balanceinertia", default=False),
         _number(element, "boundmass"),
         _number(element, "boundinertia"),
+        _flag(element, "fusestatic", default=True),
+        element.get("inertiafromgeom") == "true",
     )
 
 

@@ -7,7 +7,7 @@ the build system of its package.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -58,19 +58,23 @@ class Targets(Record):
         """True if one of some targets is among these."""
         return bool(self.among(names))
 
-    def are_only(self, *names: str) -> bool:
-        """True if no other targets than some are among these."""
-        return bool(self.names) and set(self.names) <= set(names)
-
     @property
     def applies_units(self) -> bool:
         """True unless all are known and take the numbers of COLLADA files as metres."""
-        return not self.names or any(name not in ("moveit", "pinocchio") for name in self.names)
+        return not self.all_are("ignores_units")
 
     @property
     def facts(self) -> tuple[TargetFacts, ...]:
         """What is known of each of them."""
         return tuple(map(facts_of, self.names))
+
+    def that(self, fact: str) -> tuple[str, ...]:
+        """Those of which a fact is true."""
+        return tuple(one.name for one in self.facts if getattr(one, fact))
+
+    def all_are(self, fact: str) -> bool:
+        """True if a fact is true of each of them, and there are some."""
+        return bool(self.names) and all(getattr(one, fact) for one in self.facts)
 
     def passes_over(self, family: str) -> bool:
         """True if none of some targets reads what a family of rules is about."""
@@ -85,21 +89,67 @@ class TargetFacts(Record):
         title: what it stands for.
         unread: families of rules about what the program does not read.
         meshes: the formats that it loads; empty if that is not known, or depends on the machine.
+        leaves_out_visuals: True if it takes a robot whose visuals are in other formats.
         drops_visuals: True if it loads no visuals unless it is asked to.
         loads_first_object: True if it loads only the first object or group of an OBJ.
         collides_hulls: True if the convex hulls of meshes collide, not their triangles.
         collides_with_welded: True if a link collides with the one above, where that is welded to
             the world.
+        severities: of rules, where they differ for it, by their codes: what it rejects is an
+            ``error``, what it takes is none.
+        simulates: True if forces move the links, so that they need a mass.
+        builds_kdl: True if it makes a KDL tree of the robot, which lacks the inertia of the root.
+        finds_packages: False if a mesh is a path to it, ``package://`` as well.
+        ignores_units: True if the numbers of COLLADA files are metres to it.
+        ignores_limits: True if it takes a joint without ``<limit>``, effort or velocity.
+        reads_capsules: True if it reads ``<capsule>`` in each version of URDF.
+        reads_ball_joints: True if it reads joints of the type ``spherical``.
+        reads_unnamed_materials: True if a material needs no name.
+        reserves_world: True if a link ``world`` is the world.
+        adds_world: True if joints may name the world, which no link stands for.
+        needs_movable_mimic: True if it rejects a mimic of a joint that one number does not move.
+        needs_usd_names: True if names are those of USD, which begin with no digit.
+        rejects_repeated: True if it rejects an element that is there twice.
+        rejects_massless: True if it rejects a moving link without mass.
+        density: in kg/m³, of the collisions of a link without ``<inertial>``, whose mass it
+            computes; 0 if it computes none.
+        rejects_rounding: True if moments must hold the triangle inequality to their last digit.
+        least_moment: in kg·m²; it rejects tensors with less. 0 if it takes all.
+        rejects_empty_shapes: True if it rejects a collision one edge of which is 0.
+        least_volume: in m³; it rejects collision meshes with less. 0 if it takes all.
+        most_triangles: of an STL file that it loads; 0 if it loads all.
     """
 
     name: str
     title: str
     unread: tuple[str, ...] = ()
     meshes: tuple[str, ...] = ()
+    leaves_out_visuals: bool = False
     drops_visuals: bool = False
     loads_first_object: bool = False
     collides_hulls: bool = False
     collides_with_welded: bool = False
+    severities: Mapping[str, str] = {}
+    simulates: bool = False
+    builds_kdl: bool = False
+    finds_packages: bool = True
+    ignores_units: bool = False
+    ignores_limits: bool = False
+    reads_capsules: bool = False
+    reads_ball_joints: bool = False
+    reads_unnamed_materials: bool = False
+    reserves_world: bool = False
+    adds_world: bool = False
+    needs_movable_mimic: bool = False
+    needs_usd_names: bool = False
+    rejects_repeated: bool = False
+    rejects_massless: bool = False
+    density: float = 0.0
+    rejects_rounding: bool = False
+    least_moment: float = 0.0
+    rejects_empty_shapes: bool = False
+    least_volume: float = 0.0
+    most_triangles: int = 0
 
 
 @cache

@@ -14,6 +14,8 @@ from urdfkit.scan.rows import ModelRow
 
 #: Names of files in the directory of results.
 SETTINGS, RESULTS = "scan.json", "results.jsonl"
+#: What each model has.
+_COLUMNS = frozenset(ModelRow._fields)
 
 
 class Journal:
@@ -89,7 +91,7 @@ def _lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
     for line in file:
         if not line.endswith(b"\n"):
             return  # a scan is writing it, or was killed
-        yield json.loads(line)
+        yield _row(line, file.name)
 
 
 def _whole_lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
@@ -100,8 +102,19 @@ def _whole_lines(file: BinaryIO) -> Iterator[dict[str, Any]]:
         if not line.endswith(b"\n"):
             break
         end += len(line)
-        yield json.loads(line)
+        yield _row(line, file.name)
     file.truncate(end)
+
+
+def _row(line: bytes, path: str) -> dict[str, Any]:
+    """A model as `Journal.write` has written it."""
+    try:
+        row = json.loads(line)
+    except (ValueError, RecursionError):
+        row = None
+    if not isinstance(row, dict) or not row.keys() >= _COLUMNS:
+        raise UnreadableFile(f"{path}: holds no results of a scan by this version of urdfkit")
+    return row
 
 
 def _claim(directory: str, options: dict[str, Any]) -> None:

@@ -17,7 +17,7 @@ from typing import IO
 
 from urdfkit.core.record import Record
 from urdfkit.core.regular_file import opened
-from urdfkit.core.temporary import scratch
+from urdfkit.core.temporary import remove_abandoned, scratch
 from urdfkit.errors import UnreadableFile
 from urdfkit.text.source import why_unreadable
 from urdfkit.workspace.directories import walk
@@ -31,6 +31,8 @@ _LISTS = (".txt", ".lst")
 _LONGEST_LINE = 65_536
 _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
+#: Bytes that archives of few bytes may hold, and how many times their own size others may.
+_LARGE, _MOST_TIMES = 2 * 10**9, 100
 #: What a damaged or encrypted archive raises.
 _UNREADABLE = (
     OSError, EOFError, RuntimeError, tarfile.TarError, zipfile.BadZipFile, zlib.error,
@@ -96,6 +98,7 @@ class Extraction:
         self._until_exit = ExitStack()
 
     def __enter__(self) -> Extraction:  # noqa: PYI034 - Self is not in Python 3.10
+        remove_abandoned()  # a scan that was killed may have nothing left to do
         return self
 
     def __exit__(self, *error: object) -> None:
@@ -168,8 +171,11 @@ def _members(archive: str) -> Iterator[str]:
 
 def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
     """The files in an archive, each with what opens it before the next one is asked for."""
+    size = 0
     with tarfile.open(archive) as tar:
         for member in tar:
+            size += member.size
+            _check_ratio(archive, size)  # before it is unpacked to find the next one
             if member.isfile():
                 yield member.name, partial(tar.extractfile, member)
 
@@ -177,6 +183,7 @@ def _in_tar(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]
 def _in_zip(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
     """As ``_in_tar``."""
     with zipfile.ZipFile(archive) as packed:
+        _check_ratio(archive, sum(one.file_size for one in packed.infolist()))
         for member in packed.infolist():
             if not member.is_dir():
                 yield member.filename, partial(packed.open, member)
@@ -205,6 +212,16 @@ def _extract(archive: str, directory: str) -> None:
                 packed.extractall(directory)
     except _UNREADABLE as error:
         raise UnreadableFile(f"{archive}: cannot be extracted ({error})") from error
+
+
+def _check_ratio(archive: str, size: int) -> None:
+    """Reject what would fill the disk, or never end, for a few bytes."""
+    ratio = size / max(os.path.getsize(archive), 1)
+    if size > _LARGE and ratio > _MOST_TIMES:
+        raise UnreadableFile(
+            f"{archive}: more than {_LARGE / 1e9:.1f} GB when extracted, over {_MOST_TIMES} times "
+            "its size; extract it yourself if you trust it, and pass the directory"
+        )
 
 
 def _check_room(archive: str, needed: int, free: int) -> None:

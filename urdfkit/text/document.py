@@ -198,7 +198,7 @@ class Element:
         frame: the macro call or include that led there, or None.
     """
 
-    __slots__ = ("attributes", "children", "frame", "parent", "tag", "tag_at", "text")
+    __slots__ = ("_number", "attributes", "children", "frame", "parent", "tag", "tag_at", "text")
 
     def __init__(
         self, tag: str, tag_at: Tag, parent: Element | None, frame: CallFrame | None = None
@@ -210,6 +210,7 @@ class Element:
         self.attributes: dict[str, Attribute] = {}
         self.children: list[Element] = []
         self.text = ""
+        self._number = 0  # among its siblings of that tag; 0 until somebody asks
 
     @property
     def span(self) -> Span:
@@ -263,10 +264,11 @@ class Element:
         if name:
             return f"{self.tag}/{name}"
         assert self.parent is not None
-        siblings = self.parent.all(self.tag)
-        if len(siblings) > 1 and siblings[0] is not self:
-            return f"{self.tag}[{1 + next(i for i, one in enumerate(siblings) if one is self)}]"
-        return self.tag
+        if not self._number:
+            counts: dict[str, int] = {}
+            for one in self.parent.children:  # of all at once: there may be many
+                counts[one.tag] = one._number = counts.get(one.tag, 0) + 1
+        return f"{self.tag}[{self._number}]" if self._number > 1 else self.tag
 
     def __repr__(self) -> str:
         return f"<{self.path} at {self.span}>"

@@ -163,12 +163,11 @@ class _Walk:
             attribute = written.get(name)
             if attribute is not None:
                 known += 1
-                if (length := schema.LENGTHS.get(rule.type)) and (
-                    attribute.value not in self._good[length] or rule.since > self._version
-                ):
+                length = schema.LENGTHS.get(rule.type)
+                if length is None:
+                    self._text(attribute, rule)
+                elif attribute.value not in self._good[length] or rule.since > self._version:
                     self._value(attribute, rule, length)
-                elif name == "name" and element.tag in _NAMED and not attribute.value.strip():
-                    self._add("URD003", element, attribute, name)
             elif rule.required:
                 missing.append(name)
         if known != len(written):
@@ -222,6 +221,14 @@ class _Walk:
             broken = self._breaks and length > 1 and has_break(attribute.span.text)
             if bad or broken or len(parts) != length:
                 self._add("URD005", attribute.element, attribute, rule.type)
+
+    def _text(self, attribute: Attribute, rule: AttributeRule) -> None:
+        """A link or joint without a name, a value that is none of the words that are known."""
+        element, text = attribute.element, attribute.value
+        if attribute.name == "name" and element.tag in _NAMED and not text.strip():
+            self._add("URD003", element, attribute, attribute.name)
+        elif "|" in rule.type and text not in rule.type.split("|") and not is_expression(text):
+            self._add("URD005", element, attribute, rule.type)
 
     def children(self, element: Element, grammar: Grammar) -> list[tuple[Element, Grammar]]:
         """Missing, unknown and repeated children; those whose own content has a grammar."""

@@ -34,7 +34,7 @@ class AttributeRule(Record):
     """What an attribute holds.
 
     Attributes:
-        type: one of the constants above.
+        type: one of the constants above, or the words of which it is one: ``true|false``.
         required: True if parsers reject the element without it.
         since: the first URDF version that has it.
     """

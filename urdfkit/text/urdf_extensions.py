@@ -47,5 +47,7 @@ def grammar_of(parent: str, tag: str) -> Grammar | None:
 
 
 def _grammar(entry: dict[str, Any]) -> Grammar:
-    attributes = dict.fromkeys(entry[""].split(), AttributeRule(TEXT))
+    lists = entry[""] if isinstance(entry[""], dict) else {"": entry[""]}
+    types = {name: words or TEXT for words, names in lists.items() for name in names.split()}
+    attributes = {name: AttributeRule(kind) for name, kind in types.items()}
     return Grammar(attributes, {tag: _grammar(child) for tag, child in entry.items() if tag})

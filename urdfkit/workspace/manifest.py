@@ -66,9 +66,9 @@ class Manifest(Record):
 
     @property
     def ros(self) -> int | None:
-        """1 or 2 by the build system; None if it does not say."""
-        build = re.search(_BUILD, self.data)
-        return None if build is None else {b"catkin": 1, b"ament": 2}[build.group(1)]
+        """1 or 2 by the build system; None if it does not say, or has one for each."""
+        systems = set(re.findall(_BUILD, self.data))
+        return {b"catkin": 1, b"ament": 2}[systems.pop()] if len(systems) == 1 else None
 
 
 def manifest_of(resolver: Resolver, path: str) -> Manifest | None:

@@ -187,3 +187,53 @@ def test_the_depth_of_surfaces_is_not_trusted(tmp_path: Path) -> None:
     assert len(messages("COL001", wheel(0.035, solid).replace("-0.05", "-0.04"), here)) == 1
     hollow = mesh(cube(tmp_path / "hollow.stl", 0.02, 5))
     assert messages("COL001", wheel(0.035, hollow).replace("-0.05", "-0.04"), here) == []
+
+
+def heavy(*parts: str) -> str:
+    """Links with a mass, which Gazebo keeps, and joints."""
+    moments = 'ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"'
+    inertial = f'<inertial><mass value="1"/><inertia {moments}/></inertial>'
+    return "\n".join(parts).replace("</link>", f"{inertial}</link>")
+
+
+@pytest.mark.parametrize(
+    "flag",
+    [
+        '<gazebo reference="tool"><selfCollide>true</selfCollide></gazebo>',
+        '<gazebo reference="base"><self_collide>1</self_collide></gazebo>',
+        "<gazebo><self_collide>true</self_collide></gazebo>",
+    ],
+)
+def test_self_collide_makes_an_overlap_in_every_pose_a_warning(flag: str) -> None:
+    """A tool that turns about its own axis in the base, behind a thin link."""
+    text = heavy(
+        link("base", box(0.2, 0.2, 0.2)),
+        link("upper", f"{sphere(0.02)}@0 0 0.2"),
+        link("tool", sphere(0.1)),
+        joint("base", "upper", "revolute", "0 0 0.15", revolute(-1, 1, "0 0 1")),
+        joint("upper", "tool", "revolute", "0 0 0", revolute(-1, 1, "0 0 1")),
+    )
+    assert severities(text) == ["info"]
+    (found,) = reported("COL001", text + flag)
+    assert found.severity is Severity.WARNING
+    assert found.message.endswith("<self_collide> makes Gazebo push them apart")
+    assert severities(text + flag.replace("true", "false").replace(">1<", ">0<")) == ["info"]
+    beside = '<gazebo reference="upper"><selfCollide>true</selfCollide></gazebo>'
+    assert severities(text + beside) == ["info"]
+
+
+def test_gazebo_merges_fixed_links_and_ignores_those_with_a_joint() -> None:
+    """A shoulder that is fixed to the hip, in which the thigh turns; as on Unitree's A1."""
+    text = heavy(
+        link("hip", f"{sphere(0.02)}@0 0 0.5"),
+        link("shoulder", sphere(0.1)),
+        link("thigh", sphere(0.1)),
+        joint("hip", "shoulder", "fixed", "0 0 0"),
+        joint("hip", "thigh", "revolute", "0.05 0 0", revolute(-1, 1, "1 0 0")),
+    )
+    flag = '<gazebo reference="thigh"><selfCollide>true</selfCollide></gazebo>'
+    assert severities(text) == ["info"]
+    assert severities(text + flag) == ["info"]
+    kept = "<disableFixedJointLumping>true</disableFixedJointLumping>"
+    lumping_off = f'<gazebo reference="hip_shoulder">{kept}</gazebo>'
+    assert severities(text + flag + lumping_off) == ["warning"]

@@ -57,11 +57,11 @@ def test_what_it_does_not(tmp_path: Path, word: str, help: str) -> None:
     ("entry", "place", "severity"),
     [
         ("ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.IMU", None, None),
-        ("ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.Pose", "sensor_msgs", "error"),
+        ("ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.Pose", "gz.msgs.Pose", "error"),
         ("ros_type_name: sensor_msgs/msg/Imu", "sensor_msgs", "error"),
         (
             "ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.IMU, direction: GZ_2_ROS",
-            "sensor_msgs",
+            "GZ_2_ROS",
             "error",
         ),
         (
@@ -103,4 +103,4 @@ def test_entries_of_a_file(
 def test_a_sensor_on_another_topic(tmp_path: Path, words: list[str], count: int) -> None:
     found = of_words(tmp_path, *words, files={"r.urdf": ROBOT})
     assert [one.severity for one in found] == [Severity.WARNING] * count
-    assert all(one.help == "write scan" for one in found)
+    assert all(one.help == "write /scan" for one in found)

@@ -74,5 +74,10 @@ def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
 def test_clocks(tmp_path: Path, given: str, count: int) -> None:
     other = NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
     spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
-    assert len(messages(tmp_path, STATE.format(given) + other + spawn)) == count
+    bridge = NODE.format(
+        "ros_gz_bridge",
+        "parameter_bridge",
+        "arguments=['/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock']",
+    )
+    assert len(messages(tmp_path, STATE.format(given) + other + spawn + bridge)) == count
     assert messages(tmp_path, STATE.format(given) + other) == []

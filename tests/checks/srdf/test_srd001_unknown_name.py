@@ -218,3 +218,18 @@ def test_names_that_nobody_has(
 def test_what_is_of_others_or_open_is_calm(tmp_path: Path, old: str, new: str) -> None:
     (tmp_path / "moveit_controllers.yaml").write_text(TWO.replace(old, new))
     assert findings(tmp_path, "", "SRD001") == []
+
+
+def test_an_srdf_has_the_arguments_of_its_robot(tmp_path: Path) -> None:
+    """xarm_ros: one SRDF for arms of five to seven joints, by the argument dof."""
+    head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="{}"/>'
+    (tmp_path / "r.urdf.xacro").write_text(
+        head.format('dof" default="5') + '<link name="link$(arg dof)"/></robot>'
+    )
+    (tmp_path / "r.srdf.xacro").write_text(
+        head.format('dof" default="7')
+        + '<group name="g"><link name="link$(arg dof)"/></group></robot>'
+    )
+    for dof, count in (("5", 0), ("6", 0)):
+        report = check(tmp_path / "r.urdf.xacro", arguments={"dof": dof}, select=["SRD001"])
+        assert len(report.diagnostics) == count

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.growth import executed_lines
 from tests.srdfs import findings, message_of
 
 BAD = [
@@ -38,6 +39,34 @@ GOOD = [
 @pytest.mark.parametrize(("text", "message"), BAD)
 def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> None:
     assert message_of(tmp_path, text, "SRD003") == message
+
+
+def test_each_cycle_is_reported_once(tmp_path: Path) -> None:
+    def group(name: str, *inner: str) -> str:
+        subgroups = "".join(f'<group name="{one}"/>' for one in inner)
+        return f'<group name="{name}">{subgroups}</group>'
+
+    text = group("x", "b", "a") + group("b", "c") + group("c", "b", "b") + group("a", "x", "y")
+    found = findings(tmp_path, text + group("y", "y", "z"), "SRD003")
+    assert sorted(one.message.rpartition(": ")[2] for one in found) == [
+        "a -> x -> a",
+        "b -> c -> b",
+        "y -> y",
+    ]
+
+
+def test_time_grows_with_the_groups(tmp_path: Path) -> None:
+    def work(count: int) -> int:
+        text = "".join(
+            f'<group name="g{n}"><group name="g{n + 1}"/><group name="g{n + 2}"/></group>'
+            for n in range(count)
+        )
+        directory = tmp_path / str(count)
+        directory.mkdir()
+        return executed_lines(lambda: findings(directory, text, "SRD003"))
+
+    work(10)  # imports
+    assert work(800) < 3 * work(400)
 
 
 @pytest.mark.parametrize("text", GOOD)

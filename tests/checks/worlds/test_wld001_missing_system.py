@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.checks.worlds.started import INCLUDE, SENSOR, found, systems
+from urdfkit import Severity
 
 CODE = "WLD001"
 DEFAULTS = ("physics", "user-commands", "scene-broadcaster")
@@ -149,3 +150,40 @@ def test_classic_has_no_systems(tmp_path: Path) -> None:
     gz = gz.replace("world_name", "world_sdf_file")
     (one,) = messages(tmp_path, world="", robot=robot, launch=gz, name=name)
     assert "Sensors" in one
+
+
+SPAWN = 'Node(package="gazebo_ros", executable="spawn_entity.py", arguments=["-entity", "c"])\n'
+START = "ExecuteProcess(cmd=[{}])\n"
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        '"gazebo", "--verbose"',
+        '"gzserver", "-s", "libgazebo_ros_init.so"',
+        '"gazebo", get_package_share_directory("arm") + "/worlds/hall.sdf"',
+    ],
+)
+def test_classic_without_the_factory(command: str, tmp_path: Path) -> None:
+    launch = INCLUDE.replace("[gazebo, robot]", "[robot]").replace("ros_gz_sim", "other")
+    (one,) = found(tmp_path, CODE, world="", launch=launch + START.format(command) + SPAWN)
+    assert one.message == (
+        "Gazebo is started without libgazebo_ros_factory.so, which spawn_entity.py needs"
+    )
+    assert one.severity is Severity.ERROR
+    loaded = START.format(f'{command}, "-s", "libgazebo_ros_factory.so"')
+    assert messages(tmp_path, world="", launch=launch + loaded + SPAWN) == []
+    assert messages(tmp_path, world="", launch=launch + START.format(command)) == []
+
+
+def test_the_launch_files_of_classic_load_the_factory(tmp_path: Path) -> None:
+    launch = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
+    launch = launch.replace('"gz_args": ["-r ", share', '"world": [share')
+    assert messages(tmp_path, world="", launch=launch + SPAWN) == []
+
+
+def test_a_world_may_load_the_factory(tmp_path: Path) -> None:
+    launch = INCLUDE.replace("[gazebo, robot]", "[robot]").replace("ros_gz_sim", "other")
+    start = START.format('"gazebo", share + "/worlds/hall.sdf"')
+    plugin = '<plugin name="f" filename="libgazebo_ros_factory.so"/>'
+    assert messages(tmp_path, world=plugin, launch=launch + start + SPAWN) == []

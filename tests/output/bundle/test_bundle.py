@@ -243,6 +243,15 @@ def test_nothing_from_outside_of_the_workspace_is_bundled(robot: Path, tmp_path:
                 assert not [n for n, d in contents(tmp_path / "out").items() if b"secret" in d]
 
 
+def test_a_file_outside_of_the_workspace_is_not_called_missing(robot: Path, tmp_path: Path) -> None:
+    (tmp_path / "src" / ".git").mkdir()
+    add_file(tmp_path / "body.stl", ascii_stl(TRIANGLES))
+    text = robot.read_text("latin-1")
+    robot.write_text(re.sub(r"[^\"]*body.dae", "../../../body.stl", text), "latin-1")
+    with pytest.raises(UrdfkitError, match=r"lie outside the workspace: .*: \.\./\.\./\.\./body"):
+        bundle(robot, tmp_path / "out")
+
+
 def test_a_mesh_that_names_itself_is_there_once(robot: Path, tmp_path: Path) -> None:
     obj = robot.parents[1] / "meshes" / "visual" / "tip.obj"
     obj.write_bytes(re.sub(rb"mtllib .*", b"mtllib tip.obj", obj.read_bytes()))

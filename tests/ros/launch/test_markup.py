@@ -38,7 +38,7 @@ def test_the_robot_and_what_is_started(package):
     assert Path(description.path) == package / "urdf" / "arm.xacro"
     assert description.arguments == {"side": "left"}
     (started,) = launch.started
-    assert set(started.parameters or ()) == {"robot_description", "use_sim_time"}
+    assert set(started.parameters.values) == {"robot_description", "use_sim_time"}
     assert launch.problems == ()
 
 

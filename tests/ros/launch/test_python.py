@@ -121,9 +121,9 @@ ExecuteProcess(cmd=['ros2', 'run'])
     )
     given, unknown, program = launch.started
     assert (given.package, given.executable) == ("p", "e")
-    assert given.parameters == {"rate": "1"}
+    assert given.parameters.every == {"rate": "1"}
     assert [word.text for word in given.words] == ["a", "b", "-x", None, None]
-    assert unknown.parameters is None
+    assert unknown.parameters.every is None
     assert [word.text for word in program.words] == ["ros2", "run"]
 
 

@@ -151,7 +151,7 @@ def test_the_launch_files_of_the_corpus():
 
 def test_files_that_include_themselves_many_times_end(package):
     again = '<include file="$(dirname)/a.launch"/>' * 20
-    assert read(package, again).is_whole is False
+    assert read(package, again).unread
 
 
 def test_what_it_starts(package):

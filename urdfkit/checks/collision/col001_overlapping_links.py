@@ -6,7 +6,9 @@
   zero are not reported, nor an overlap below 1 mm, such as of a closed gripper. The depth is said
   of primitives and convex meshes; of other meshes coal has none that could be relied on.
 - In every pose, an info: at zero, at all limits and in some dozens of poses between. MoveIt can
-  plan only when the pair is disabled in the SRDF (`urdfkit collisions --srdf`).
+  plan only when the pair is disabled in the SRDF (`urdfkit collisions --srdf`). A warning where
+  `<self_collide>` lets one of the two collide with its robot in Gazebo, which has no such list: it
+  pushes them apart in every step, and the robot shakes or flies off.
 - Adjacent links, an info: most of the smaller body is inside the other one, such as a wheel deep in
   the box of the chassis. Gazebo, MuJoCo and MoveIt ignore collisions between adjacent links, but
   the outer geometry hits what the inner one should, such as a kerb. Only primitives and convex
@@ -23,6 +25,7 @@ Correct the origin of a joint or of a collision, or make the collision geometry 
 Sources:
     MoveIt, check_start_state_collision.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_collision.cpp
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
+    SDF, self_collide: http://sdformat.org/spec?ver=1.9&elem=link
     MuJoCo, contact filtering: https://mujoco.readthedocs.io/en/stable/computation/index.html#selection
     MuJoCo, URDF: https://mujoco.readthedocs.io/en/stable/modeling.html#urdf-extensions
 """
@@ -33,6 +36,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
+from urdfkit.ros.gazebo.values import is_true
 from urdfkit.ros.targets import TargetFacts, facts_of
 
 if TYPE_CHECKING:
@@ -67,6 +71,7 @@ _PART = 0.6
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
 def check(subject: Context) -> Findings:
     contacts = subject.collisions.contacts
+    colliding = _self_colliding(subject)
     reported = set()
     for pair in contacts.pairs:
         if pair.is_rigid:
@@ -75,6 +80,10 @@ def check(subject: Context) -> Findings:
             if not pair.is_adjacent:
                 reported.add(pair.names)
             contact, message, help, severity = found
+            is_info = severity is Severity.INFO and not pair.is_adjacent
+            if is_info and _collide_in_gazebo(subject, pair.names, colliding):
+                message += ", and <self_collide> makes Gazebo push them apart"
+                help, severity = "turn <self_collide> off, or make one smaller", Severity.WARNING
             small, large = contact.small, contact.large
             yield Finding(
                 subject.model.collision(small.link, small.number),
@@ -96,6 +105,26 @@ def check(subject: Context) -> Findings:
         for overlap in hull_overlaps(contacts, _DEEP):
             if (overlap.first.link, overlap.second.link) not in reported:
                 yield from _of_hulls(subject, overlap, simulators)
+
+
+def _self_colliding(subject: Context) -> set[str]:
+    """The links that collide with others of their robot in Gazebo; those with a joint never do."""
+    found: set[str] = set()
+    for block in subject.model.gazebo:
+        flags = (one for one in block.children if one.tag in ("selfCollide", "self_collide"))
+        if any(map(is_true, flags)):
+            reference = block.get("reference")
+            found.update([reference] if reference else subject.model.links_by_name)
+    return found
+
+
+def _collide_in_gazebo(subject: Context, names: tuple[str, str], colliding: set[str]) -> bool:
+    """True if Gazebo pushes two links apart: once links are merged, no joint is between them."""
+    if colliding.isdisjoint(names):
+        return False
+    first, second = (subject.gazebo.survivor.get(name, "") for name in names)
+    joined = {frozenset((joint.parent, joint.child)) for joint in subject.gazebo.joints}
+    return bool(first and second) and first != second and {first, second} not in joined
 
 
 def _of_hulls(subject: Context, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:

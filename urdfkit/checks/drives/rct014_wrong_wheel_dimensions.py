@@ -21,7 +21,7 @@ from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
-from urdfkit.ros.gazebo.drives import DrivenWheel, drive_of, given, pairs, rolling, wheels
+from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, given, pairs, rolling, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 
 if TYPE_CHECKING:
@@ -67,12 +67,8 @@ def _of_plugin(use: PluginUse, kind: Drive, subject: Context) -> Findings:
     driven = list(wheels(use, subject.tree))
     size = "diameter" if kind.diameter else "radius"
     radius = _radius([wheel.rolling for wheel in driven])
-    sides = ((left.rolling, right.rolling) for left, right in pairs(driven))
-    left, right = next((pair for pair in sides if pair[0].is_parallel(pair[1])), (None, None))
-    apart: list[float] = []
-    if left and right and left.hub and right.hub:
-        apart = _distances(left, right, left.axis)
     sizes = [2 * one if kind.diameter else one for one in radius]
+    apart = _separations(driven)
     for name, measured, real in ((kind.size, size, sizes), (kind.separation, "separation", apart)):
         found = given(use, name) if name else None
         if found is None or not real:
@@ -88,6 +84,14 @@ def _of_plugin(use: PluginUse, kind: Drive, subject: Context) -> Findings:
                 _help(real[0]),
                 weight=abs(value - real[0]),
             )
+
+
+def _separations(driven: list[Wheel]) -> list[float]:
+    """How far the first pair of parallel wheels is apart, in m."""
+    for left, right in ((left.rolling, right.rolling) for left, right in pairs(driven)):
+        if left.is_parallel(right):
+            return _distances(left, right, left.axis) if left.hub and right.hub else []
+    return []
 
 
 def _of_controller(controller: Controller, subject: Context) -> Findings:

@@ -71,6 +71,8 @@ def _settings(sensor: Sensor) -> Iterator[tuple[Element | Attribute, str, str, S
 
 def _problem(name: str, setting: Setting, text: str) -> tuple[str, str] | None:
     """The end of a message, and the help; None for a valid value."""
+    if setting.type == "pose" and not text:
+        return None  # its default
     if setting.words and text not in setting.words:
         return _word_problem(name, setting.words, text)
     if setting.type in _NUMBERS:

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 from urdfkit.lint.rules import Finding, Findings, Severity, rule
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
-from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.samples import SCANNER, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.views import frame_of, planar_scan, tilt
 
@@ -36,23 +36,13 @@ if TYPE_CHECKING:
 #: Radians: lidars are adjusted by less than the first; upright or upside down within the second.
 ADJUSTED, NEAR = 0.06, 0.06
 
-_SCAN = (
-    "<lidar>"
-    "<scan><horizontal><samples>360</samples><min_angle>-3.1</min_angle>"
-    "<max_angle>3.1</max_angle></horizontal></scan>"
-    "<range><min>0.1</min><max>10</max></range>"
-    "</lidar>"
-)
 BAD = robot_xml(
     solid_xml("base"),
     solid_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
     joint_xml("continuous", '<axis xyz="0 1 0"/>', name="wheel_joint", child="wheel"),
     solid_xml("scanner"),
     joint_xml("fixed", '<origin xyz="0 0 0.3" rpy="0 0.3 0"/>', name="mount", child="scanner"),
-    gazebo_xml(
-        sensor_xml("front", "gpu_lidar", "<update_rate>10</update_rate>", _SCAN),
-        reference="scanner",
-    ),
+    SCANNER,
 )
 GOOD = BAD.replace("0 0.3 0", "0 0 0.3")
 

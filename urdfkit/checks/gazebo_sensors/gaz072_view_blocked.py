@@ -26,7 +26,7 @@ from urdfkit.lint.rules import Finding, Findings, Related, Severity, rule
 from urdfkit.robot.ray_casting import beams_on, interval, shape_of
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import Primitive
-from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.samples import SCANNER, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.views import frame_of, image_rays, is_camera, planar_scan
 
@@ -42,22 +42,12 @@ SOME, MANY, ALL = 0.1, 0.3, 0.99
 NEAR = 0.5
 _CLIP = 0.1
 
-_SCAN = (
-    "<lidar>"
-    "<scan><horizontal><samples>360</samples><min_angle>-3.1</min_angle>"
-    "<max_angle>3.1</max_angle></horizontal></scan>"
-    "<range><min>0.1</min><max>10</max></range>"
-    "</lidar>"
-)
 _DECK = '<origin xyz="0.3 0 0"/>'
 BAD = robot_xml(
     solid_xml("base", visual_xml('<box size="0.2 2 0.2"/>', _DECK)),
     link_xml("scanner"),
     joint_xml("fixed", '<origin xyz="0 0 0.05"/>', name="mount", child="scanner"),
-    gazebo_xml(
-        sensor_xml("front", "gpu_lidar", "<update_rate>10</update_rate>", _SCAN),
-        reference="scanner",
-    ),
+    SCANNER,
 )
 GOOD = BAD.replace("0 0 0.05", "0 0 0.25")
 

@@ -43,7 +43,7 @@ def check(subject: Context) -> Findings:
             if min(values) < 0:
                 yield Finding(attribute, message, fix=_fix(attribute))
             elif min(values) == 0:
-                fatal = subject.targets.among(("mujoco",))
+                fatal = subject.targets.that("rejects_empty_shapes")
                 help = "remove the whole <visual> or <collision>"
                 severity = Severity.ERROR if fatal else Severity.INFO
                 yield Finding(attribute, message, help, severity=severity, targets=fatal)

@@ -38,7 +38,6 @@ _HEAVY = 1e-3
 @rule(
     Severity.INFO,
     help="add a <collision> with a simple shape if the link can collide",
-    by_target={"moveit": Severity.WARNING},
     reports_missing=True,
 )
 def check(subject: Context) -> Findings:

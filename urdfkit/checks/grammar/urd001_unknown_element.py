@@ -30,7 +30,7 @@ from urdfkit.text.editing.edits import move_after, remove_element, rename_elemen
 from urdfkit.text.grammar import calling_macro, owner
 from urdfkit.text.schema import places_of
 from urdfkit.text.source import shown
-from urdfkit.workspace.xml_programs import reader_of
+from urdfkit.workspace.xml_programs import readers_of
 
 BAD = link_xml("base", collision_xml('<box size="0.2 0.2 0.1"/>')).replace("collision", "colision")
 FIXED = GOOD = BAD.replace("colision", "collision")
@@ -47,16 +47,18 @@ _SHOWN = 5
 )
 def check(subject: Context) -> Findings:
     misplaced: list[Element] = []
-    readers: dict[str, str | None] = {}
+    unknown: list[tuple[Element, str]] = []
     for element, _, needed, suggested in subject.deviations.get("URD001", ()):
         if not suggested and places_of(element.tag):
             misplaced.append(element)
         elif needed:
             yield _needed(element, needed)
         else:
-            if element.tag not in readers and not suggested:
-                readers[element.tag] = reader_of(element.tag, subject.source.path, subject.resolver)
-            yield _unknown(element, suggested, readers.get(element.tag))
+            unknown.append((element, suggested))
+    tags = {element.tag for element, suggested in unknown if not suggested}
+    readers = readers_of(tags, subject.source.path, subject.resolver) if tags else {}
+    for element, suggested in unknown:
+        yield _unknown(element, suggested, readers.get(element.tag))
     yield from _misplaced(misplaced)
 
 

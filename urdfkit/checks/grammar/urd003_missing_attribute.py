@@ -45,8 +45,8 @@ def check(subject: Context) -> Findings:
             yield Finding(attribute, f"a {element.tag} has an empty name", "give it a name")
             continue
         if attribute is None:
-            # MuJoCo reads the colour of a material without a name.
-            is_unneeded = element.tag == "material" and subject.targets.are_only("mujoco")
+            is_material = element.tag == "material"
+            is_unneeded = is_material and subject.targets.all_are("reads_unnamed_materials")
             severity = Severity.WARNING if is_unneeded else None
             key = f"{missing} of {element.tag}"
             yield Finding(element, message, group_key=key, severity=severity)

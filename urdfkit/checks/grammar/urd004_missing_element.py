@@ -33,8 +33,17 @@ def check(subject: Context) -> Findings:
         if not missing:
             yield _without_shape(subject, element, who)
             continue
+        if _calls_macro(subject, element):
+            continue  # without the prefix: XAC002
         inside = "" if who.startswith(element.tag) else f": <{element.tag}>"
         yield Finding(element, f"{who}{inside} has no <{missing}>", f"add <{missing}>")
+
+
+def _calls_macro(subject: Context, element: Element) -> bool:
+    """True if a child has the name of a macro, which may make what is missing."""
+    xacro = subject.reading.xacro
+    macros = {macro.name for macro in xacro.macros} if xacro else set()
+    return any(child.tag in macros for child in element.children)
 
 
 def _without_shape(subject: Context, element: Element, who: str) -> Finding:

@@ -1,4 +1,4 @@
-"""A value is not a number, or has too many or too few numbers.
+"""A value is not a number, has too many or too few of them, or is no word that a program knows.
 
 URDF parsers read digits with a decimal point and an exponent, such as `-1.5e-3`, with spaces
 between the numbers. They reject a decimal comma, a unit, `inf`, `nan`, a tab between two numbers
@@ -8,9 +8,13 @@ In a joint urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the robot, in 
 inertia or every shape of that link, and a colour becomes black. MuJoCo and Drake reject a vector of
 the wrong length; PyBullet continues with a wrong number.
 
+In `<mujoco>` some attributes take one of a few words, as `strippath="true"`: MuJoCo rejects others
+("invalid keyword"), also in upper case.
+
 Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
+    MuJoCo, keywords: https://mujoco.readthedocs.io/en/stable/XMLreference.html#compiler
     ros/urdfdom#98: https://github.com/ros/urdfdom/issues/98
 """
 
@@ -20,6 +24,7 @@ from urdfkit.core.words import counted
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text import schema
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import as_written, fix_value
 from urdfkit.text.grammar import has_break, is_number, owner
 
@@ -34,6 +39,9 @@ FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.0
 def check(subject: Context) -> Findings:
     for element, attribute, kind, _ in subject.deviations.get("URD005", ()):
         assert attribute is not None
+        if "|" in kind:
+            yield _of_words(attribute, kind.split("|"))
+            continue
         length = schema.LENGTHS.get(kind, 1)
         parts = [part for part in attribute.value.split(" ") if part]
         if length > 1 and len(parts) != length and all(map(is_number, parts)):
@@ -51,6 +59,18 @@ def check(subject: Context) -> Findings:
             fix,
             group_key=alike,
         )
+
+
+def _of_words(attribute: Attribute, words: list[str]) -> Finding:
+    text = attribute.value
+    better = next((word for word in words if word.lower() == text.strip().lower()), "")
+    return Finding(
+        attribute,
+        f"{owner(attribute.element)}: {attribute.name} of <{attribute.element.tag}> is "
+        f"'{as_written(attribute)[:40]}', not {' or '.join(words)}",
+        f'write {attribute.name}="{better}"' if better else "write one of these words",
+        fix_value(attribute, better or None),
+    )
 
 
 def _reason(text: str, length: int) -> str:

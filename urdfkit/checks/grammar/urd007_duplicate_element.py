@@ -32,16 +32,18 @@ BAD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIGIN, _ORIG
 FIXED = GOOD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIGIN))
 
 
-@rule(Severity.WARNING, help="remove one of them", by_target={"mujoco": Severity.ERROR})
+@rule(Severity.WARNING, help="remove one of them")
 def check(subject: Context) -> Findings:
+    rejecting = [one for one in subject.given_facts if one.rejects_repeated]
+    names = " and ".join(one.title for one in rejecting)
     for element, *_ in subject.deviations.get("URD007", ()):
         assert element.parent is not None
         first = _first(element, element.parent)
-        is_rejected = "mujoco" in subject.given_targets and _is_read_by_mujoco(element, first)
+        is_rejected = bool(rejecting) and _is_read_by_mujoco(element, first)
         who, place = owner(element.parent), element.parent.tag
         if first.tag == element.tag:
             message = f"{who}: a second <{element.tag}> in <{place}>; parsers read the first"
-            message += ", MuJoCo rejects it" if is_rejected else ""
+            message += f", {names} rejects it" if is_rejected else ""
         else:
             message = f"{who}: <{element.tag}> after <{first.tag}> in one <{place}>; parsers read "
             message += "the first shape"
@@ -52,7 +54,8 @@ def check(subject: Context) -> Findings:
             fix=_fix(element, first),
             related=related,
             group_key=f"{element.tag} in {place}",
-            severity=None if is_rejected else Severity.WARNING,
+            severity=Severity.ERROR if is_rejected else None,
+            targets=tuple(one.name for one in rejecting) if is_rejected else (),
         )
 
 

@@ -32,6 +32,8 @@ def check(subject: Context) -> Findings:
     fixes = _fixes(subject, misplaced)
     for element in misplaced:
         assert element.parent is not None
+        if element.parent.tag == "mujoco":
+            continue  # such a <sensor> is MuJoCo's
         yield Finding(
             element,
             f"{owner(element.parent)}: <{element.tag}> inside <{element.parent.tag}> is ignored",

@@ -38,7 +38,7 @@ def check(subject: Context) -> Findings:
         if not since:
             assert attribute is not None
             yield _declared(attribute, version)
-        elif element.tag != "capsule" or not subject.targets.are_only("mujoco", "drake"):
+        elif element.tag != "capsule" or not subject.targets.all_are("reads_capsules"):
             what = f"<{element.tag}>" if attribute is None else attribute.name
             yield Finding(
                 attribute or element,

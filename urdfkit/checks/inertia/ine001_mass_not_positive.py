@@ -18,7 +18,6 @@ from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import can_move
 from urdfkit.robot.model import Link
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
-from urdfkit.ros.targets import GAZEBO
 
 BAD = robot_xml(
     link_xml("base", inertial_xml("2", "0.02 0.02 0.02")),
@@ -59,4 +58,4 @@ def _is_between_axes(link: Link, subject: Context) -> bool:
     if link.visuals or link.collisions or (tensor and any(tensor.value)):
         return False
     carries = any(map(can_move, subject.tree.children[link.name]))
-    return carries and not subject.targets.any_of((*GAZEBO, "mujoco", "isaac"))
+    return carries and not subject.targets.that("simulates")

@@ -50,16 +50,19 @@ def check(subject: Context) -> Findings:
         for finding in together((one, _finding(one, masses)) for one in links):
             is_balanced = defect is InertiaDefect.TRIANGLE_INEQUALITY and _is_balanced(subject)
             yield finding._replace(severity=Severity.WARNING) if is_balanced else finding
-    if "mujoco" in subject.given_targets and not subject.mujoco.balances_inertia:
+    exact = tuple(one.name for one in subject.given_facts if one.rejects_rounding)
+    if exact and not subject.mujoco.balances_inertia:
         for one in masses.inertias:
             low, middle, high = one.moments
             if not one.breaks_triangle and high > (low + middle) * (1 + _LEAST_EXCESS):
-                yield _finding(one, masses)._replace(targets=("mujoco",))
+                yield _finding(one, masses)._replace(targets=exact)
 
 
 def _is_balanced(subject: Context) -> bool:
-    """True if nothing but MuJoCo reads the tensors, and it corrects them."""
-    return subject.given_targets == ("mujoco",) and subject.mujoco.balances_inertia
+    """True if only MuJoCo, which is as strict, reads the tensors, and it corrects them."""
+    given = subject.given_facts
+    is_exact = bool(given) and all(one.rejects_rounding for one in given)
+    return is_exact and subject.mujoco.balances_inertia
 
 
 def _finding(one: LinkInertia, masses: Masses) -> Finding:

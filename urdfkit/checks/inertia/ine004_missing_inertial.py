@@ -30,7 +30,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, Conversion
-from urdfkit.ros.targets import GAZEBO
+from urdfkit.ros.targets import GAZEBO, TargetFacts
 
 BAD = robot_xml(
     link_xml("base", inertial_xml("2", "0.02 0.02 0.02")),
@@ -54,10 +54,11 @@ _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
     reports_missing=True,
 )
 def check(subject: Context) -> Findings:
-    is_for_mujoco = "mujoco" in subject.given_targets
-    if is_for_mujoco and not subject.is_part and not subject.mujoco.least_mass:
-        yield from _in_mujoco(subject)
-    if subject.given_targets != ("mujoco",):
+    strict = [one for one in subject.given_facts if one.rejects_massless or one.density]
+    if strict and not subject.is_part and not subject.mujoco.least_mass:
+        for target in strict:
+            yield from _in_target(subject, target)
+    if not strict or len(strict) < len(subject.given_targets):
         yield from _in_gazebo(subject)
 
 
@@ -70,7 +71,7 @@ def _in_gazebo(subject: Context) -> Findings:
     yield from _on_massless_frames(subject)
 
 
-def _in_mujoco(subject: Context) -> Findings:
+def _in_target(subject: Context, target: TargetFacts) -> Findings:
     """What joints move without a mass, and what they move with one that nobody wrote."""
     for body in subject.masses.bodies:
         if body.joint is None:
@@ -78,21 +79,26 @@ def _in_mujoco(subject: Context) -> Findings:
         moved = f"moved by the {body.joint.kind} joint '{body.joint.name}'"
         computed = [link for link, _ in body.links if link.inertial is None and link.collisions]
         inertial = body.top.inertial
-        if computed:
+        if computed and target.density:
             yield Finding(
                 computed[0].at,
-                f"link '{computed[0].name}' is {moved} and has no <inertial>: MuJoCo computes its "
-                "mass from its collisions, at 1000 kg/m³",
+                f"link '{computed[0].name}' is {moved} and has no <inertial>: {target.title} "
+                f"computes its mass from its collisions, at {target.density:g} kg/m³",
                 severity=Severity.WARNING,
-                group_key="computed",
+                group_key=f"computed by {target.name}",
             )
-        elif body.mass <= 0 and not (inertial and inertial.mass and subject.masses.total > 0):
+        elif (
+            target.rejects_massless
+            and body.mass <= 0
+            and not (inertial and inertial.mass and subject.masses.total > 0)
+        ):
             yield Finding(
                 body.top.at,
-                f"link '{body.top.name}' is {moved} and has no mass: MuJoCo rejects the robot",
+                f"link '{body.top.name}' is {moved} and has no mass: {target.title} rejects the "
+                "robot",
                 severity=Severity.ERROR,
-                targets=("mujoco",),
-                group_key="rejected",
+                targets=(target.name,),
+                group_key=f"rejected by {target.name}",
             )
 
 

@@ -42,9 +42,6 @@ FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
     '"0" iyz="0" izz="0"', '"0.00197917" iyz="0" izz="0.000625"'
 )
 
-#: In kg·m²: MuJoCo's mjEPS.
-_LEAST_OF_MUJOCO = 1e-14
-
 #: In kg: UUV's thrusters are links of a gram without a tensor, which Gazebo Classic moves.
 STAND_IN = 0.001
 
@@ -71,7 +68,7 @@ def check(subject: Context) -> Findings:
 
 def _zero(subject: Context) -> Iterator[tuple[LinkInertia, Finding]]:
     masses = subject.masses
-    is_rejected = "mujoco" in subject.given_targets
+    is_rejected = any(one.least_moment for one in subject.given_facts)
     for body in masses.without_inertia:
         assert body.joint is not None
         for link, _ in body.links:
@@ -123,22 +120,25 @@ def _thin(subject: Context) -> Findings:
 
 
 def _rejected(subject: Context) -> Findings:
-    """The tensors that MuJoCo rejects, of links that joints move or not."""
-    if "mujoco" not in subject.given_targets or subject.mujoco.least_moment:
+    """The tensors that a target rejects, of links that joints move or not."""
+    targets = [one for one in subject.given_facts if one.least_moment]
+    if not targets or subject.mujoco.least_moment:
         return
+    least = max(one.least_moment for one in targets)
+    names = " and ".join(one.title for one in targets)
     for link in subject.model.links:
         tensor = link.inertial.tensor if link.inertial else None
         if tensor is None or not any(tensor.value):
             continue
         low, middle, high = principal_moments(tensor.value)
         one = subject.masses.by_name.get(link.name)
-        if low < _LEAST_OF_MUJOCO and not (one and one.is_indefinite):
+        if low < least and not (one and one.is_indefinite):
             yield Finding(
                 tensor,
                 f"link '{link.name}' has principal moments of inertia of {low:.1g}, {middle:.3g} "
-                f"and {high:.3g} kg·m²: MuJoCo rejects less than {_LEAST_OF_MUJOCO:g}",
+                f"and {high:.3g} kg·m²: {names} rejects less than {least:g}",
                 "write all three moments, or zeros for a frame that a fixed joint holds",
                 weight=link.mass,
                 severity=Severity.ERROR,
-                targets=("mujoco",),
+                targets=tuple(one.name for one in targets),
             )

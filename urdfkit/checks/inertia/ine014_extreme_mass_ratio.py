@@ -29,7 +29,7 @@ GOOD = BAD.replace('"0.005"', '"1"').replace('"1e-6"', '"0.001"')
 @rule(
     Severity.INFO,
     help="move mass from the heavy links to the light one, or merge the two joints into one",
-    by_target={"isaac": Severity.WARNING, **dict.fromkeys(GAZEBO, Severity.WARNING)},
+    by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
     options={"ratio": 1000.0},
 )
 def check(subject: Context) -> Findings:

@@ -34,7 +34,7 @@ def check(subject: Context) -> Findings:
         kind = joint.at.attributes.get("type")
         if kind is None or kind.value in JOINT_TYPES or is_expression(kind.value):
             continue
-        if kind.value == "spherical" and subject.targets.are_only("mujoco"):
+        if kind.value == "spherical" and subject.targets.all_are("reads_ball_joints"):
             continue
         suggested = nearest(kind.value.strip(), JOINT_TYPES, _SIMILAR)
         yield Finding(

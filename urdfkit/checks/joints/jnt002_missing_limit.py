@@ -29,9 +29,14 @@ GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')
 @rule(Severity.ERROR)
 def check(subject: Context) -> Findings:
     yield from _unequal(subject.model)
-    if subject.targets.are_only("mujoco", "drake"):
-        return
-    for joint in subject.model.joints:
+    lacking = list(_lacking(subject.model))
+    if lacking and not subject.targets.all_are("ignores_limits"):
+        yield from lacking
+
+
+def _lacking(model: RobotModel) -> Findings:
+    """Joints without what urdfdom wants of their limit."""
+    for joint in model.joints:
         units = {"effort": effort_unit(joint), "velocity": f"{unit(joint)}/s"}
         if joint.limit is None:
             if joint.kind in BOUNDED:

@@ -26,7 +26,7 @@ GOOD = link_xml("base")
 @rule(
     Severity.INFO,
     help="remove it if the robot is to move freely, or use prismatic and revolute joints",
-    by_target=dict.fromkeys((*GAZEBO, "kdl"), Severity.WARNING),
+    by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
 def check(subject: Context) -> Findings:
     for joint in subject.model.joints:

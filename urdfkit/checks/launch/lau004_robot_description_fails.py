@@ -6,7 +6,8 @@ machine, that is reported there alone.
 
 In Python, the output of a `Command` that is a parameter by itself is read as YAML. A `: ` in a
 comment of the robot is enough for "Unable to parse the value of parameter robot_description as
-yaml"; `ParameterValue(Command(...), value_type=str)` takes it as it is.
+yaml"; `ParameterValue(Command(...), value_type=str)` takes it as it is. The same holds in XML for a
+`<param>` without `type="str"`. Where the robot has no such text yet, it is an info.
 
 Sources:
     launch_ros, evaluate_parameters.py: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/utilities/evaluate_parameters.py
@@ -30,6 +31,9 @@ BAD = '<launch><param name="robot_description" command="xacro $(dirname)/bad.xac
 GOOD = BAD.replace("bad.xacro", "good.xacro")
 
 
+_NOT_YET = "which fails at the first ': ' in a comment"
+
+
 @rule(
     Severity.ERROR,
     needs=(Need.LAUNCH,),
@@ -43,10 +47,17 @@ def check(subject: Context) -> Findings:
             more = f", and {len(others)} more" if others else ""
             place = Location(description.frame.call.span, description.frame.outer)
             yield Finding(place, f"'{description.path}' does not expand: {first.message}{more}")
-        elif description.is_yaml and (reason := _why_no_text(robot)):
+        elif description.is_yaml:
             place = Location(description.frame.call.span, description.frame.outer)
-            message = f"launch reads the robot description as YAML, {reason}"
-            yield Finding(place, message, "write ParameterValue(Command(...), value_type=str)")
+            reason = _why_no_text(robot)
+            message = f"launch reads the robot description as YAML, {reason or _NOT_YET}"
+            is_xml = description.frame.call.span.source.path.endswith(".xml")
+            help = (
+                'write type="str"'
+                if is_xml
+                else "write ParameterValue(Command(...), value_type=str)"
+            )
+            yield Finding(place, message, help, severity=None if reason else Severity.INFO)
 
 
 def _may_expand(description: LaunchedDescription, robot: Context) -> bool:

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
-from urdfkit.core.suggest import Suggester, did_you_mean, nearest
+from urdfkit.core.suggest import Suggester, nearest
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.controllers import controllers as in_files
@@ -63,8 +63,7 @@ def check(subject: Context) -> Findings:
         if name not in known and (is_whole or is_typo):
             yield Finding(
                 Location(word.span, frame),
-                f"controller '{name}' is not defined in any parameter file"
-                + did_you_mean(name, known),
+                f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
             )
 
 

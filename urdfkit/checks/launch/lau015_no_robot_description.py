@@ -30,7 +30,7 @@ _PARAMETER = "robot_description"
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="give the node the parameter robot_description")
 def check(subject: Context) -> Findings:
     for node in subject.launch.started:
-        given = node.parameters
+        given = node.parameters.every
         if node.package != "robot_state_publisher" or given is None or node.words:
             continue
         if _PARAMETER not in given:

@@ -64,7 +64,7 @@ def check(subject: Context) -> Findings:
                 )
             else:
                 yield from _value(option, word, place)
-        if is_known and started.words and not started.parameters:
+        if is_known and started.words and not started.parameters.values:
             yield from _missing(started, spawner, given)
 
 

@@ -7,8 +7,10 @@ The same happens to an entry of its YAML file without both types or with another
 `topic@ros_type@gz_type`, with `[` from Gazebo and `]` to Gazebo, ends the program. Messages that
 are not in the table of urdfkit are not reported, for later releases add some.
 
-A topic on which no sensor of the robot publishes, while a sensor with that message publishes on
-another one that is not passed on, is a warning.
+A topic that no sensor or system of the robot publishes or reads, while one with that message has
+another topic that is not passed on, is a warning. A sensor without `<topic>` publishes below
+`/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next to its images. A topic that
+is passed on in the wrong direction only is a warning, too.
 
 Sources:
     ros_gz_bridge, parameter_bridge.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/parameter_bridge.cpp
@@ -22,10 +24,10 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
-from urdfkit.ros.catalog import data
-from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.ros.gazebo.topics import GazeboTopic, topics
 from urdfkit.ros.launch.bridges import (
     DIRECTIONS,
+    FROM_GAZEBO,
     KEYS,
     TO_GAZEBO,
     BridgedTopic,
@@ -50,32 +52,35 @@ GOOD = BAD.replace("gz.msgs.Pose", "gz.msgs.IMU")
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(subject: Context) -> Findings:
-    topics = [
+    bridged = [
         (topic, started.frame)
         for started in (*subject.launch.started, *subject.launch.included)
         for topic in bridged_topics(started, subject.resolver)
     ]
-    for topic, frame in topics:
+    for topic, frame in bridged:
         if mistake := next(_mistakes(topic), None):
-            yield Finding(Location(topic.span, frame), *mistake)
+            key, message, help = mistake
+            yield Finding(Location(topic.at(key), frame), message, help)
         for key, span in topic.unknown:
-            if meant := nearest(key, KEYS, 0.8):
+            if meant := nearest(key, KEYS, 0.6):
                 message = f"the bridge does not read '{key}'; did you mean '{meant}'?"
                 at = Location(span, frame)
                 yield Finding(at, message, f"write {meant}", severity=Severity.WARNING)
-    yield from _unpublished(subject, topics)
+    yield from _silent(subject, bridged)
 
 
-def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str]]:
-    """Why the bridge does not pass a topic on, and what to write."""
+def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
+    """Why the bridge does not pass a topic on: the key, the reason, and what to write."""
     if not topic.ros_type or not topic.gz_type:
         yield (
+            "ros_type_name" if topic.ros_type else "gz_type_name",
             f"the bridge of '{topic.topic}' lacks the message type of {_lacking(topic)}",
             "write topic@package/msg/Name[gz.msgs.Name, or ros_type_name and gz_type_name",
         )
     if topic.direction not in DIRECTIONS:
         hint = did_you_mean(topic.direction, DIRECTIONS)
         yield (
+            "direction",
             f"unknown direction '{topic.direction}'{hint}",
             f"write one of {', '.join(DIRECTIONS)}",
         )
@@ -83,6 +88,7 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str]]:
     if "/msg/" not in topic.ros_type and gazebo_messages(f"{package}/msg/{name}"):
         right = f"{package}/msg/{name}"
         yield (
+            "ros_type_name",
             f"the bridge knows no message '{topic.ros_type}'; did you mean '{right}'?",
             f"write {right}",
         )
@@ -92,49 +98,62 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str]]:
         return
     right = f"write gz.msgs.{known[0]}"
     if prefix not in ("gz.msgs", "ignition.msgs"):
-        yield f"'{topic.gz_type}' is no message of Gazebo", right
+        yield "gz_type_name", f"'{topic.gz_type}' is no message of Gazebo", right
     elif message not in known and (message in all_messages() or nearest(message, known, 0.7)):
         pair = f"'{topic.ros_type}' and '{topic.gz_type}'"
         expected = " or ".join(f"'{prefix}.{one}'" for one in known)
-        yield f"the bridge cannot convert {pair}; the second is {expected}", right
+        message = f"the bridge cannot convert {pair}; the second is {expected}"
+        yield "gz_type_name", message, right
 
 
 def _lacking(topic: BridgedTopic) -> str:
     return "ROS" if not topic.ros_type else "Gazebo"
 
 
-def _unpublished(subject: Context, topics: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
-    """The topics on which no sensor publishes, where one waits for a bridge in vain."""
-    messages = data("bridge")["sensors"]
-    passed = {_plain(topic.topic) for topic, _ in topics}
-    silent = [(s, name) for s, name in _published(subject) if _plain(name) not in passed]
-    names = {_plain(name) for _, name in _published(subject)}
-    for topic, frame in topics:
+def _silent(subject: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
+    """The topics that pass nothing on, where a sensor or system waits for a bridge in vain."""
+    of_robot = list(_topics(subject))
+    passed = {topic.topic for topic, _ in bridged} | _images(subject)
+    unbridged = [one for one in of_robot if not any(map(one.is_called, passed))]
+    for topic, frame in bridged:
+        own = [one for one in of_robot if one.is_called(topic.topic)]
+        only = {FROM_GAZEBO: True, TO_GAZEBO: False}.get(topic.direction)
+        if only is not None and own and all(one.is_read is only for one in own):
+            verb, right = ("reads", TO_GAZEBO) if only else ("publishes", FROM_GAZEBO)
+            yield Finding(
+                Location(topic.at("direction"), frame),
+                f"{topic.direction} passes nothing on: {own[0].who} {verb} '{topic.topic}'",
+                f"write {right}",
+                severity=Severity.WARNING,
+            )
         message = topic.gz_type.rpartition(".")[2]
-        waiting = [(s, name) for s, name in silent if messages.get(s.type) == message]
-        if _plain(topic.topic) in names or len(waiting) != 1 or topic.direction == TO_GAZEBO:
+        waiting = [one for one in unbridged if one.message == message and one.is_read is not only]
+        if own or not waiting:
             continue
-        sensor, name = waiting[0]
-        yield Finding(
-            Location(topic.span, frame),
-            f"no sensor of the robot publishes on '{topic.topic}'; {sensor.who} publishes on "
-            f"'{name}', which is not bridged",
-            f"write {name}",
-            severity=Severity.WARNING,
-        )
+        known = {one.name: one for one in waiting}
+        other = known[nearest(topic.topic.strip("/"), known, 0) or next(iter(known))]
+        message = f"nothing in the robot has the topic '{topic.topic}'; that of {other.who} is "
+        message += f"'/{other.name}', which is not bridged"
+        help = f"write /{other.name}"
+        if other.is_default and not other.is_system:
+            message = (
+                f"nothing in the robot has the topic '{topic.topic}': {other.who} has no <topic>"
+            )
+            help = f"write <topic>{topic.topic}</topic> into the sensor"
+        at = topic.at("gz_topic_name", "topic_name", "ros_topic_name")
+        yield Finding(Location(at, frame), message, help, severity=Severity.WARNING)
 
 
-def _published(subject: Context) -> Iterator[tuple[Sensor, str]]:
-    """The sensors of the robots that are described, with the topics that they name."""
+def _topics(subject: Context) -> Iterator[GazeboTopic]:
+    """The topics of the robots that are described; none if not all of them are known."""
     for description in subject.launch.descriptions:
         robot = subject.other_robot(description.path, description.arguments)
-        if robot.reading.document is None:
-            continue
-        for sensor in sensors(robot.model):
-            topic = sensor.find("topic")
-            if topic is not None and topic.text.strip():
-                yield sensor, topic.text.strip()
+        if robot.reading.document is not None and description.is_whole:
+            yield from topics(robot.model)
 
 
-def _plain(topic: str) -> str:
-    return topic.strip("/")
+def _images(subject: Context) -> set[str]:
+    """The topics that ros_gz_image passes on."""
+    started = (*subject.launch.started, *subject.launch.included)
+    bridges = [one for one in started if one.executable == "image_bridge"]
+    return {word.text for one in bridges for word in one.words if word.text}

@@ -92,7 +92,7 @@ def _joint_states(started: list[StartedProgram]) -> Findings:
     spawned = [word for one in started if activates(one) for word in controllers(one)]
     broadcaster = next((word for word in spawned if word.text == _BROADCASTER), None)
     for one in started:
-        is_other = one.is_remapped or "source_list" in (one.parameters or ())
+        is_other = one.is_remapped or "source_list" in one.parameters.values
         if broadcaster and one.package in _PUBLISHERS and not is_other:
             yield Finding(
                 Location(one.span, one.frame),

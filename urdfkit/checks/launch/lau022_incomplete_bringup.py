@@ -3,25 +3,35 @@
 - Controllers and a robot_state_publisher, but nothing that publishes the joint states: the links
   behind moving joints have no transform, and RViz shows them at the origin. Spawn
   `joint_state_broadcaster`.
-- A robot_state_publisher by the wall clock, beside Gazebo and nodes with `use_sim_time`: its
-  transforms are years newer than their data.
+- A robot_state_publisher, a filter or a planner by the wall clock, beside Gazebo and nodes with
+  `use_sim_time`: its transforms are years newer than their data.
+- Nodes with `use_sim_time`, and no bridge that passes Gazebo's `/clock` on: their time stands still
+  at zero.
+- `create -topic` on which no robot_state_publisher publishes the robot: "Waiting messages on topic
+  [robot_description]", for ever.
+- A spawner that looks for the controller manager in another namespace: "Could not contact service
+  /controller_manager/list_controllers". A relative name is in the namespace of the spawner.
 
 A file is left out that includes what is not at hand, unless that is part of ROS.
 
 Sources:
     ros2_control, joint_state_broadcaster: https://control.ros.org/rolling/doc/ros2_controllers/joint_state_broadcaster/doc/userdoc.html
+    ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
+    ros2_control, spawner.py: https://github.com/ros-controls/ros2_control/blob/master/controller_manager/controller_manager/spawner.py
+    turtlebot/turtlebot4#571: https://github.com/turtlebot/turtlebot4/issues/571
     ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
 """
 
 from __future__ import annotations
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.launch.meeting_points import other_manager, unpublished_description
+from urdfkit.checks.launch.simulated_time import by_wall_clock, without_clock
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.spawned_controllers import controllers
-from urdfkit.ros.launch.spawning import spawner_of
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "launch/robot.launch.xml"
@@ -57,10 +67,18 @@ def check(subject: Context) -> Findings:
     started = (*launch.started, *launch.included)
     if not _is_whole(launch) or not all(one.is_sure for one in started):
         return
-    publisher = next((one for one in started if one.package == _PUBLISHER), None)
-    if publisher is not None:
+    if any(one.package == _PUBLISHER for one in started):
         yield from _without_joint_states(subject, started)
-        yield from _by_wall_clock(publisher, started)
+    yield from by_wall_clock(subject, started)
+    yield from without_clock(subject, started)
+    if not launch.has_scopes and all(map(_is_known, launch.unread)):
+        yield from unpublished_description(started)
+        yield from other_manager(subject, started)
+
+
+def _is_known(path: str) -> bool:
+    """True for an included file of ROS, which starts no robot."""
+    return path.startswith(f"{UNKNOWN}/") and comes_with_ros(path.split("/")[2])
 
 
 def _is_whole(launch: Launch) -> bool:
@@ -88,20 +106,3 @@ def _without_joint_states(subject: Context, started: tuple[StartedProgram, ...])
             "nothing publishes the joint states: no joint_state_broadcaster is started",
             "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
         )
-
-
-def _by_wall_clock(publisher: StartedProgram, started: tuple[StartedProgram, ...]) -> Findings:
-    given = publisher.parameters
-    if given is None or "use_sim_time" in given or not any(map(spawner_of, started)):
-        return
-    other = next((one for one in started if _is_true(one, "use_sim_time")), None)
-    if other is not None:
-        yield Finding(
-            Location(publisher.span, publisher.frame),
-            f"{_PUBLISHER} has no use_sim_time, which '{other.executable}' has",
-            'give it {"use_sim_time": True}',
-        )
-
-
-def _is_true(started: StartedProgram, name: str) -> bool:
-    return ((started.parameters or {}).get(name) or "").lower() == "true"

@@ -6,9 +6,10 @@ programs choose their loader by the suffix and then fail or load nothing. Export
 or OBJ. PLY, glTF and FBX are not reported: RViz, MoveIt and Pinocchio load them through assimp, new
 Gazebo loads glTF and FBX, Gazebo Classic loads none of the three.
 
-MuJoCo loads binary STL and OBJ only: where it is a target, a collision in COLLADA or ASCII STL is
-an error. It leaves out visuals, unless the robot has `<mujoco><compiler discardvisual="false"/>`.
-Of an OBJ it loads the first object or group and leaves out the others without a message (warning).
+MuJoCo loads binary STL and OBJ only, Drake OBJ and glTF: where one of them is a target, a collision
+in another format, such as COLLADA, is an error. Drake leaves out visuals that it does not load,
+MuJoCo all, unless the robot has `<mujoco><compiler discardvisual="false"/>`. Of an OBJ MuJoCo loads
+the first object or group and leaves out the others without a message (warning).
 
 RViz 2 loads no ASCII STL up to ROS 2 Iron, so that Humble shows nothing of the link; since Jazzy it
 does. In a robot for ROS 2 such a visual is an info.
@@ -39,7 +40,6 @@ from urdfkit.mesh.io.obj import objects
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
-from urdfkit.ros.targets import facts_of
 
 BAD = mesh_xml("visual", "forearm.stl")
 GOOD = BAD.replace("forearm.stl", "hand.stl")
@@ -80,9 +80,9 @@ def check(subject: Context) -> Findings:
 
 def _not_for_target(subject: Context, mesh: MeshReference, form: str) -> Findings:
     """A format that a target does not load, of a mesh that it wants."""
-    for target in map(facts_of, subject.given_targets):
-        is_wanted = mesh.role == "collision" or subject.loads_visuals
-        if not is_wanted:
+    for target in subject.given_facts:
+        is_wanted = subject.loads_visuals and not target.leaves_out_visuals
+        if mesh.role != "collision" and not is_wanted:
             continue
         if target.loads_first_object and form == OBJ and (number := _objects(mesh)) > 1:
             yield Finding(
@@ -97,10 +97,14 @@ def _not_for_target(subject: Context, mesh: MeshReference, form: str) -> Finding
             yield Finding(
                 mesh.at,
                 f"{mesh.who} is {form}; {target.title} loads {' and '.join(target.meshes)} only",
-                "urdfkit mesh convert FILE NEW.stl",
+                f"urdfkit mesh convert FILE NEW{_suffix(target.meshes[0])}",
                 group_key=f"{form} for {target.name}",
                 targets=(target.name,),
             )
+
+
+def _suffix(form: str) -> str:
+    return next(suffix for suffix, forms in BY_SUFFIX.items() if form in forms)
 
 
 def _not_in_rviz(subject: Context, mesh: MeshReference) -> Findings:

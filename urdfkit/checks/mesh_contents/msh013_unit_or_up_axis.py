@@ -57,8 +57,8 @@ def check(subject: Context) -> Findings:
     collisions = {mesh.located.path for mesh in subject.files.meshes if mesh.role == "collision"}
     for mesh in subject.files.each_file:
         if mesh.facts and has_other_unit(mesh.facts):
-            is_only_visual = (
-                mesh.located.path not in collisions and "pinocchio" not in subject.targets.names
+            is_only_visual = mesh.located.path not in collisions and not subject.targets.that(
+                "ignores_units"
             )
             yield Finding(
                 mesh.at,

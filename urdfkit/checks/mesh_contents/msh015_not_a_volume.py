@@ -33,6 +33,7 @@ from urdfkit.mesh.samples import BOX, box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.assets.mesh_uses import MeshUse
 from urdfkit.robot.samples import mesh_xml
+from urdfkit.ros.targets import TargetFacts
 
 BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")
@@ -42,10 +43,6 @@ FILES = {
 }
 
 
-#: MuJoCo's mjMINVAL, in m³.
-_LEAST_VOLUME = 1e-15
-
-
 @rule(
     Severity.INFO,
     needs=(Need.MODEL, Need.MESHES),
@@ -53,14 +50,15 @@ _LEAST_VOLUME = 1e-15
 )
 def check(subject: Context) -> Findings:
     defects = subject.measured.defects
-    fatal = ("mujoco",) if "mujoco" in subject.given_targets else ()
+    fatal = tuple(one.name for one in subject.given_facts if one.least_volume)
     severity = Severity.ERROR if fatal else Severity.WARNING
     for use in defects.get(MeshDefect.FLAT, ()):
         x, y, z = use.edges
         message = f"{use.who} is flat: {x:.3g} x {y:.3g} x {z:.3g} m"
         yield Finding(use.at, message, "use a thin <box>", severity=severity, targets=fatal)
-    if fatal:
-        yield from _tiny(subject.measured.uses)
+    for target in subject.given_facts:
+        if target.least_volume:
+            yield from _tiny(subject.measured.uses, target)
     yield from map(_open, defects.get(MeshDefect.OPEN, ()))
     for use in defects.get(MeshDefect.OVERLAPPING, ()):
         yield Finding(
@@ -80,17 +78,17 @@ def check(subject: Context) -> Findings:
         yield Finding(use.at, message, help, group_key="inside out", severity=Severity.WARNING)
 
 
-def _tiny(uses: list[MeshUse]) -> Findings:
-    """The collision meshes with less volume than MuJoCo takes."""
+def _tiny(uses: list[MeshUse], target: TargetFacts) -> Findings:
+    """The collision meshes with less volume than a target takes."""
     for use in uses:
         volume = use.solid.volume if use.solid else 0.0
-        if use.role == "collision" and use.measures.hull and volume < _LEAST_VOLUME:
+        if use.role == "collision" and use.measures.hull and volume < target.least_volume:
             yield Finding(
                 use.at,
-                f"{use.who} has a volume of {volume:.3g} m³, which MuJoCo rejects",
+                f"{use.who} has a volume of {volume:.3g} m³, which {target.title} rejects",
                 "correct its scale, or remove the collision",
                 severity=Severity.ERROR,
-                targets=("mujoco",),
+                targets=(target.name,),
             )
 
 

@@ -31,6 +31,7 @@ from urdfkit.robot.assets.mesh_defects import (
     MeshDefect,
 )
 from urdfkit.robot.samples import mesh_xml
+from urdfkit.ros import targets
 
 BAD = mesh_xml("collision", "forearm.stl")
 GOOD = BAD.replace("forearm", "hand")
@@ -38,9 +39,6 @@ FILES = {
     "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3)), copies=1700),
     "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
 }
-
-#: Triangles of an STL file that MuJoCo loads.
-_MOST = 200_000
 
 
 @rule(
@@ -83,13 +81,16 @@ def _slow_collisions(subject: Context, bound: float) -> Findings:
     }
     for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
-        is_rejected = number > _MOST and subject.files.facts(use.path).format == BINARY_STL
-        fatal = ("mujoco",) if is_rejected and "mujoco" in subject.given_targets else ()
-        rejected = f", and MuJoCo rejects more than {_MOST:,}" if is_rejected else ""
+        rejecting = []
+        if subject.files.facts(use.path).format == BINARY_STL:
+            known = map(targets.facts_of, subject.given_targets or targets.TARGETS)
+            rejecting = [one for one in known if 0 < one.most_triangles < number]
+        bounds = [f"{one.title} rejects more than {one.most_triangles:,}" for one in rejecting]
+        fatal = tuple(one.name for one in rejecting if one.name in subject.given_targets)
         yield Finding(
             use.at,
             f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
-            f"checking slow{rejected}",
+            f"{', and '.join(['checking slow', *bounds])}",
             weight=number,
             group_key="collision",
             severity=Severity.ERROR if fatal else None,

@@ -49,7 +49,7 @@ FILES = {
     help="give MuJoCo a copy of the URDF with names relative to it, as in ../meshes/arm.stl",
 )
 def check(subject: Context) -> Findings:
-    if "mujoco" not in subject.given_targets or subject.is_part:
+    if subject.is_part or all(one.finds_packages for one in subject.given_facts):
         return
     wanted = [
         mesh

@@ -88,7 +88,7 @@ def _cycles(model: RobotModel) -> Iterator[list[Joint]]:
 def _immobile(subject: Context) -> Findings:
     """Leaders, and for Drake followers, without one position; one finding for each reason."""
     known = subject.model.joints_by_name
-    drake = subject.targets.among(("drake",))
+    drake = subject.targets.that("needs_movable_mimic")
     found: dict[str, list[Joint]] = {}
     for joint in subject.model.joints:
         leader = known.get(joint.mimic.joint.value) if joint.mimic and joint.mimic.joint else None

@@ -28,7 +28,6 @@ from __future__ import annotations
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.model import Link
-from urdfkit.ros.targets import GAZEBO
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.grammar import is_expression
 
@@ -83,7 +82,7 @@ def _first_character(subject: Context, name: Attribute) -> Findings:
             "remove the slash, here and wherever the link is named",
         )
     elif "0" <= text[0] <= "9":
-        isaac = subject.targets.among(("isaac",))
+        isaac = subject.targets.that("needs_usd_names")
         yield Finding(
             name,
             f"{tag} '{text}' begins with a digit, which USD does not allow",
@@ -108,7 +107,7 @@ def _reserved(subject: Context, name: Attribute) -> Findings:
         reason = "Gazebo reads it as the world and drops its mass and shapes"
     else:
         return
-    readers = subject.targets.among((*GAZEBO, "mujoco"))
+    readers = subject.targets.that("reserves_world")
     yield Finding(
         name,
         f"{tag} '{text}': {reason}",

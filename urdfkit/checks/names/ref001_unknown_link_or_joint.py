@@ -54,7 +54,7 @@ def _links(subject: Context) -> Findings:
             link = element.attributes.get("link") if element else None
             if link is None or link.value in known or is_expression(link.value):
                 continue
-            if link.value == "world" and subject.targets.are_only("drake"):
+            if link.value == "world" and subject.targets.all_are("adds_world"):
                 continue
             if subject.is_part:  # the file that includes it has the link
                 return

@@ -2,8 +2,8 @@
 
 It works on the machine where that package happens to be installed. Elsewhere rosdep does not
 install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
-launch file end with "package not found". In a launch file it is an info. Packages that come with
-ROS are not reported.
+launch file end with "package not found". In a launch file it is an info. In one of ROS 2 packages
+that come with ROS are reported, too: a smaller installation lacks `xacro` or `ros_gz_sim`.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
@@ -21,7 +21,7 @@ from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
-from urdfkit.workspace.manifest import depends_on, manifest_of
+from urdfkit.workspace.manifest import Manifest, depends_on, manifest_of
 from urdfkit.workspace.package_references import of_package
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -43,6 +43,24 @@ FIXED_FILES = {
 _CYCLE = "move the file to '{1}' or to '{0}': '{0}' depends on '{1}', so the reverse makes a cycle"
 
 
+#: Packages of ROS 2 that are there to bring others, and these.
+_BROUGHT = {
+    "desktop": "rviz* robot_state_publisher joint_state_publisher* tf2* launch* ros2*",
+    "desktop_full": "rviz* robot_state_publisher joint_state_publisher* tf2* xacro ros* launch*",
+    "gazebo_ros_pkgs": "gazebo_*",
+    "moveit": "moveit_*",
+    "nav2_bringup": "nav2_* slam_toolbox",
+    "navigation2": "nav2_*",
+    "ros2_control": "controller_manager",
+    "ros2_controllers": "controller_manager",
+    "ros_base": "robot_state_publisher tf2* launch* ros2*",
+    "ros_gz": "ros_gz_*",
+    "ros_ign": "ros_ign_*",
+    "urdf_launch": "robot_state_publisher joint_state_publisher* rviz2 xacro",
+    "urdf_tutorial": "robot_state_publisher joint_state_publisher* rviz2 xacro urdf_launch",
+}
+
+
 @rule(Severity.WARNING)
 def check(subject: Context) -> Findings:
     manifest = manifest_of(subject.resolver, subject.source.path)
@@ -51,6 +69,8 @@ def check(subject: Context) -> Findings:
     is_of_launch = is_launch(subject.source.path)
     tag = manifest.dependency_tag
     seen = {manifest.package, *manifest.dependencies}
+    if is_of_launch and manifest.ros == 2 and tag == "exec_depend":
+        yield from _of_ros(subject, manifest)
     for name, span in _launched(subject) if is_of_launch else _referenced(subject):
         if name in seen or comes_with_ros(name):
             continue
@@ -70,6 +90,41 @@ def check(subject: Context) -> Findings:
             group_key="undeclared" if fix else "",
             severity=Severity.INFO if is_of_launch else None,
         )
+
+
+def _of_ros(subject: Context, manifest: Manifest) -> Findings:
+    """The packages of ROS that a launch file starts, and that its package does not declare."""
+    own = subject.source.path
+    used = [(one.name, one.span) for one in subject.launch.packages if comes_with_ros(one.name)]
+    used += [
+        ("xacro", one.frame.call.span)
+        for one in subject.launch.descriptions
+        if one.path.endswith(".xacro")
+    ]
+    seen = {manifest.package}
+    for name, span in used:
+        if name in seen or span.source.path != own or _is_brought(name, manifest.dependencies):
+            continue
+        seen.add(name)
+        line = f"<exec_depend>{name}</exec_depend>"
+        yield Finding(
+            Location(span),
+            f"package '{name}' is started but not declared in {manifest.path}",
+            f"add {line} to package.xml",
+            _fix(subject.resolver.read(manifest.path), name, "exec_depend"),
+            group_key="undeclared",
+            severity=Severity.INFO,
+        )
+
+
+def _is_brought(name: str, declared: frozenset[str]) -> bool:
+    """True if a package is declared, or one that is there to bring it."""
+    return name in declared or any(
+        name.startswith(prefix.rstrip("*")) if prefix.endswith("*") else name == prefix
+        for bringer, brought in _BROUGHT.items()
+        if bringer in declared
+        for prefix in brought.split()
+    )
 
 
 def _launched(subject: Context) -> Iterator[tuple[str, Span]]:

@@ -49,7 +49,11 @@ def check(subject: Context) -> Findings:
         known = subject.resolver.packages.known(subject.source.path)
         alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
         help = finding.help + ("" if severity else did_you_mean(name, alike))
-        yield finding._replace(help=help, group_key=name, severity=severity)
+        message = finding.message
+        if severity and subject.reading.document is None:
+            reason = "is not found, so the robot is not checked"
+            message = message.replace("is not found", reason, 1)
+        yield finding._replace(message=message, help=help, group_key=name, severity=severity)
     if is_launch(subject.source.path):
         yield from _launched(subject)
         return

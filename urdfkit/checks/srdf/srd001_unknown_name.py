@@ -15,6 +15,10 @@
 - `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml` with an unknown
   joint, or with a controller that has no settings: "Unable to identify any set of controllers that
   can actuate the specified joints".
+- `moveit_controllers.yaml` of ROS 2 with a controller that no parameter file of ros2_control in the
+  workspace defines, while another one commands its joints; or that has other joints there, so that
+  it rejects each trajectory ("Joints on incoming trajectory don't match the controller joints"); or
+  with another type or action than the controller has ("Action client not connected").
 
 The SRDF is out of date, or the name is misspelt.
 
@@ -26,12 +30,15 @@ Sources:
     MoveIt, kinematics: https://moveit.picknik.ai/main/doc/examples/kinematics_configuration/kinematics_configuration_tutorial.html
     MoveIt, OMPL: https://moveit.picknik.ai/main/doc/examples/ompl_interface/ompl_interface_tutorial.html
     MoveIt, controllers: https://moveit.picknik.ai/main/doc/examples/controller_configuration/controller_configuration_tutorial.html
+    ros2_controllers, joint_trajectory_controller: https://control.ros.org/rolling/doc/ros2_controllers/joint_trajectory_controller/doc/userdoc.html
+    MoveIt, moveit_simple_controller_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_plugins/moveit_simple_controller_manager/src/moveit_simple_controller_manager.cpp
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
 from __future__ import annotations
 
 from urdfkit.checks.srdf.configuration import unknown_names
+from urdfkit.checks.srdf.trajectory_controllers import unfit_controllers
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import link_xml
@@ -77,6 +84,7 @@ def check(subject: Context) -> Findings:
                 )
     yield from _not_in_group(subject, srdf)
     yield from unknown_names(subject, srdf)
+    yield from unfit_controllers(subject, srdf)
 
 
 def _unknown(kind: str, name: Attribute, known: set[str]) -> Finding:

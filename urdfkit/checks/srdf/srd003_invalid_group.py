@@ -1,18 +1,24 @@
-"""A planning group is empty, its chain is not a path, or groups contain one another in a cycle.
+"""A planning group is empty or no chain, or groups contain one another in a cycle.
 
 - MoveIt prints "Group is empty" and ignores the group (warning), so that whatever refers to it
   fails.
 - A chain goes from a base link down the tree to a tip link. MoveIt rejects any other chain, and the
   group has no joints. Base and tip are swapped, or one of them is on another branch.
+- `kinematics.yaml` gives KDL, LMA or TRAC-IK to a group whose joints do not follow one another:
+  "Group 'arm' is not a chain", and the group cannot be moved to a pose.
 - MoveIt cannot resolve groups that contain one another, and ignores all of them.
 
 Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+    MoveIt, kdl_kinematics_plugin.cpp: https://github.com/moveit/moveit2/blob/main/moveit_kinematics/kdl_kinematics_plugin/src/kdl_kinematics_plugin.cpp
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from urdfkit.checks.srdf.solvable_groups import unsolvable_groups
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -36,12 +42,12 @@ def check(subject: Context) -> Findings:
             help = "add links, joints or a chain, or delete the group"
             message = f"group '{name}' is empty"
             yield Finding(elements[0], message, help, severity=Severity.WARNING)
-        cycle = _cycle(name, srdf)
-        # A cycle is reported once, at the first of its groups.
-        if cycle and name == min(cycle):
-            message = "groups contain one another: " + " -> ".join((*cycle, name))
-            yield Finding(elements[0], message, "remove one of the subgroups")
+    for cycle in _cycles(srdf):
+        message = "groups contain one another: " + " -> ".join((*cycle, cycle[0]))
+        place = srdf.groups_by_name[cycle[0]][0]
+        yield Finding(place, message, "remove one of the subgroups")
     yield from _chains(srdf)
+    yield from unsolvable_groups(subject, srdf)
 
 
 def _chains(srdf: Srdf) -> Findings:
@@ -55,18 +61,36 @@ def _chains(srdf: Srdf) -> Findings:
                 yield Finding(chain, message, "swap base and tip, or name links of one branch")
 
 
-def _cycle(name: str, srdf: Srdf) -> tuple[str, ...]:
-    """The groups on a path from a group through its subgroups back to it; empty without one."""
-    stack: list[tuple[str, ...]] = [(name,)]
-    seen: set[str] = set()
-    while stack:
-        path = stack.pop()
-        for element in srdf.groups_by_name.get(path[-1], ()):
-            for child in element.all("group"):
-                inner = child.get("name") or ""
-                if inner == name:
-                    return path
-                if inner not in seen:
-                    seen.add(inner)
-                    stack.append((*path, inner))
-    return ()
+def _cycles(srdf: Srdf) -> Iterator[list[str]]:
+    """The paths of groups and subgroups that lead back, one from each first name."""
+    done: set[str] = set()
+    reported: set[str] = set()
+    for start in srdf.groups_by_name:
+        if start in done:
+            continue
+        path, left = [start], [_subgroups(start, srdf)]
+        places = {start: 0}
+        while path:
+            inner = next(left[-1], None)
+            if inner is None:
+                left.pop()
+                last = path.pop()
+                del places[last]
+                done.add(last)
+            elif inner in places:
+                cycle = path[places[inner] :]
+                first = min(cycle)
+                if first not in reported:
+                    reported.add(first)
+                    at = cycle.index(first)
+                    yield cycle[at:] + cycle[:at]
+            elif inner not in done:
+                places[inner] = len(path)
+                path.append(inner)
+                left.append(_subgroups(inner, srdf))
+
+
+def _subgroups(name: str, srdf: Srdf) -> Iterator[str]:
+    for element in srdf.groups_by_name.get(name, ()):
+        for child in element.all("group"):
+            yield child.get("name") or ""

@@ -1,8 +1,9 @@
 """The collision matrix does not fit the links that joints connect.
 
-- A pair is disabled as "Adjacent" although no joint connects the two links (warning). The pair is
-  never checked for collisions. Links with only links without collision geometry between them count
-  as adjacent, as do all links around one without collision geometry.
+- A pair is disabled as "Adjacent" although no joint connects the two links (warning; an info if
+  only fixed joints lie between them). The pair is never checked for collisions. Links with only
+  links without collision geometry between them count as adjacent, as do all links around one
+  without collision geometry.
 - A pair that a joint connects overlaps at the zero pose and is not disabled (info). MoveIt finds
   the collision in every pose, and plans nothing. An SRDF without any matrix is not reported.
 
@@ -77,5 +78,5 @@ def _not_adjacent(subject: Context, srdf: Srdf) -> Findings:
                 pair,
                 f"links '{first}' and '{second}' are not adjacent: no joint connects them",
                 "compute the collision matrix again, or correct the reason",
-                severity=Severity.WARNING,
+                severity=Severity.INFO if adjacency.is_rigid(first, second) else Severity.WARNING,
             )

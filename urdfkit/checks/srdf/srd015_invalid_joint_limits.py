@@ -1,14 +1,18 @@
-"""A limit in MoveIt's joint_limits.yaml is invalid, or wider than that of the robot.
+"""A limit in MoveIt's joint_limits.yaml is invalid, missing, or wider than that of the robot.
 
 - The values override those of the URDF. With wider ones MoveIt plans motions that the robot cannot
   follow: controllers abort with a path tolerance violation, or the hardware stops (warning).
 - Parameters of ROS 2 are typed, and the limits are declared as `double`: an integer stops
   move_group ("parameter ... has invalid type: expected [double] got [integer]"). A decimal comma
   makes a string.
+- A joint of a planning group without a limit of its acceleration, in ROS 2. The Setup Assistant
+  writes `has_acceleration_limits: false`. Time parameterization and the Pilz planner stop at it:
+  "No acceleration limit was defined for joint shoulder"; up to Humble it is 1 rad/s².
 - A maximum velocity, acceleration or jerk that is not above zero leaves nothing to plan with.
 
 Sources:
     MoveIt, joint limits: https://moveit.picknik.ai/main/doc/examples/time_parameterization/time_parameterization_tutorial.html
+    agilexrobotics/piper_ros#17: https://github.com/agilexrobotics/piper_ros/issues/17
     MoveIt, robot_model_loader.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/robot_model_loader/src/robot_model_loader.cpp
     MoveIt, time parameterization: https://github.com/moveit/moveit2/blob/main/moveit_core/trajectory_processing/src/time_optimal_trajectory_generation.cpp
 """
@@ -17,8 +21,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
-from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.joints import MOVING, bounds, unit
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
@@ -49,11 +54,41 @@ _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
 def check(subject: Context) -> Findings:
+    yield from _without_acceleration(subject)
     for planned in planned_limits(subject):
         if joint := subject.model.joints_by_name.get(planned.joint):
             invalid = dict(_invalid(planned, subject))
             yield from invalid.values()
             yield from (found for name, found in _wider(planned, joint) if name not in invalid)
+
+
+def _without_acceleration(subject: Context) -> Findings:
+    """The joints of groups that MoveIt cannot time, in a file that limits others or velocities."""
+    srdf, planned = subject.srdf, {limit.joint: limit for limit in planned_limits(subject)}
+    if srdf is None or not planned or _ros(subject) != 2:
+        return
+    links = set().union(*map(srdf.links_of, srdf.groups_by_name))
+    passive = {element.get("name") for element in srdf.root.all("passive_joint")}
+    switch = "has_acceleration_limits"
+    lacking = [
+        joint
+        for joint in subject.model.joints
+        if joint.kind in MOVING and joint.child and joint.child.value in links
+        if joint.mimic is None and joint.name not in passive
+        if not (joint.limit and joint.limit.at.get("acceleration"))
+        if joint.name not in planned or not planned[joint.name].is_on(switch)
+    ]
+    if not lacking:
+        return
+    limit = next((planned[joint.name] for joint in lacking if joint.name in planned), None)
+    at = limit.values.get(switch, limit.at) if limit else next(iter(planned.values())).at
+    names = few([f"'{joint.name}'" for joint in lacking], 4)
+    yield Finding(
+        Location(at.span),
+        f"no acceleration limit for {'joint' if len(lacking) == 1 else 'joints'} {names}, without "
+        "which MoveIt cannot time a trajectory",
+        f"write {switch}: true and max_acceleration: VALUE for each",
+    )
 
 
 def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]:

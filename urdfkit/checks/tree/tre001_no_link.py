@@ -1,7 +1,8 @@
 """The robot has no link.
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and PyBullet reject it. In a xacro the macro that makes
-the links is mostly defined, but never called.
+the links is mostly defined, but never called. A list of joints without parents and children, such
+as the thrusters of the BlueROV, is for another program: an info.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -23,4 +24,5 @@ def check(subject: Context) -> Findings:
         return
     if root.child("webots"):
         return  # the driver's settings for a robot whose links are in the world of Webots
-    yield Finding(root, f"{owner(root)} has no link")
+    severity = Severity.INFO if subject.is_list_of_joints else None
+    yield Finding(root, f"{owner(root)} has no link", severity=severity)

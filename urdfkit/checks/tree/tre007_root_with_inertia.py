@@ -24,17 +24,13 @@ FIXED = GOOD = robot_xml(
 )
 TARGETS = ("kdl",)
 
-#: robot_state_publisher and MoveIt's kinematics build on KDL.
-_WITH_KDL = ("kdl", "ros1", "ros2", "moveit")
-
 
 @rule(
     Severity.INFO,
     help="for KDL, add an empty link above it with a fixed joint",
-    by_target={"kdl": Severity.WARNING},
 )
 def check(subject: Context) -> Findings:
-    if subject.given_targets and not subject.targets.any_of(_WITH_KDL):
+    if subject.given_targets and not subject.targets.that("builds_kdl"):
         return
     roots = subject.tree.roots
     if len(roots) != 1 or roots[0].inertial is None:
@@ -48,7 +44,7 @@ def check(subject: Context) -> Findings:
             + (f"{mass.value:g} kg" if mass else "an inertia")
             + ", which KDL ignores",
             # For others than KDL, such as Gazebo, another root would change more than it fixes.
-            fix=_empty_root(root, subject.model) if "kdl" in subject.targets.names else None,
+            fix=_empty_root(root, subject.model) if "kdl" in subject.given_targets else None,
         )
 
 

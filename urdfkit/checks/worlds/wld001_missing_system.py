@@ -1,4 +1,4 @@
-"""A world of gz sim does not load a system that the robot needs.
+"""Gazebo is started without a system that the robot needs.
 
 gz sim does everything by systems: without `Sensors` no camera and no lidar gives data, without
 `Imu` no IMU, and nothing says so. A world without a `<plugin>` gets those of the server's
@@ -6,6 +6,10 @@ configuration, which are `Physics`, `UserCommands` and `SceneBroadcaster` only. 
 `<plugin>` gets no others in Gazebo Harmonic and earlier: without `UserCommands` the node that
 spawns the robot waits for ever, without `Physics` nothing moves, and without `SceneBroadcaster` the
 window is empty. Since Gazebo Ionic the configuration comes to what the world loads.
+
+Gazebo Classic brings all that but the library `libgazebo_ros_factory.so`, which the launch files of
+gazebo_ros load, and `gazebo` or `gzserver` alone does not: `spawn_entity.py` stops with "Was Gazebo
+started with GazeboRosFactory?" (error).
 
 A system is not missing where the robot, or a model in the world, loads it, nor where a launch file
 sets `GZ_SIM_SERVER_CONFIG_PATH`.
@@ -22,7 +26,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
-from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml
 from urdfkit.ros.catalog.plugins import Plugin, all_plugins
 from urdfkit.ros.catalog.sensors import types
@@ -36,7 +40,7 @@ from urdfkit.ros.gazebo.worlds import (
     systems_in,
 )
 from urdfkit.ros.launch.spawning import spawner_of
-from urdfkit.ros.launch.worlds import GZ
+from urdfkit.ros.launch.worlds import FACTORY, GZ
 
 NAME = "launch/robot.launch.py"
 BAD = """\
@@ -91,7 +95,10 @@ def check(subject: Context) -> Findings:
     models = Models(subject.resolver, subject.source.path)
     robot_files = [use.filename for robot in robots(subject) for use in robot.plugins]
     for opened in opened_worlds(subject):
-        if opened.started.generation != GZ or (opened.path and opened.world is None):
+        if opened.path and opened.world is None:
+            continue
+        if opened.started.generation != GZ:
+            yield from _without_factory(subject, opened)
             continue
         loaded = opened.systems | systems_in(robot_files)
         if opened.world is not None:
@@ -107,6 +114,21 @@ def check(subject: Context) -> Findings:
                     _help(plugin, opened),
                     related=(Related(sensor.at.span, sensor.who), *opened.note),
                 )
+
+
+def _without_factory(subject: Context, opened: OpenedWorld) -> Findings:
+    """Gazebo Classic, if it cannot spawn what a node of this launch file wants to spawn."""
+    plugins = opened.world.plugins if opened.world is not None else []
+    files = {*opened.started.libraries, *(plugin.get("filename") for plugin in plugins)}
+    spawners = (*subject.launch.started, *subject.launch.included)
+    spawns = any(one.executable == "spawn_entity.py" and spawner_of(one) for one in spawners)
+    if spawns and FACTORY not in files:
+        yield Finding(
+            Location(opened.started.span, opened.started.frame),
+            f"Gazebo is started without {FACTORY}, which spawn_entity.py needs",
+            f"add -s libgazebo_ros_init.so -s {FACTORY}, or include gazebo.launch.py of gazebo_ros",
+            severity=Severity.ERROR,
+        )
 
 
 def _needed(subject: Context) -> list[tuple[Plugin, Sensor]]:

@@ -203,7 +203,7 @@ def _other_worlds(subject: Context, opened: OpenedWorld) -> Findings:
     for started in (*subject.launch.started, *subject.launch.included):
         spawner = spawner_of(started)
         word = options(started, spawner)[0].get("world") if spawner else None
-        given = word.text if word else (started.parameters or {}).get("world")
+        given = word.text if word else started.parameters.values.get("world")
         if spawner and not spawner.is_strict and given and given != opened.name:
             span: Span = word.span if word else started.span
             yield Finding(

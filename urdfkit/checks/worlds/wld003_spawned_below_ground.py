@@ -108,7 +108,7 @@ def _height(started: StartedProgram) -> tuple[float, Location] | None:
     if spawner is None:
         return None
     given, is_known = options(started, spawner)
-    parameters = {} if spawner.is_strict else started.parameters
+    parameters = {} if spawner.is_strict else started.parameters.every
     if parameters is None:
         return None
     texts = dict(parameters) | {name: word.text for name, word in given.items()}

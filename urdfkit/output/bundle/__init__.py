@@ -12,6 +12,7 @@ from typing import Any
 from urdfkit import __version__
 from urdfkit.core import disk
 from urdfkit.core.record import Record
+from urdfkit.core.words import few
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.consumers import Consumer
@@ -176,21 +177,23 @@ def _found(robot: Context) -> dict[int, str]:
     """The files that a robot names, by the ``id`` of the reference: its text may mean two files.
 
     Raises:
-        UrdfkitError: some are not there.
+        UrdfkitError: some are not there, or outside the workspace.
     """
     paths: dict[int, str] = {}
-    missing = []
+    missing: list[str] = []
+    outside: list[str] = []
     for reference in references(robot.model):
-        path = robot.files.find(reference)
-        if path is None:
-            missing.append(f"{reference.span}: {reference.value}")
+        located = robot.files.locate(reference)
+        if located.path is not None:
+            paths[id(reference)] = located.path
         else:
-            paths[id(reference)] = path
-    if not missing:
+            lost = outside if located.outside else missing
+            lost.append(f"{reference.span}: {reference.value}")
+    reasons = [
+        f"the robot names files that {why}: {few(several, _NAMED)}"
+        for why, several in (("are not there", missing), ("lie outside the workspace", outside))
+        if several
+    ]
+    if not reasons:
         return paths
-    named = "; ".join(missing[:_NAMED])
-    more = f" and {len(missing) - _NAMED} more" if len(missing) > _NAMED else ""
-    raise UrdfkitError(
-        f"the robot names files that are not there: {named}{more}; "
-        f"see 'urdfkit check {robot.source.path}'"
-    )
+    raise UrdfkitError(f"{'; '.join(reasons)}; see 'urdfkit check {robot.source.path}'")

@@ -23,7 +23,7 @@ _STEPS = {
 _GUTTER = 8  # columns before a line of source
 
 
-class Page:
+class TextPage:
     """Lays out findings for one width, with colours or without."""
 
     def __init__(self, color: bool, width: int) -> None:

@@ -9,7 +9,7 @@ from itertools import islice
 from urdfkit.core.words import counted, few
 from urdfkit.lint.report import Crashed, Report
 from urdfkit.lint.rule_index import NOT_CHECKED, external
-from urdfkit.output.formats._page import COLORS, Page
+from urdfkit.output.formats._page import COLORS, TextPage
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable
@@ -22,7 +22,7 @@ MAX_CODES = 4
 MAX_FILES = 3
 
 
-def crashes(report: Report, page: Page) -> Iterator[str]:
+def crashes(report: Report, page: TextPage) -> Iterator[str]:
     """The rules that crashed, those with one error together."""
     for crash, codes in _crashed(report):
         whose = "that rule" if crash.code in external() else "urdfkit"
@@ -34,7 +34,7 @@ def crashes(report: Report, page: Page) -> Iterator[str]:
         yield page.wrap(text, indent=4) + "\n"
 
 
-def hints(report: Report, page: Page) -> str:
+def hints(report: Report, page: TextPage) -> str:
     """Where to read more, what can be fixed, and what the severities depend on."""
     lines = [f"Explain a code: urdfkit explain {code}" for code in _worst(report)]
     lines += (page.wrap(hint, indent=2) for hint in _fixable(report))
@@ -57,7 +57,7 @@ def _worst(report: Report) -> Iterator[str]:
 
 def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     """The last line: how much was found, and which rules did not get to look."""
-    page = Page(color, width)
+    page = TextPage(color, width)
     counts = {severity: report.count(severity) for severity in Severity}
     found = [counted(count, severity.value) for severity, count in counts.items() if count]
     text = f"{', '.join(found) or 'no findings'} in {counted(len(report.files), 'file')}"

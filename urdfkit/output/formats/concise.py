@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.lint.report import Report
-from urdfkit.output.formats._page import Page
+from urdfkit.output.formats._page import TextPage
 from urdfkit.output.formats._summary import crashes, summary
 
 _WIDE = 10**6
@@ -18,7 +18,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts."""
-    page = Page(color, _WIDE)
+    page = TextPage(color, _WIDE)
     for found in report.diagnostics:
         yield f"{page.head(found)}\n"
     yield from crashes(report, page)

@@ -7,7 +7,7 @@ from itertools import groupby
 
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Report
-from urdfkit.output.formats._page import Page
+from urdfkit.output.formats._page import TextPage
 from urdfkit.output.formats._summary import crashes, hints, summary
 
 
@@ -18,7 +18,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts."""
-    page = Page(color, width)
+    page = TextPage(color, width)
     between = ""
     for block in _blocks(report, page):
         yield between + block
@@ -26,7 +26,7 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
     yield summary(report, color=color, width=width)
 
 
-def _blocks(report: Report, page: Page) -> Iterator[str]:
+def _blocks(report: Report, page: TextPage) -> Iterator[str]:
     # What is shown as one is in one file, and the findings are in the order of files.
     for _, of_file in groupby(report.diagnostics, key=lambda one: one.span.source.path):
         yield from map(page.finding, grouped(tuple(of_file)))

@@ -9,7 +9,7 @@ from itertools import groupby
 from urdfkit.core.words import counted, few
 from urdfkit.lint.grouping import grouped, groups
 from urdfkit.lint.report import Report
-from urdfkit.output.formats._page import Page
+from urdfkit.output.formats._page import TextPage
 from urdfkit.output.formats._summary import crashes, hints, summary
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
@@ -24,7 +24,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts."""
-    page = Page(color, width)
+    page = TextPage(color, width)
     for error in _of(report, Severity.ERROR):
         yield from (f"{page.finding(one)}\n" for one in grouped(error))
     for warning in _of(report, Severity.WARNING):
@@ -43,7 +43,7 @@ def _of(report: Report, severity: Severity) -> Iterator[tuple[Diagnostic, ...]]:
         yield tuple(of_file)
 
 
-def _infos(report: Report, page: Page) -> str:
+def _infos(report: Report, page: TextPage) -> str:
     codes = Counter(one.code for one in report.diagnostics if one.severity is Severity.INFO)
     if not codes:
         return ""

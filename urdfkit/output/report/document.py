@@ -209,5 +209,5 @@ def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
 def _severity(found: Diagnostic, target: str) -> Severity:
     """How bad a finding is for one program alone."""
     rule = rule_index.get(found.code)
-    is_by_target = found.targets and target in rule.by_target
-    return rule.severity_for([target])[0] if is_by_target else found.severity
+    own = rule.severities.get(target) if found.targets else None
+    return own or found.severity

@@ -16,7 +16,7 @@ from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
-    from urdfkit.render import Scene as Surfaces
+    from urdfkit.render import Scene
     from urdfkit.robot.model import Link
 
 INSTALL = "images and the 3D view need: pip install 'urdfkit[report]'"
@@ -37,7 +37,7 @@ class PageScene(Record):
     robot: dict[str, Any]
 
 
-def surfaces(subject: Context) -> Surfaces:
+def surfaces(subject: Context) -> Scene:
     """The triangles of a robot, for images and for the engine.
 
     Raises:
@@ -52,7 +52,7 @@ def surfaces(subject: Context) -> Surfaces:
     return build_surfaces(subject, roles=("visual", "collision"))
 
 
-def build(subject: Context, built: Surfaces) -> PageScene:
+def build(subject: Context, built: Scene) -> PageScene:
     """The scene of a robot; of one with very many triangles a coarse one.
 
     Args:

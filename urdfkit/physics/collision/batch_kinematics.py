@@ -17,7 +17,7 @@ import numpy as np
 from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.joints import span, start_of
-from urdfkit.robot.kinematics import SLIDING, STILL, TURNING, MimicLaw, direction, laws
+from urdfkit.robot.kinematics import LOCKED, SLIDING, TURNING, MimicLaw, direction, laws
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
@@ -39,13 +39,13 @@ class Axis(NamedTuple):
 class TreeStep(NamedTuple):
     """From one link to a child of it.
 
-    The frame of the child in that of the parent is ``still + f sine + g versine``, with f and g
+    The frame of the child in that of the parent is ``at_zero + f sine + g versine``, with f and g
     the sine and 1 - cosine of an angle (Rodrigues' formula), or f a distance.
 
     Attributes:
         parent: number of the link.
         child: number of the link.
-        still: (4, 4), where the joint is at zero.
+        at_zero: (4, 4), where the joint is at zero.
         sine: (4, 4).
         versine: (4, 4).
         axis: (3,), a unit vector, in the frame of the child as well as of the joint.
@@ -57,7 +57,7 @@ class TreeStep(NamedTuple):
 
     parent: int
     child: int
-    still: Floats
+    at_zero: Floats
     sine: Floats
     versine: Floats
     axis: Floats
@@ -74,9 +74,9 @@ class TreeStep(NamedTuple):
 
     def _at(self, position: Floats | np.float64) -> Floats:
         if not self.turns:
-            return np.asarray(self.still + position * self.sine)
+            return np.asarray(self.at_zero + position * self.sine)
         turned = np.sin(position) * self.sine + (1 - np.cos(position)) * self.versine
-        return np.asarray(self.still + turned)
+        return np.asarray(self.at_zero + turned)
 
 
 @dataclass(frozen=True)
@@ -222,7 +222,7 @@ def chain(tree: KinematicTree) -> Chain:
         assert joint.parent is not None
         assert joint.child is not None
         parent, child = number[joint.parent.value], number[joint.child.value]
-        law = followed.get(joint.name, STILL)
+        law = followed.get(joint.name, LOCKED)
         steps.append(_step(joint, parent, child, law, columns))
         if joint.kind not in ("planar", "floating"):
             parts[child] = parts[parent]

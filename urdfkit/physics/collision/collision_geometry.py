@@ -30,7 +30,7 @@ _PARALLEL = 0.01
 _CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
 _BOX = np.array([[0, 1, 2]])
 
-_STILL = coal.Transform3s()
+_IDENTITY = coal.Transform3s()
 
 _PRIMITIVES: dict[str, Callable[..., Any]] = {
     "box": coal.Box,
@@ -216,7 +216,8 @@ class DistanceQuery:
         mesh = (self.first, self.second)[moved].solid
         bodies[moved] = _surface(*_drawn_in(mesh.vertices, mesh.faces, depth))
         self._hits.clear()
-        return bool(coal.collide(bodies[0], _STILL, bodies[1], self._place, self._one, self._hits))
+        first, second = bodies
+        return bool(coal.collide(first, _IDENTITY, second, self._place, self._one, self._hits))
 
     def hulls(self, rotation: Floats, translation: Floats) -> float:
         """The signed distance of the hulls of the two, in m; a lower bound of theirs."""
@@ -253,7 +254,7 @@ class DistanceQuery:
         found.clear()
         if limit < inf:
             found.min_distance = limit  # coal looks no farther
-        coal.distance(first, _STILL, second, self._place, self._ask, found)
+        coal.distance(first, _IDENTITY, second, self._place, self._ask, found)
         return float(found.min_distance)
 
     def _depth(self, request: Any) -> float:
@@ -261,7 +262,7 @@ class DistanceQuery:
         hits = self._hits
         hits.clear()
         if not coal.collide(
-            self.first.exact, _STILL, self.second.exact, self._place, request, hits
+            self.first.exact, _IDENTITY, self.second.exact, self._place, request, hits
         ):
             return 0.0
         return max(-float(contact.penetration_depth) for contact in hits.getContacts())

@@ -17,7 +17,7 @@ from urdfkit.physics.collision.broad_phase import lower_bound, nearby, relative
 from urdfkit.physics.collision.closed_forms import point_distance, signed_distance
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.joints import span, start_of
-from urdfkit.robot.kinematics import SLIDING, STILL, TURNING, frames, laws, motion
+from urdfkit.robot.kinematics import LOCKED, SLIDING, TURNING, frames, laws, motion
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.exact import ExactDistances
@@ -330,7 +330,7 @@ class Contacts:
         """Where a way of joints leads, in the frame where it begins."""
         found = Transform()
         for joint in way:
-            leader, factor, shift = self._laws.get(joint.name, STILL)
+            leader, factor, shift = self._laws.get(joint.name, LOCKED)
             position = factor * given.get(leader, self._start.get(leader, 0.0)) + shift
             found = found @ joint.origin @ motion(joint, position)
         return found

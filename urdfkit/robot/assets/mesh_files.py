@@ -119,7 +119,11 @@ class MeshFiles:
 
     def find(self, name: Placed[str]) -> str | None:
         """The file that a mesh or a texture names; None if there is no such file."""
-        return self.resolver.locate(name.value, _tag(name).source.path, self.top).path
+        return self.locate(name).path
+
+    def locate(self, name: Placed[str]) -> ResolvedReference:
+        """What the name of a mesh or a texture leads to."""
+        return self.resolver.locate(name.value, _tag(name).source.path, self.top)
 
     def facts(self, path: str) -> MeshFacts:
         """What the bytes of a file say."""

@@ -29,6 +29,8 @@ TOO_SMALL = 0.01
 
 #: Densities of robot parts in kg/m³, from hollow plastic to lead.
 LIGHTEST, HEAVIEST = 20.0, 12000.0
+#: Lengths that differ by more are those of shapes in different units.
+SCALED = 500.0
 #: A centre of mass may be this far in m from a shape that only marks a place.
 FAR_FROM_MARKER = 0.1
 
@@ -100,8 +102,8 @@ def _defect(one: LinkInertia, matters: Matters) -> InertiaDefect | None:
         return InertiaDefect.TRIANGLE_INEQUALITY
     if one.is_noise or not one.is_measured or one.body.is_ground:
         return None
-    if one.is_marker and one.radius_of_gyration < WIDE:
-        return None  # its shape says nothing of its size
+    if _is_of_unknown_size(one):
+        return None
     implausible = implausible_density(one) is not None
     if implausible and unit_mistake(one):
         return InertiaDefect.DENSITY
@@ -116,6 +118,13 @@ def _defect(one: LinkInertia, matters: Matters) -> InertiaDefect | None:
     if one.is_at_wrong_axes and matters(one.body, high):
         return InertiaDefect.WRONG_AXES
     return None
+
+
+def _is_of_unknown_size(one: LinkInertia) -> bool:
+    """True if the shapes mark a place, or are in metres and in millimetres (MSH012, GEO004)."""
+    lengths = [max(part.longest for part in solid.parts) for solid in one.solids]
+    differ = max(lengths) > SCALED * min(lengths)
+    return differ or (one.is_marker and one.radius_of_gyration < WIDE)
 
 
 def implausible_density(link: LinkInertia) -> float | None:

@@ -67,6 +67,21 @@ LIDAR = (
 </gazebo>"""
 )
 
+#: A lidar on the link ``scanner`` that looks all around.
+SCANNER = gazebo_xml(
+    sensor_xml(
+        "front",
+        "gpu_lidar",
+        "<update_rate>10</update_rate>",
+        "<lidar>"
+        "<scan><horizontal><samples>360</samples><min_angle>-3.1</min_angle>"
+        "<max_angle>3.1</max_angle></horizontal></scan>"
+        "<range><min>0.1</min><max>10</max></range>"
+        "</lidar>",
+    ),
+    reference="scanner",
+)
+
 _WHEEL = """\
 <link name="{side}_wheel">
   <collision>

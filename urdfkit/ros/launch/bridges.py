@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
@@ -28,20 +28,27 @@ class BridgedTopic(Record):
     """A topic that the bridge is to pass on.
 
     Attributes:
-        span: where it is written: a word, or an entry's type or topic.
-        topic: its name in Gazebo.
+        span: where it is written: a word, or the first value of an entry.
+        topic, ros_topic: its names in Gazebo and in ROS.
         ros_type, gz_type: of its messages, such as ``sensor_msgs/msg/Imu`` and ``gz.msgs.IMU``;
             empty where none is written.
         direction: one of `DIRECTIONS` where it is right.
         unknown: keys of the entry that the bridge does not read, each with its place.
+        places: of the values of an entry, by key.
     """
 
     span: Span
     topic: str
+    ros_topic: str
     ros_type: str
     gz_type: str
     direction: str
     unknown: tuple[tuple[str, Span], ...] = ()
+    places: Mapping[str, Span] = {}
+
+    def at(self, *keys: str) -> Span:
+        """The place of the first of some keys that is written."""
+        return next((self.places[key] for key in keys if key in self.places), self.span)
 
 
 def gazebo_messages(ros_type: str) -> tuple[str, ...] | None:
@@ -57,13 +64,17 @@ def all_messages() -> tuple[str, ...]:
     return tuple({pair.split()[1]: None for pairs in packages for pair in pairs.split(", ")})
 
 
+def is_bridge(started: StartedProgram) -> bool:
+    """True for the bridge of ros_gz."""
+    is_executable = started.executable in ("parameter_bridge", "bridge_node")
+    return is_executable and started.package in ("ros_gz_bridge", "ros_ign_bridge")
+
+
 def bridged_topics(started: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
     """What a program passes on; nothing if it is no bridge of ros_gz."""
-    if started.executable not in ("parameter_bridge", "bridge_node"):
+    if not is_bridge(started):
         return
-    if started.package not in ("ros_gz_bridge", "ros_ign_bridge"):
-        return
-    path = (started.parameters or {}).get("config_file")
+    path = started.parameters.values.get("config_file")
     for word in started.words:
         if word.text and word.text.startswith("config_file:="):
             path = word.text.partition(":=")[2]
@@ -82,7 +93,7 @@ def _of_word(word: Word) -> BridgedTopic | None:
     sign = next((one for one in "][@" if one in types), "")
     ros_type, _, rest = types.partition(sign) if sign else (types, "", "")
     gz_type, _, other = rest.partition("@")
-    return BridgedTopic(word.span, other or topic, ros_type, gz_type, _SIGNS.get(sign, ""))
+    return BridgedTopic(word.span, other or topic, topic, ros_type, gz_type, _SIGNS.get(sign, ""))
 
 
 def _in_file(path: str, resolver: Resolver) -> Iterator[BridgedTopic]:
@@ -99,14 +110,14 @@ def _in_file(path: str, resolver: Resolver) -> Iterator[BridgedTopic]:
             continue
         topic = next((given[key] for key in ("gz_topic_name", "topic_name") if key in given), "")
         unknown = tuple((key, one.span) for key, one in values.items() if key not in KEYS)
-        at = next(
-            values[key] for key in ("ros_type_name", "gz_type_name", *values) if key in values
-        )
+        places = {key: one.span for key, one in values.items()}
         yield BridgedTopic(
-            at.span,
+            next(iter(places.values())),
             topic or given.get("ros_topic_name", ""),
+            given.get("ros_topic_name") or given.get("topic_name") or topic,
             given.get("ros_type_name", ""),
             given.get("gz_type_name", ""),
             given.get("direction", BOTH),
             unknown,
+            places,
         )

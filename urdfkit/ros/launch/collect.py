@@ -60,8 +60,9 @@ class Collector:
         self.problems: list[Problem] = []
         self.started: list[StartedProgram] = []
         self.started_by_included: list[StartedProgram] = []
+        self.unread: list[str] = []
+        self.has_scopes = False
         self.includes: list[IncludedFile] = []
-        self.is_whole = True
         self.names_parameters = False
         self.included = included
 
@@ -84,6 +85,11 @@ class Collector:
         exists = there is not None and not is_outside
         self.files.append(FileUse(span.text, path, exists, span, purpose, is_outside))
         return exists
+
+    def mention(self, path: str, span: Span) -> None:
+        """Record a path of a package whose use is not known, if something is there."""
+        if self.resolver.packages.enclosing(path) and disk.exists(path):
+            self.files.append(FileUse(span.text, path, True, span, "file"))
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
         """A shell command whose output is the robot description, or the YAML of one."""
@@ -150,7 +156,8 @@ class Collector:
         inner = Collector(self.resolver, self._reader, outer, self.included + 1)
         self._reader(inner, included, arguments, frame)
         self.included = inner.included
-        self.is_whole = self.is_whole and inner.is_whole
+        self.unread += inner.unread
+        self.has_scopes = self.has_scopes or inner.has_scopes
         self.started_by_included += (
             one._replace(is_sure=one.is_sure and is_sure)
             for one in (*inner.started, *inner.started_by_included)
@@ -168,7 +175,8 @@ class Collector:
             tuple(self.problems),
             tuple(self.started),
             tuple(self.started_by_included),
-            self.is_whole,
+            tuple(self.unread),
+            self.has_scopes,
             self.names_parameters,
             tuple(self.includes),
         )

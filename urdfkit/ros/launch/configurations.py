@@ -55,7 +55,7 @@ class Configurations:
         self._is_whole = self._is_whole and taken.is_whole
         yield from unknown_to_included(passed or (), taken, source, None, ros=2)
         known = {*self._known, *(name for name, _ in passed or ())}
-        if passed is not None and not taken.required <= known and not self._may_be_lent():
+        if passed is not None and not taken.required <= known and not self._may_inherit():
             yield from missing_in_include(known, taken, source, self._values.span(call), None)
         self._known |= taken.names  # which an include leaves behind
 
@@ -125,12 +125,12 @@ class Configurations:
         missing = {name: call for name, call in used.items() if name not in self._known}
         if not missing or b".launch_configurations" in self._values.source.data:
             return
-        is_sure = self._is_whole and not self._may_be_lent()
+        is_sure = self._is_whole and not self._may_inherit()
         for name, call in missing.items():
             if is_sure or is_typo(name, self._known):
                 span = self._values.span(call)
                 yield undeclared(name, self._known, span, None, is_lost=False, ros=2)
 
-    def _may_be_lent(self) -> bool:
+    def _may_inherit(self) -> bool:
         """True if files that include this one may give it more arguments than are known."""
         return is_included(self._values.source.path, self._values.collector.resolver)

@@ -71,6 +71,25 @@ class Word(Record):
     span: Span
 
 
+class Parameters(Record):
+    """The parameters that a node is given.
+
+    Attributes:
+        values: by name; None where a value is known at run time only.
+        files: the parameter files that hold others.
+        is_whole: False if there are more, whose names are known at run time only.
+    """
+
+    values: Mapping[str, str | None]
+    files: tuple[str, ...] = ()
+    is_whole: bool = True
+
+    @property
+    def every(self) -> Mapping[str, str | None] | None:
+        """All of them by name; None if files or others give some."""
+        return self.values if self.is_whole and not self.files else None
+
+
 class StartedProgram(Record):
     """A program that a launch file starts.
 
@@ -78,22 +97,25 @@ class StartedProgram(Record):
         package: empty for a program that is no node.
         executable: in the package; empty if it is not known, or for a program.
         words: of its command line; those of a program begin with its name.
-        parameters: the parameters that it is given, each with its value or None where that is not
-            known; None if not all of their names are known.
         span: where it is started.
         frame: the launch files that led there.
         is_sure: False if a condition decides that is known at run time only.
         is_remapped: True if it gives topics other names.
+        parameters: that it is given.
+        name: of the node; empty where none is given, or only at run time.
+        namespace: without slashes around it; None where it is known at run time only.
     """
 
     package: str
     executable: str
     words: tuple[Word, ...]
-    parameters: Mapping[str, str | None] | None
     span: Span
     frame: CallFrame | None
     is_sure: bool = True
     is_remapped: bool = False
+    parameters: Parameters = Parameters({})
+    namespace: str | None = ""
+    name: str = ""
 
 
 class IncludedFile(Record):
@@ -123,7 +145,8 @@ class Launch(Record):
         problems: what is wrong with its text, under the codes of the rules that explain it.
         started: the programs that it starts.
         included: those that the files start which it includes.
-        is_whole: False if it includes what was not read.
+        unread: paths of the files that it includes and that were not read; empty if not known.
+        has_scopes: True if it sets namespaces, parameters or remappings for several nodes.
         names_parameters: True if it gives parameters names that are in no file, by a namespace for
             what is in a file, or in its own text.
         includes: the files that it and those which it includes include.
@@ -135,7 +158,8 @@ class Launch(Record):
     problems: tuple[Problem, ...]
     started: tuple[StartedProgram, ...]
     included: tuple[StartedProgram, ...]
-    is_whole: bool
+    unread: tuple[str, ...]
+    has_scopes: bool
     names_parameters: bool
     includes: tuple[IncludedFile, ...] = ()
 

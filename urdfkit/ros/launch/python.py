@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 import ast
+import os
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import PARAMETERS, IncludedFile, StartedProgram
+from urdfkit.ros.launch.contents import PARAMETERS, IncludedFile, Parameters, StartedProgram
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import JOINED, Values, argument, called
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
 
 _PARAMETER_FILES = (".yaml", ".yml")
+#: Actions that hold for the nodes after them.
+_SCOPES = (
+    "PushRosNamespace", "PushROSNamespace", "SetParameter", "SetParametersFromFile", "SetRemap",
+    "SetUseSimTime",
+)  # fmt: skip
 
 
 def read(
@@ -61,7 +67,12 @@ class _Reader:
             called(call) == "GroupAction" and argument(call, None, "condition")
             for call in self.calls
         )
-        self.configurations = Configurations(self.values, of_python(tree), self.calls, unread(tree))
+        #: Expressions whose value nothing reads.
+        self._idle = unread(tree)
+        self.configurations = Configurations(self.values, of_python(tree), self.calls, self._idle)
+        #: False for a piece of a launch file, which another one completes.
+        self._is_complete = any(called(call) == "LaunchDescription" for call in self.calls)
+        self._expressions = [node for node in ast.walk(tree) if isinstance(node, ast.expr)]
 
     def read(self) -> None:
         for call in self.calls:
@@ -81,17 +92,35 @@ class _Reader:
         for call in self.calls:
             if handle := handles.get(called(call)):
                 handle(call)
+            elif called(call) in _SCOPES:
+                self.collector.has_scopes = True
+        self._mentions()
         self.collector.problems += self.configurations.undeclared()
 
     def _declare(self, call: ast.Call) -> None:
+        if call in self._idle and self._is_complete:
+            return  # no launch description holds it
         name = self.values.text(argument(call, 0, "name"))
         default = argument(call, 1, "default_value")
         if name and default is not None:
             self.values.arguments.setdefault(name, default)
 
+    def _mentions(self) -> None:
+        """Paths that are put together for a use which is not known, such as that of a world."""
+        for node in self._expressions:
+            is_path = isinstance(node, (ast.BinOp, ast.JoinedStr)) or (
+                isinstance(node, ast.Call) and called(node) in JOINED
+            )
+            if is_path and node not in self._idle:
+                path = self.values.text(node)
+                if path and os.path.isabs(path):
+                    self.collector.mention(os.path.normpath(path), self.values.span(node))
+
     # ---------------------------------------------------------------- calls
 
     def _node(self, call: ast.Call) -> None:
+        if call in self._idle and self._is_complete:
+            return  # nobody starts it
         package = argument(call, None, "package")
         name = self.values.text(package)
         if name and package is not None:
@@ -110,27 +139,41 @@ class _Reader:
             name or "",
             self.values.text(executable) or "",
             self.values.words(words),
-            None if argument(call, None, "ros_arguments") else self._parameters(parameters),
             self.values.span(call),
             None,
             is_sure=not self._has_groups and self._condition(call) is True,
             is_remapped=argument(call, None, "remappings") is not None,
+            parameters=self._parameters(parameters, argument(call, None, "ros_arguments")),
+            namespace=self._namespace(call),
+            name=self.values.text(argument(call, None, "name")) or "",
         )
         self.collector.started.append(started)
 
-    def _parameters(self, node: ast.expr | None) -> dict[str, str | None] | None:
-        """The parameters in a list of dictionaries; None if it holds others."""
+    def _namespace(self, call: ast.Call) -> str | None:
+        written = argument(call, None, "namespace")
+        text = "" if written is None else self.values.text(written)
+        return None if text is None else text.strip("/")
+
+    def _parameters(self, node: ast.expr | None, others: ast.expr | None) -> Parameters:
+        """The parameters in a list of dictionaries and files."""
         found: dict[str, str | None] = {}
+        files: list[str] = []
+        is_whole = others is None
         for item in self.values.items(node) if node else ():
             given = self.values.suggested(item)
-            if not isinstance(given, ast.Dict):
-                return None
-            for key, value in zip(given.keys, given.values, strict=True):
-                name = self.values.text(key)
-                if name is None:
-                    return None
-                found[name] = self.values.text(value)
-        return found
+            if isinstance(given, ast.Dict):
+                for key, value in zip(given.keys, given.values, strict=True):
+                    name = self.values.text(key)
+                    is_whole = is_whole and name is not None
+                    found[name or ""] = self.values.text(value)
+                    if name == "config_file" and self.values.text(value):
+                        self._file(value, "configuration of the bridge")
+            elif (path := self.values.text(item) or "").endswith(_PARAMETER_FILES):
+                files.append(path_from(self.source, path))
+            else:
+                is_whole = False
+        found.pop("", None)
+        return Parameters(found, tuple(files), is_whole)
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")
@@ -145,7 +188,7 @@ class _Reader:
         words = self.values.words(argument(call, 0, "cmd"))
         span = self.values.span(call)
         is_sure = not self._has_groups and self._condition(call) is True
-        self.collector.started.append(StartedProgram("", "", words, {}, span, None, is_sure))
+        self.collector.started.append(StartedProgram("", "", words, span, None, is_sure))
 
     def _include(self, call: ast.Call) -> None:
         node = argument(call, 0, "launch_description_source")
@@ -154,11 +197,12 @@ class _Reader:
         is_there = False
         if node is not None and path:
             is_there = self.collector.file(path, self.values.span(node), "included launch file")
-        self.collector.is_whole = self.collector.is_whole and is_there
         self.collector.problems += self.configurations.include(call, path)
         passed = self.configurations.given(call)
         holds = self._condition(call)
         is_sure = holds is True and not self._has_groups
+        if holds is not False and (passed is None or not is_there):
+            self.collector.unread.append(path)
         if path and holds is not False:
             seen = self.configurations.seen(call)
             included = IncludedFile(path, seen, self.values.span(call), self.frame, is_sure)

@@ -11,7 +11,7 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch import read_launch
-from urdfkit.ros.launch.contents import LaunchedDescription
+from urdfkit.ros.launch.contents import Launch, LaunchedDescription
 from urdfkit.ros.launch.markup import parsed
 from urdfkit.ros.launch.signature import arguments_in
 from urdfkit.ros.launch.values import argument, called
@@ -83,6 +83,16 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
     """
     for directory, name in _searched(robot, resolver):
         yield from _declarations(directory, name, resolver)
+
+
+def launches_of_workspace(path: str, resolver: Resolver) -> tuple[Launch, ...]:
+    """What the launch files start that are in the workspace of a file."""
+    return _launches(resolver.packages.workspace(path), resolver)
+
+
+@lru_cache(maxsize=2)  # the launch files of a workspace are queried one after the other
+def _launches(directory: str, resolver: Resolver) -> tuple[Launch, ...]:
+    return tuple(read_launch(source, resolver) for source in _launch_files(directory, "", resolver))
 
 
 def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:

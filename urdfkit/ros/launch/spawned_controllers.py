@@ -7,12 +7,14 @@ to rolling), ``load_controller`` of its ros2controlcli.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from urdfkit.ros.launch.contents import StartedProgram, Word
 
 _SPAWNERS = ("spawner", "spawner.py")
 _LOADS = ("load", "spawn")
 _LOAD_CONTROLLER = ("ros2", "control", "load_controller")
+_MANAGER = ("-c", "--controller-manager")
 #: Options with a value.
 _VALUED = frozenset(
     "-c --controller-manager -p --param-file -n --namespace -t --controller-type -r --timeout "
@@ -38,6 +40,17 @@ def controllers(started: StartedProgram) -> Iterator[Word]:
         if not is_value and word.text and not text.startswith("-"):
             yield word
         is_value = text in _VALUED and "=" not in (word.text or "")
+
+
+def manager(started: StartedProgram) -> Word | None:
+    """The controller manager that a program is told to talk to; None if it is told none."""
+    words = _arguments(started)
+    for flag, word in pairwise(words):
+        if flag.text in _MANAGER:
+            return word
+    assigned = (word for word in words if (word.text or "").startswith("--controller-manager="))
+    found = next(assigned, None)
+    return found and Word((found.text or "").partition("=")[2], found.span)
 
 
 def activates(started: StartedProgram) -> bool:

@@ -15,7 +15,7 @@ from urdfkit.text.source import Source, Span
 MAX_DEPTH = 40
 
 _PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
-_JOINED = ("PathJoinSubstitution", "join", "joinpath")
+JOINED = ("PathJoinSubstitution", "join", "joinpath")
 _PASSED_ON = (
     "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
     "XMLLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "YAMLLaunchDescriptionSource",
@@ -103,7 +103,7 @@ class Values:
         name = called(call)
         if name in _PACKAGE_DIRECTORY:
             return self._package_directory(call, depth)
-        if name in _JOINED:
+        if name in JOINED:
             parts = list(call.args)
             if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
                 parts = list(parts[0].elts)
@@ -136,7 +136,9 @@ class Values:
 
     def _of_configuration(self, call: ast.Call, depth: int) -> str | None:
         name = self.text(argument(call, 0, "variable_name"), depth + 1)
-        return self.configuration(name or "", depth)
+        if name not in self.arguments:
+            return self.text(argument(call, None, "default"), depth + 1)
+        return self.configuration(name, depth)
 
 
 def called(call: ast.Call) -> str:

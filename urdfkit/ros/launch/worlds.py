@@ -13,7 +13,11 @@ from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
 
 GZ, CLASSIC = "gz", "classic"
+#: The library of Gazebo Classic that spawns robots in ROS 2.
+FACTORY = "libgazebo_ros_factory.so"
 
+#: What the launch files and nodes of gazebo_ros load.
+_OF_ROS = ("libgazebo_ros_init.so", FACTORY)
 #: Programs of the command line that are Gazebo's server, alone or with a first word.
 _COMMANDS = {("gz", "sim"): GZ, ("ign", "gazebo"): GZ, ("gazebo",): CLASSIC, ("gzserver",): CLASSIC}
 
@@ -25,9 +29,8 @@ class StartedWorld(Record):
         generation: ``gz`` or ``classic``.
         name: a path, or the name of a world that comes with Gazebo; empty for the default one.
         engine: the render engine that the command line chooses; empty if it chooses none.
-        libraries: that the command line of Gazebo Classic loads.
+        libraries: that Gazebo Classic loads besides the plugins of the world.
         has_window: False if only the server is started.
-        is_running: False if it waits for somebody who presses play.
         span: where the world is named.
         frame: the launch files that led there.
         is_sure: False if a condition decides that is known at run time only.
@@ -38,7 +41,6 @@ class StartedWorld(Record):
     engine: str
     libraries: tuple[str, ...]
     has_window: bool
-    is_running: bool
     span: Span
     frame: CallFrame | None
     is_sure: bool
@@ -70,8 +72,9 @@ def _of_file(included: IncludedFile) -> StartedWorld | None:
     if word.text is None:
         return None
     is_line = names[0].endswith("_args")
-    words = _words(word.text) if is_line else ["-r", word.text]
-    return _started(generation, words, word.span, included)
+    words = _words(word.text) if is_line else [word.text]
+    found = _started(generation, words, word.span, included)
+    return found._replace(libraries=_OF_ROS) if found else None
 
 
 def _of_program(started: StartedProgram) -> StartedWorld | None:
@@ -79,8 +82,8 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
     generation = data("worlds")["programs"].get(f"{started.package}/{started.executable}", "")
     texts = [word.text for word in started.words]
     if generation == GZ:
-        path = (started.parameters or {}).get("world_sdf_file")
-        return _started(GZ, ["-s", "-r", path], started.span, started) if path else None
+        path = started.parameters.values.get("world_sdf_file")
+        return _started(GZ, ["-s", path], started.span, started) if path else None
     known = [text for text in texts if text is not None]
     if len(known) < len(texts):
         return None
@@ -89,7 +92,8 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
         if tuple(words[: len(command)]) == command:
             generation, words = kind, words[len(command) :]
             break
-    return _started(generation, words, started.span, started) if generation else None
+    found = _started(generation, words, started.span, started) if generation else None
+    return found._replace(libraries=_OF_ROS) if found and started.package else found
 
 
 def _words(text: str) -> list[str]:
@@ -127,7 +131,6 @@ def _started(
         engine,
         tuple(libraries),
         generation == CLASSIC or "-s" not in given,
-        generation == CLASSIC or "-r" in given,
         span,
         by.frame,
         by.is_sure,

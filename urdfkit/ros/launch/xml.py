@@ -20,6 +20,7 @@ from urdfkit.ros.launch.contents import (
     MAX_INCLUDED,
     PARAMETERS,
     IncludedFile,
+    Parameters,
     StartedProgram,
     Word,
 )
@@ -39,6 +40,11 @@ MAX_LEVELS = 50
 MAX_PROBLEMS = 1000
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
+#: Tags that hold for the nodes after them.
+_SCOPES = (
+    "push-ros-namespace", "push_ros_namespace", "set_parameter", "set_parameters_from_file",
+    "set_remap", "set_use_sim_time",
+)  # fmt: skip
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
@@ -60,7 +66,7 @@ class _File:
         collector: Collector,
         source: Source,
         arguments: Mapping[str, str | None],
-        lent: Iterable[str] = (),
+        inherited: Iterable[str] = (),
         frame: CallFrame | None = None,
         outer: tuple[str, ...] = (),
     ) -> None:
@@ -74,7 +80,7 @@ class _File:
         self._ros: int | None = None
         self._level = 0
         self._unknown_conditions = 0
-        self._arguments = ArgumentUses({*arguments, *lent})
+        self._arguments = ArgumentUses({*arguments, *inherited})
         self._is_whole = True
 
     def read(self) -> None:
@@ -133,12 +139,23 @@ class _File:
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
             self._check(element)
+            if element.tag in _SCOPES or not {"ns", "namespace"}.isdisjoint(element.attributes):
+                self.collector.has_scopes = self.collector.has_scopes or element.tag != "node"
+            self._mentions(element)
             if handle := handles.get(element.tag):
                 is_unknown = self._is_unknown(element)
                 self._unknown_conditions += is_unknown
                 handle(element)
                 self._unknown_conditions -= is_unknown
         self._level -= 1
+
+    def _mentions(self, element: Element) -> None:
+        """Paths in packages whose use is not known, such as that of a world."""
+        for attribute in element.attributes.values():
+            if "$(find" in attribute.value:
+                for word in (self.text(attribute) or "").split():
+                    if os.path.isabs(word):
+                        self.collector.mention(os.path.normpath(word), attribute.span)
 
     def _is_off(self, element: Element) -> bool:
         """True if a condition says so; what cannot be known counts as on."""
@@ -164,9 +181,9 @@ class _File:
 
     def _is_sure(self) -> bool:
         """True if no other file can declare what this one uses."""
-        return (self._ros == 1 or self._is_whole) and not self._may_be_lent()
+        return (self._ros == 1 or self._is_whole) and not self._may_inherit()
 
-    def _may_be_lent(self) -> bool:
+    def _may_inherit(self) -> bool:
         """True if files that include this one may give it more arguments than are known."""
         return not self.outer and is_included(self.source.path, self.collector.resolver)
 
@@ -194,7 +211,7 @@ class _File:
         if attribute and path and self.collector.file(path, attribute.span, purpose):
             self._included(element, path)
             return
-        self.collector.is_whole = False
+        self.collector.unread.append(path or "")
         self._is_whole = self._is_whole and not declares_others(path or "")
 
     def _included(self, element: Element, path: str) -> None:
@@ -209,7 +226,6 @@ class _File:
             self._arguments.declare(taken.names)  # which an include leaves behind
         frame = frame_at(self.source, element.tag_at, self.frame)
         if path.endswith(".py"):
-            self.collector.is_whole = False
             self.collector.follow(path, self.source, self._passed(element), frame)
             return
         here = (*self.outer, self.source.path)
@@ -217,14 +233,14 @@ class _File:
         is_followed = path not in here and len(here) <= MAX_DEPTH and is_xml
         self.collector.included += 1
         if not is_followed or self.collector.included > MAX_INCLUDED:
-            self.collector.is_whole = False
+            self.collector.unread.append(path)
             return
-        lent = {child.get("name") or "" for child in element.children}
-        if self._lends(element):
-            lent |= self._arguments.declared
-        _File(self.collector, source, self._passed(element), lent, frame, here).read()
+        inherited = {child.get("name") or "" for child in element.children}
+        if self._passes_all(element):
+            inherited |= self._arguments.declared
+        _File(self.collector, source, self._passed(element), inherited, frame, here).read()
 
-    def _lends(self, element: Element) -> bool:
+    def _passes_all(self, element: Element) -> bool:
         """True if an included file sees all arguments of this one."""
         return self._ros == 2 or element.get("pass_all_args") in ("true", "True", "1")
 
@@ -242,12 +258,12 @@ class _File:
             known |= self._arguments.declared
         problems = self.collector.problems
         problems += unknown_to_included(passed, taken, source, self.frame, ros=self._ros or 2)
-        if self._ros == 1 or not self._may_be_lent():
+        if self._ros == 1 or not self._may_inherit():
             problems += missing_in_include(known, taken, source, element.span, self.frame)
 
     def _passed(self, element: Element) -> dict[str, str | None]:
         """The arguments of an include; None for those that are known at run time only."""
-        passed: dict[str, str | None] = {**self.values} if self._lends(element) else {}
+        passed: dict[str, str | None] = {**self.values} if self._passes_all(element) else {}
         for child in element.children:
             attribute = child.attributes.get("value")
             if child.tag in ("arg", "let") and attribute:
@@ -296,7 +312,8 @@ class _File:
             text = found.group(2)
         command = self.substitutions.text(text, attribute.span)
         if command is not None:
-            self.collector.command(command, attribute.span, frame)
+            is_yaml = attribute.name == "value" and attribute.element.get("type") is None
+            self.collector.command(command, attribute.span, frame, is_yaml=is_yaml)
 
     def _node(self, element: Element) -> None:
         package = element.attributes.get("pkg")
@@ -314,11 +331,13 @@ class _File:
             name or "",
             (self.text(executable) if executable else None) or "",
             self.substitutions.words(arguments),
-            self._parameters(element),
             element.span,
             self.frame,
             is_sure=not self._unknown_conditions,
             is_remapped=element.child("remap") is not None,
+            parameters=self._parameters(element),
+            namespace=self._namespace(element),
+            name=element.get("name") or "",
         )
         self.collector.started.append(started)
         self._children(element)
@@ -326,22 +345,28 @@ class _File:
     def _executable(self, element: Element) -> None:
         words = self.substitutions.words(element.attributes.get("cmd"))
         is_sure = not self._unknown_conditions
-        started = StartedProgram("", "", words, {}, element.span, self.frame, is_sure)
+        started = StartedProgram("", "", words, element.span, self.frame, is_sure)
         self.collector.started.append(started)
 
-    def _parameters(self, element: Element) -> dict[str, str | None] | None:
-        """The parameters that a node is given in ROS 2, if no files give some.
+    def _namespace(self, element: Element) -> str | None:
+        written = element.attributes.get("namespace") or element.attributes.get("ns")
+        text = self.text(written) if written else ""
+        return None if text is None else text.strip("/")
 
-        In ROS 1 parameters belong to no node.
-        """
-        if self._ros != 2 or any(child.get("from") for child in element.children):
-            return None
-        given = element.all("param")
-        values = [child.attributes.get("value") for child in given]
-        return {
-            child.get("name") or "": self.text(value) if value else None
-            for child, value in zip(given, values, strict=True)
-        }
+    def _parameters(self, element: Element) -> Parameters:
+        """The parameters that a node is given in ROS 2; in ROS 1 they belong to no node."""
+        found: dict[str, str | None] = {}
+        files: list[str] = []
+        is_whole = self._ros == 2 and "ros_args" not in element.attributes
+        for child in element.all("param"):
+            source, value = child.attributes.get("from"), child.attributes.get("value")
+            if source is None:
+                found[child.get("name") or ""] = self.text(value) if value else None
+                continue
+            path = self._path_in(source)
+            is_whole = is_whole and path is not None
+            files += [path] if path else []
+        return Parameters(found, tuple(files), is_whole)
 
     def _rosparam(self, element: Element) -> None:
         attribute = element.attributes.get("file")

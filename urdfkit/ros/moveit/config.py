@@ -87,6 +87,15 @@ def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str,
                 yield name.text, item
 
 
+def controller_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, dict[str, Node]]]:
+    """The settings of the controllers of MoveIt 2, by the places of their names."""
+    root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
+    manager = root.get(_MANAGER) if isinstance(root, dict) else None
+    for key, entry in _mappings(manager):
+        if not key.startswith(_OPEN):
+            yield key, entry
+
+
 def names_without_settings(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, list[str]]]:
     """The names of controllers for which there are no settings, with those that have some."""
     root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)

@@ -7,8 +7,8 @@ the robot.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
-from functools import cached_property
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
@@ -176,7 +176,14 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
             yield kind, attribute
 
 
-def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
+def find(
+    path: str,
+    tree: KinematicTree,
+    resolver: Resolver,
+    *,
+    trust: bool,
+    arguments: Mapping[str, str] | None = None,
+) -> Srdf | None:
     """The SRDF of a robot, if exactly one is next to it; an unreadable one does not count.
 
     One with another name is the robot's if it speaks of its links and joints; one of a package of
@@ -187,21 +194,30 @@ def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> 
         tree: of it.
         resolver: finds files.
         trust: let expressions of a xacro run unfenced and read any file.
+        arguments: of the robot; a xacro of its SRDF has those of the same names.
     """
-    read_files = (read(one, tree, resolver, trust=trust) for one in srdf_files(path, resolver))
+    read_one = partial(read, tree=tree, resolver=resolver, trust=trust, arguments=arguments)
+    read_files = map(read_one, srdf_files(path, resolver))
     found = [srdf for srdf in read_files if srdf is not None]
     same = [srdf for srdf in found if srdf.root.get("name") == tree.model.name]
     chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
     if not found:
         others = other_srdf_files(path, tree.model.name, resolver)
-        read_files = (read(one, tree, resolver, trust=trust) for one in others)
+        read_files = map(read_one, others)
         chosen = [srdf for srdf in read_files if srdf is not None and srdf.fits_robot]
     return chosen[0] if len(chosen) == 1 else None
 
 
-def read(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
+def read(
+    path: str,
+    tree: KinematicTree,
+    resolver: Resolver,
+    *,
+    trust: bool,
+    arguments: Mapping[str, str] | None = None,
+) -> Srdf | None:
     """An SRDF file, of the robot with this tree; None if it cannot be read."""
-    document, _ = _parsed(path, resolver, trust=trust)
+    document, _ = _parsed(path, resolver, trust=trust, arguments=arguments)
     if document is None or document.root.tag != "robot":
         return None
     if path.endswith(".xacro") and not document.root.children:
@@ -235,7 +251,11 @@ def _stem(path: str) -> str:
 
 
 def _parsed(
-    path: str, resolver: Resolver, *, trust: bool
+    path: str,
+    resolver: Resolver,
+    *,
+    trust: bool,
+    arguments: Mapping[str, str] | None = None,
 ) -> tuple[Document | None, Sequence[Problem]]:
     try:
         source = resolver.read(path)
@@ -245,5 +265,5 @@ def _parsed(
         from urdfkit.xacro import expand
 
         # What it lacks may be what a launch file passes.
-        return expand(source, resolver, trust=trust).document, ()
+        return expand(source, resolver, arguments, trust=trust).document, ()
     return read_xml(source)

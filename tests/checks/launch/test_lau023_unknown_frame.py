@@ -1,0 +1,95 @@
+"""LAU023: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+ROBOT = """<robot name="r"><link name="base_link"/><link name="lidar"/>
+<joint name="j" type="fixed"><parent link="base_link"/><child link="lidar"/></joint></robot>"""
+HEAD = "from launch_ros.actions import Node\n"
+PUBLISHER = """Node(package="robot_state_publisher", executable="robot_state_publisher",
+     parameters=[{{"robot_description": open("../r.urdf").read(){}}}])
+"""
+FILTER = 'Node(package="robot_localization", executable="ekf_node", parameters=["../f.yaml"{}])\n'
+RVIZ = 'Node(package="rviz2", executable="rviz2", arguments=["-d", "../v.rviz"])\n'
+SLIDERS = 'Node(package="joint_state_publisher_gui", executable="joint_state_publisher_gui")\n'
+STATIC = """Node(package="tf2_ros", executable="static_transform_publisher",
+     arguments=["--frame-id", "{}", "--child-frame-id", "{}"])
+"""
+VIEW = """Visualization Manager:
+  Global Options: {{Fixed Frame: {}}}
+  Displays:
+    - {{Class: rviz_default_plugins/Axes, Enabled: {}, Reference Frame: {}}}
+"""
+
+
+def messages(directory: Path, text: str, *, other: str = "", **files: str) -> list[str]:
+    given = {"r.urdf": ROBOT, **{name.replace("_", "."): text for name, text in files.items()}}
+    if other:
+        given["launch/other.launch.py"] = HEAD + other
+    return [one.message for one in reported(directory, "LAU023", "a.launch.py", HEAD + text, given)]
+
+
+@pytest.mark.parametrize(
+    ("frame", "count"),
+    [
+        ("base_link_frame: base_link", 0),
+        ("base_link_frame: /base_link", 0),
+        ("base_link_frame: base", 1),
+        ("base_link_frame: $(var base)", 0),
+        ("base_link_frame: ''", 0),
+        ("costmap: {robot_base_frame: chassis}", 1),
+        ("odom_frame: odometry", 0),
+        ("{base_link_frame: base_link, odom_frame: o, map_frame: m, world_frame: o}", 0),
+        ("{base_link_frame: base_link, odom_frame: o, map_frame: m, world_frame: w}", 1),
+    ],
+)
+def test_parameters(tmp_path: Path, frame: str, count: int) -> None:
+    text = f"ekf:\n  ros__parameters:\n    {frame}\n"
+    assert len(messages(tmp_path, PUBLISHER.format("") + FILTER.format(""), f_yaml=text)) == count
+
+
+@pytest.mark.parametrize(
+    ("text", "other", "count"),
+    [
+        (FILTER.format(""), PUBLISHER.format(""), 1),  # that another launch file publishes
+        (FILTER.format(""), "", 0),  # of a robot that is not known
+        (FILTER.format("") + PUBLISHER.format(", 'frame_prefix': 'a/'"), "", 0),
+        (FILTER.format(', {"base_link_frame": "base_link"}') + PUBLISHER.format(""), "", 0),
+        (FILTER.format("") + PUBLISHER.format("") + STATIC.format("base_link", "base"), "", 0),
+    ],
+)
+def test_what_is_published(tmp_path: Path, text: str, other: str, count: int) -> None:
+    file = "ekf:\n  ros__parameters:\n    base_link_frame: base\n"
+    assert len(messages(tmp_path, text, other=other, f_yaml=file)) == count
+
+
+@pytest.mark.parametrize(
+    ("fixed", "is_on", "frame", "started", "count"),
+    [
+        ("base_link", "true", "lidar", RVIZ, 0),
+        ("base", "true", "lidar", RVIZ, 1),
+        ("base_link", "true", "laser", RVIZ, 1),
+        ("base_link", "false", "laser", RVIZ, 0),
+        ("base_link", "true", "<Fixed Frame>", RVIZ, 0),
+        ("map", "true", "lidar", RVIZ, 0),
+        ("map", "true", "lidar", RVIZ + SLIDERS, 1),  # nothing localizes the robot
+        ("map", "true", "lidar", RVIZ + FILTER.format(""), 0),
+    ],
+)
+def test_rviz(tmp_path: Path, fixed: str, is_on: str, frame: str, started: str, count: int) -> None:
+    view = VIEW.format(fixed, is_on, frame)
+    assert len(messages(tmp_path, PUBLISHER.format("") + started, v_rviz=view)) == count
+
+
+@pytest.mark.parametrize(("parent", "count"), [("base_link", 0), ("map", 0), ("chassis", 1)])
+def test_static_transforms(tmp_path: Path, parent: str, count: int) -> None:
+    text = PUBLISHER.format("") + STATIC.format(parent, "tag") + STATIC.format("tag", "eye")
+    assert len(messages(tmp_path, text)) == count
+
+
+def test_a_root_above_the_robot(tmp_path: Path) -> None:
+    text = PUBLISHER.format("") + STATIC.format("cell", "base_link")
+    assert messages(tmp_path, text) == []

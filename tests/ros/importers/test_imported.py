@@ -1,0 +1,149 @@
+"""Bodies, masses, orders and index maps of small robots, as each program has them."""
+
+from __future__ import annotations
+
+import pytest
+
+from urdfkit.lint.context import Context
+from urdfkit.lint.loading import read
+from urdfkit.ros.importers.changes import changes
+from urdfkit.ros.importers.facts import IMPORTERS, UnknownImporter, facts_of
+from urdfkit.ros.importers.index_map import NoIndexMap, index_map
+from urdfkit.text.source import Source
+
+INERTIAL = (
+    '<inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+    "</inertial>"
+)
+
+
+def robot(*parts: str) -> Context:
+    return read(Source("r.urdf", f'<robot name="r">{"".join(parts)}</robot>'.encode()))
+
+
+def link(name: str, inside: str = INERTIAL) -> str:
+    return f'<link name="{name}">{inside}</link>'
+
+
+def joint(name: str, parent: str, child: str, kind: str = "continuous", more: str = "") -> str:
+    ends = f'<parent link="{parent}"/><child link="{child}"/>'
+    return f'<joint name="{name}" type="{kind}">{ends}{more}</joint>'
+
+
+#: A base with legs z and b, and a leg a below a plate; links and joints in orders of their own.
+LEGGED = robot(
+    *map(link, ["base", "a_leg", "plate", "b_leg", "b_foot", "z_leg", "z_foot"]),
+    joint("m_foot", "z_leg", "z_foot"),
+    joint("z", "base", "z_leg"),
+    joint("b", "base", "b_leg"),
+    joint("plate", "base", "plate", "fixed"),
+    joint("a", "plate", "a_leg"),
+    joint("c_foot", "b_leg", "b_foot"),
+)
+
+#: Orders that the programs themselves gave; Isaac's by Isaac Lab's resolver of PhysX's order.
+ORDERS = {
+    "drake": "z m_foot b c_foot a",
+    "genesis": "a b z c_foot m_foot",
+    "isaac": "a b z c_foot m_foot",
+    "isaac-sim": "b z c_foot a m_foot",
+    "mujoco": "z m_foot b c_foot a",
+    "newton": "z m_foot b c_foot a",
+    "pinocchio": "b c_foot a z m_foot",
+    "pybullet": "z m_foot b c_foot a",
+    "yourdfpy": "m_foot z b a c_foot",
+}
+
+
+@pytest.mark.parametrize("name", IMPORTERS)
+def test_orders(name: str) -> None:
+    found = [one.joint.name for one in LEGGED.imported(name).joints]
+    assert found == ORDERS[name].split()
+
+
+@pytest.mark.parametrize("name", IMPORTERS)
+def test_what_is_fixed(name: str) -> None:
+    found = LEGGED.imported(name)
+    merged = {"mujoco", "pinocchio", "isaac", "genesis"}
+    assert ("plate" in {one.name for one in found.bodies}) is (name not in merged)
+
+
+def test_continuous_joints_have_two_positions_in_pinocchio() -> None:
+    found = LEGGED.imported("pinocchio").joints
+    assert [(one.q, one.nq, one.v, one.nv) for one in found[:2]] == [(0, 2, 0, 1), (2, 2, 1, 1)]
+
+
+def test_coordinates_come_after_those_of_a_free_root() -> None:
+    assert [LEGGED.imported(name).joints[0].q for name in ("pybullet", "genesis")] == [7, 7]
+    welded = robot(link("world", ""), link("a"), joint("j", "world", "a"))
+    assert welded.imported("pybullet").root_is_free is False
+    assert welded.imported("pybullet").joints[0].q == 7
+    assert welded.imported("genesis").joints[0].q == 0
+
+
+BOX = '<collision><geometry><box size="1 1 0.5"/></geometry></collision>'
+
+
+@pytest.mark.parametrize(
+    ("name", "mass"), [("mujoco", 500), ("newton", 500), ("pinocchio", 0), ("pybullet", 1)]
+)
+def test_invented_masses(name: str, mass: float) -> None:
+    one = robot(link("base"), link("arm", BOX), joint("j", "base", "arm")).imported(name)
+    assert {body.name: body.mass for body in one.bodies}["arm"] == pytest.approx(mass)
+    texts = [change.text for change in changes(one)]
+    assert any("'arm' with no <inertial> gets" in text for text in texts) is bool(mass)
+
+
+def test_isaac_computes_a_mass_only_where_a_body_has_none() -> None:
+    one = robot(link("base"), link("tool", ""), joint("j", "base", "tool", "fixed"))
+    (body,) = one.imported("isaac").bodies
+    assert (body.name, body.mass) == ("base", 2)
+    assert [part.mass for part in one.imported("isaac-sim").bodies] == [2, None]
+
+
+def test_what_mujoco_is_told() -> None:
+    compiler = '<mujoco><compiler fusestatic="false" boundmass="3" discardvisual="false"/></mujoco>'
+    parts = link("base"), link("arm"), joint("j", "base", "arm")
+    one = robot(compiler, *parts).imported("mujoco")
+    assert [(body.name, body.mass) for body in one.bodies] == [("base", 3), ("arm", 3)]
+    assert one.drops_visuals is False
+
+
+def test_the_places_of_changes() -> None:
+    found = [(one.at.get("name"), one.text) for one in changes(LEGGED.imported("mujoco"))]
+    assert found == [
+        ("base", "link 'base' is merged into world; its 2 kg have no effect"),
+        ("plate", "link 'plate' is merged into world; its 2 kg have no effect"),
+    ]
+
+
+def test_an_index_map() -> None:
+    found = index_map(LEGGED.imported("isaac"), LEGGED.imported("mujoco"))
+    assert [one.joint.name for one in found.joints] == ORDERS["mujoco"].split()
+    values = ORDERS["isaac"].split()
+    assert [values[index] for index in found.indices] == ORDERS["mujoco"].split()
+    free = index_map(LEGGED.imported("pybullet"), LEGGED.imported("mujoco"))
+    assert free.indices == (0, 1, 2, 3, 4)
+
+
+def test_joints_that_one_program_lacks() -> None:
+    one = robot(link("a"), link("b"), joint("j", "a", "b", "floating"))
+    with pytest.raises(NoIndexMap, match=r"joint 'j' has coordinates in mujoco, and none in pyb"):
+        index_map(one.imported("mujoco"), one.imported("pybullet"))
+    with pytest.raises(NoIndexMap, match=r"joint 'j' is floating"):
+        index_map(one.imported("mujoco"), one.imported("pinocchio"))
+
+
+def test_names() -> None:
+    with pytest.raises(UnknownImporter, match=r"did you mean 'mujoco'"):
+        facts_of("mujoko")
+
+
+def test_robots_that_are_no_tree() -> None:
+    loop = robot(link("a"), link("b"), joint("i", "a", "b"), joint("j", "b", "a"))
+    for name in IMPORTERS:
+        found = loop.imported(name)
+        assert len(found.joints) <= 2
+        assert list(changes(found)) is not None
+    nothing = robot()
+    assert all(nothing.imported(name).bodies == () for name in IMPORTERS)

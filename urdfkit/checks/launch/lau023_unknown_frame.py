@@ -1,0 +1,200 @@
+"""A parameter file, RViz or a static transform names a frame that nothing publishes.
+
+tf has the links of the robot, which robot_state_publisher publishes, the children of static
+transforms, and `map`, `odom` and `world`, which localization and odometry publish. With any other
+name robot_localization, Nav2 and slam_toolbox wait for ever: "Could not find a connection between
+'odom' and 'base'", "Timed out waiting for transform from base to map". RViz shows nothing: "Fixed
+Frame [base] does not exist". A static transform with such a parent makes a second tree.
+
+Checked are `base_link_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and `sensor_frame`,
+RViz's fixed frame and the frames of its displays, and the parents of static transforms. The robot
+is that of the launch file, else those that the other launch files of the workspace start. `map`,
+`odom` and `world` as the fixed frame are reported where a launch file starts RViz with
+joint_state_publisher and nothing else. So is a `world_frame` of robot_localization that is neither
+its `odom_frame` nor its `map_frame`, at which the filter stops.
+
+Sources:
+    REP 105, coordinate frames: https://www.ros.org/reps/rep-0105.html
+    robot_localization, parameters: https://github.com/cra-ros-pkg/robot_localization/blob/ros2/params/ekf.yaml
+    Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
+    RViz, frame_manager.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_common/src/rviz_common/frame_manager.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.words import few
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.ros.launch.argument_checks import is_included
+from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.frames import NamedFrame, named_frames
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.transforms import StaticTransform, static_transform
+from urdfkit.text.located_yaml import Node, Value, load
+
+NAME = "launch/filter.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+nodes = [
+    Node(
+        package="robot_state_publisher",
+        executable="robot_state_publisher",
+        parameters=[{"robot_description": open("../robot.urdf").read()}],
+    ),
+    Node(package="robot_localization", executable="ekf_node", parameters=["../base.yaml"]),
+]
+"""
+GOOD = BAD.replace("base.yaml", "base_link.yaml")
+_FILTER = b"ekf_filter_node:\n  ros__parameters:\n    base_link_frame: %s\n"
+FILES = {
+    "robot.urdf": b'<robot name="r"><link name="base_link"/></robot>',
+    "base.yaml": _FILTER % b"base",
+    "base_link.yaml": _FILTER % b"base_link",
+    "package.xml": b"<package><name>arm</name></package>",
+}
+
+_WELL_KNOWN = frozenset(("map", "odom", "world", "earth"))
+_PUBLISHER = "robot_state_publisher"
+_RVIZ = ("rviz", "rviz2")
+_SLIDERS = ("joint_state_publisher", "joint_state_publisher_gui")
+#: What starts nothing that localizes the robot.
+_VIEWERS = (_PUBLISHER, *_SLIDERS, *_RVIZ)
+#: Robots of a workspace that are expanded, to know their links.
+_MAX_ROBOTS = 8
+_NAMED = 4
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Context) -> Findings:
+    launch = subject.launch
+    named = list(named_frames(launch, subject.resolver))
+    if not named and not any(True for _ in _transforms(launch)):
+        return
+    known = _published(subject)
+    if known:
+        given = {key for one in _started(launch) for key in one.parameters.values}
+        for frame in named:
+            if frame.name not in known and frame.key not in given:
+                yield _unknown(frame, known)
+        yield from _unknown_parents(launch, known, _of_robots(subject, (launch,)))
+    yield from _other_world(subject)
+
+
+def _unknown(frame: NamedFrame, known: frozenset[str]) -> Finding:
+    links = sorted(known - _WELL_KNOWN)
+    return Finding(
+        Location(frame.span),
+        f"{frame.who} '{frame.name}' is no link of the robot and no static transform"
+        f"{did_you_mean(frame.name, links)}",
+        f"name a frame that is published: {few(links, _NAMED)}",
+        related=(Related(frame.named_at, "the file is named here"),),
+    )
+
+
+def _published(subject: Context) -> frozenset[str]:
+    """The frames that are known to be published; none if not all of the robots are known."""
+    launch = subject.launch
+    links = _of_robots(subject, (launch,))
+    launches: tuple[Launch, ...] = (launch,)
+    if not launch.descriptions:
+        launches = launches_of_workspace(subject.source.path, subject.resolver)
+        links = _of_robots(subject, launches)
+    if not links or any(map(_renames_frames, launches)):
+        return frozenset()
+    children = (transform.child.text or "" for one in launches for transform in _transforms(one))
+    is_viewer = _is_viewer(launch) and not is_included(subject.source.path, subject.resolver)
+    well_known = frozenset() if is_viewer else _WELL_KNOWN
+    return links.union((child.lstrip("/") for child in children), well_known)
+
+
+def _of_robots(subject: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
+    """The links of the robots that are started; none if one of them cannot be expanded."""
+    found: set[str] = set()
+    descriptions = [one for launch in launches for one in launch.descriptions]
+    distinct = {(one.path, *sorted(one.arguments.items())): one for one in descriptions}
+    if len(distinct) > _MAX_ROBOTS:
+        return frozenset()
+    for description in distinct.values():
+        robot = subject.other_robot(description.path, description.arguments)
+        if robot.reading.document is None or not description.is_whole:
+            return frozenset()
+        found.update(robot.model.links_by_name)
+    return frozenset(found)
+
+
+def _renames_frames(launch: Launch) -> bool:
+    """True if links may be published under other names, or nothing of ROS publishes them."""
+    started = _started(launch)
+    publishers = [one for one in started if one.package == _PUBLISHER]
+    renaming = (
+        "frame_prefix" in one.parameters.values or one.parameters.every is None
+        for one in publishers
+    )
+    return any(renaming) or (bool(launch.descriptions) and not publishers)
+
+
+def _is_viewer(launch: Launch) -> bool:
+    """True if it starts the publishers of a robot and RViz, and nothing else."""
+    started = _started(launch)
+    is_whole = not launch.unread and all(one.package in _VIEWERS for one in started)
+    packages = {one.package for one in started}
+    return is_whole and not packages.isdisjoint(_RVIZ) and not packages.isdisjoint(_SLIDERS)
+
+
+def _started(launch: Launch) -> tuple[StartedProgram, ...]:
+    return (*launch.started, *launch.included)
+
+
+def _transforms(launch: Launch) -> Iterator[StaticTransform]:
+    for one in _started(launch):
+        if found := static_transform(one):
+            yield found
+
+
+def _unknown_parents(launch: Launch, known: frozenset[str], of_robot: frozenset[str]) -> Findings:
+    """The transforms that make a second tree; a parent of the robot's root is one above it."""
+    for one in launch.started:
+        found = static_transform(one)
+        if found is None:
+            continue
+        name, child = ((word.text or "").lstrip("/") for word in (found.parent, found.child))
+        if name and name not in known and child not in of_robot:
+            yield Finding(
+                Location(found.parent.span, one.frame),
+                f"parent '{name}' of the static transform is no link of the robot"
+                f"{did_you_mean(name, known)}",
+                f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _NAMED)}",
+            )
+
+
+def _other_world(subject: Context) -> Findings:
+    """A world frame of robot_localization that is neither of its two."""
+    for file in subject.launch.parameters:
+        try:
+            root = load(subject.resolver.read(file.path))
+        except UnreadableFile:
+            continue
+        for section in _sections(root):
+            world, base = section.get("world_frame"), section.get("base_link_frame")
+            others = [section.get(key) for key in ("odom_frame", "map_frame")]
+            names = [one.text for one in others if isinstance(one, Value)]
+            is_filter = isinstance(base, Value) and len(names) == len(others)
+            if is_filter and isinstance(world, Value) and world.text not in names:
+                yield Finding(
+                    Location(world.span),
+                    f"world_frame '{world.text}' is neither odom_frame '{names[0]}' nor "
+                    f"map_frame '{names[1]}'",
+                    f"write {names[0]}, or {names[1]} for the filter that takes in GPS",
+                )
+
+
+def _sections(root: Node) -> Iterator[dict[str, Node]]:
+    """The parameters of each node."""
+    for node in root.values() if isinstance(root, dict) else ():
+        inside = node.get("ros__parameters") if isinstance(node, dict) else None
+        if isinstance(inside, dict):
+            yield inside

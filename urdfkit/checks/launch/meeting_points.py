@@ -1,0 +1,97 @@
+"""Programs that look for one another under different names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.launch.contents import StartedProgram, Word
+from urdfkit.ros.launch.spawned_controllers import controllers, manager
+from urdfkit.ros.launch.spawning import options, spawner_of
+from urdfkit.ros.ros_control import control_plugins
+from urdfkit.text.document import Element
+from urdfkit.text.source import Span
+
+_PUBLISHER = "robot_state_publisher"
+_DESCRIPTION = "robot_description"
+_MANAGER = "controller_manager"
+
+
+def unpublished_description(started: tuple[StartedProgram, ...]) -> Findings:
+    """The program that spawns the robot waits on a topic that no robot_state_publisher has."""
+    publishers = [one for one in started if one.package == _PUBLISHER]
+    if not publishers or any(one.is_remapped or one.namespace is None for one in publishers):
+        return
+    published = {_resolved(_DESCRIPTION, one.namespace): one for one in publishers}
+    for one in started:
+        spawner = spawner_of(one)
+        topic = options(one, spawner)[0].get("topic") if spawner else None
+        if topic is None or not topic.text or one.namespace is None or one.is_remapped:
+            continue
+        name = _resolved(topic.text, one.namespace)
+        if name not in published:
+            known = next(iter(published))
+            yield Finding(
+                Location(topic.span, one.frame),
+                f"nothing publishes '{name}'; {_PUBLISHER} publishes '{known}'",
+                f"write {known}",
+                related=(Related(published[known].span, f"{_PUBLISHER} is started here"),),
+            )
+
+
+def other_manager(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """Spawners that wait for a controller manager in another namespace than that which runs."""
+    running = list(_managers(subject, started))
+    if not running or any(name is None for name, _ in running):
+        return
+    known = {name: place for name, place in running if name}
+    for one in started:
+        wanted: Word | None = manager(one)
+        if one.namespace is None or (wanted is not None and not wanted.text):
+            continue
+        if not any(True for _ in controllers(one)):
+            continue
+        name = _resolved(wanted.text or "" if wanted else _MANAGER, one.namespace)
+        if name not in known:
+            other, place = next(iter(known.items()))
+            yield Finding(
+                Location(wanted.span if wanted else one.span, one.frame),
+                f"the spawner waits for '{name}', which nothing starts; the controller manager is "
+                f"'{other}'",
+                f"write --controller-manager {other}",
+                related=(Related(place, "it is started here"),),
+            )
+
+
+def _managers(
+    subject: Context, started: tuple[StartedProgram, ...]
+) -> Iterator[tuple[str | None, Span]]:
+    """The controller managers that are started; None for a name that is not known."""
+    for one in started:
+        if one.package == _MANAGER and one.executable == "ros2_control_node":
+            is_plain = one.namespace is not None and one.name in ("", _MANAGER)
+            yield _resolved(_MANAGER, one.namespace) if is_plain else None, one.span
+    if not any(map(spawner_of, started)):
+        return
+    for description in subject.launch.descriptions:
+        robot = subject.other_robot(description.path, description.arguments)
+        for plugin in control_plugins(robot.model) if robot.reading.document else ():
+            if "ros2_control" not in (plugin.at.get("filename") or ""):
+                continue  # of ROS 1
+            yield _of_plugin(plugin.at) if description.is_whole else None, plugin.at.span
+
+
+def _of_plugin(plugin: Element) -> str | None:
+    """The controller manager of a plugin of Gazebo."""
+    ros = plugin.child("ros")
+    namespace = ros.child("namespace") if ros else None
+    named = plugin.child("controller_manager_name") or plugin.child("controller_manager_node_name")
+    if named is None and plugin.child("controller_manager_prefix_node_name") is not None:
+        return None
+    name = named.text.strip() if named is not None else _MANAGER
+    return _resolved(name, namespace.text.strip().strip("/") if namespace is not None else "")
+
+
+def _resolved(name: str, namespace: str | None) -> str:
+    """A name of ROS in a namespace."""
+    return name if name.startswith("/") else f"/{namespace}/{name}".replace("//", "/")

@@ -1,0 +1,136 @@
+"""The controllers that MoveIt sends trajectories to, against those of ros2_control."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+
+from urdfkit.core.words import few
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.controllers import Controller, read
+from urdfkit.ros.moveit.config import controller_entries
+from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.text.located_yaml import Key, Node, Value
+from urdfkit.workspace.manifest import manifest_of
+
+#: Files of the workspace that are read, and directories in which they are searched.
+_MAX_FILES, _MAX_DIRECTORIES = 500, 1000
+_TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
+#: The types of MoveIt and the actions of the controllers that they fit.
+_ACTIONS = {
+    _TRAJECTORY: ("FollowJointTrajectory", "follow_joint_trajectory"),
+    "position_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
+    "effort_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
+}
+
+
+def unfit_controllers(subject: Context, srdf: Srdf) -> Findings:
+    """The controllers of MoveIt 2 that are not there, or that take other trajectories."""
+    manifest = manifest_of(subject.resolver, srdf.path)
+    if manifest is None or manifest.ros != 2:
+        return
+    entries = list(controller_entries(srdf, subject.resolver))
+    defined: dict[str, list[Controller]] = {}
+    for controller in _defined(subject, srdf) if entries else ():
+        defined.setdefault(controller.name, []).append(controller)
+    served = {
+        joint for key, entry in entries if key.strip("/") in defined for joint in _joints(entry)
+    }
+    for key, entry in entries:
+        same = defined.get(key.strip("/"))
+        if same is None:
+            yield from _undefined(key, entry, served, defined)
+            continue
+        yield from _action(key, entry, same)
+        yield from _other_joints(key, entry, same)
+
+
+def _undefined(
+    key: Key, entry: dict[str, Node], served: set[str], defined: dict[str, list[Controller]]
+) -> Findings:
+    """A controller that is not defined, while another one commands its joints."""
+    joints = _joints(entry)
+    every = [one for several in defined.values() for one in several]
+    other = next((one for one in every if joints & _commanded(one)), None)
+    if other is not None and joints.isdisjoint(served):
+        yield Finding(
+            Location(key.span),
+            f"controller '{key}' is defined in no parameter file of ros2_control; "
+            f"'{other.name}' commands its joints",
+            f"write {other.name}, or define '{key}'",
+            related=(Related(other.type_at, f"controller '{other.name}'"),),
+        )
+
+
+def _other_joints(key: Key, entry: dict[str, Node], same: list[Controller]) -> Findings:
+    """A trajectory controller with other joints, which rejects each trajectory."""
+    joints = _joints(entry)
+    known = [one for one in same if one.type == _TRAJECTORY and _commanded(one)]
+    if (
+        not joints
+        or not known
+        or any(_commanded(one) >= joints for one in same if _is_partial(one))
+    ):
+        return
+    if any(_commanded(one) == joints or _is_open(one) for one in known):
+        return
+    own = _commanded(known[0])
+    differing = few([*sorted(joints - own), *sorted(own - joints)], 4)
+    yield Finding(
+        Location(key.span),
+        f"controller '{key}' has other joints here than in ros2_control: {differing}",
+        "list the same joints in both files",
+        related=(Related(known[0].type_at, f"controller '{key}'"),),
+    )
+
+
+def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Findings:
+    """A type or an action that the controller does not have."""
+    actions = {_ACTIONS.get(one.type) for one in same}
+    expected = actions.pop() if len(actions) == 1 else None
+    for name, right in zip(("type", "action_ns"), expected or (), strict=False):
+        value = entry.get(name)
+        if value is None:
+            message = f"controller '{key}' has no {name}"
+            yield Finding(Location(key.span), message, f"write {name}: {right}")
+        elif isinstance(value, Value) and value.text.strip("/") != right:
+            message = f"controller '{key}' ({same[0].type}) has no {name} '{value.text}'"
+            yield Finding(Location(value.span), message, f"write {right}")
+            return
+
+
+def _joints(entry: dict[str, Node]) -> set[str]:
+    joints = entry.get("joints")
+    listed = joints if isinstance(joints, list) else []
+    return {one.text for one in listed if isinstance(one, Value)}
+
+
+def _commanded(controller: Controller) -> set[str]:
+    return {value.text for value in controller.values(["joints", "joint"])}
+
+
+def _is_partial(controller: Controller) -> bool:
+    allowed = controller.section.values("allow_partial_joints_goal")
+    return any(value.text.lower() == "true" for value in allowed)
+
+
+def _is_open(controller: Controller) -> bool:
+    """True if what it commands is known at run time only."""
+    return any(mark in joint for joint in _commanded(controller) for mark in "$<{")
+
+
+def _defined(subject: Context, srdf: Srdf) -> Iterator[Controller]:
+    """The controllers of ROS 2 in the YAML files of the workspace of the robot and of the SRDF."""
+    resolver = subject.resolver
+    tops = {resolver.packages.workspace(path) for path in (subject.source.path, srdf.path)}
+    for top in sorted(tops):
+        files = resolver.directories.files_below(top, _MAX_DIRECTORIES)
+        named = (path for path in files if path.endswith((".yaml", ".yml")))
+        for path in islice(named, _MAX_FILES):
+            try:
+                source = resolver.read(path)
+            except UrdfkitError:
+                continue
+            if b"controller_manager" in source.data:
+                yield from (one for one in read(source) if one.ros == 2)

@@ -1,0 +1,62 @@
+"""A condition compares a boolean with the text 'true' or 'false', which it never equals.
+
+xacro turns the value of a property, of an argument and of a macro's parameter into a boolean if it
+is `true` or `false`. `${with_camera == 'true'}` is False whatever is passed, and the camera is
+never there; with `!=` it always is. Write `${with_camera}`, or `${not with_camera}`. Text that is
+quoted inside of the value (`value="'true'"`) stays text, and `'$(arg with_camera)' == 'true'`
+compares text with text.
+
+Sources:
+    xacro, __init__.py (get_boolean_value): https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
+    ros/xacro#145: https://github.com/ros/xacro/issues/145
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.robot.samples import xacro_xml
+from urdfkit.text.comments import blank_comments
+from urdfkit.text.source import Source, Span
+
+BAD = xacro_xml(
+    '<xacro:property name="camera" value="true"/>',
+    '<link name="base"/>',
+    "<xacro:if value=\"${camera == 'true'}\"><gazebo/></xacro:if>",
+)
+GOOD = BAD.replace("${camera == 'true'}", "${camera}")
+
+_CONDITION = rb"""<xacro:(?:if|unless)\s+value\s*=\s*"\s*\$\{([^{}"]*)\}\s*\""""
+_COMPARED = rb"""^[\s(]*([A-Za-z_]\w*)\s*(==|!=)\s*'(?:[Tt]rue|[Ff]alse)'[\s)]*$"""
+
+
+@rule(Severity.WARNING, needs=(Need.XACRO,), help="write ${NAME} or ${not NAME}")
+def check(context: Context) -> Findings:
+    for source in context.xacro.sources:
+        for name, operator, span in _compared(source):
+            if not _is_text(name, context):
+                result = "False" if operator == "==" else "True"
+                yield Finding(
+                    Location(span),
+                    f"'{span.text}' is always {result}: xacro makes a boolean of '{name}'",
+                )
+
+
+def _compared(source: Source) -> Iterator[tuple[str, str, Span]]:
+    """The names that conditions compare with texts for booleans, and the comparisons."""
+    if b"rue'" not in source.data and b"alse'" not in source.data:
+        return
+    for condition in re.finditer(_CONDITION, bytes(blank_comments(source.data))):
+        if found := re.match(_COMPARED, condition.group(1)):
+            place = Span(source, *condition.span(1))
+            yield found.group(1).decode(), found.group(2).decode(), place
+
+
+def _is_text(name: str, context: Context) -> bool:
+    """True if a name is given text in quotes, or by an expression with some, anywhere."""
+    given = rf"""\b{name}\s*:?=\s*"[^"]*'""".encode()
+    defined = rf"""name\s*=\s*"{name}"[^<>]*"[^"<>]*'""".encode()
+    texts = [source.data for source in context.xacro.sources]
+    return any(re.search(given, text) or re.search(defined, text) for text in texts)

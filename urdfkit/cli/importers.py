@@ -1,0 +1,295 @@
+"""``urdfkit importers``: what simulators and dynamics libraries make of a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import groupby
+from typing import Any
+
+import click
+
+from urdfkit.cli import gazebo, output
+from urdfkit.cli.decorators import in_formats, with_examples
+from urdfkit.cli.options import UsageError, words
+from urdfkit.cli.robot import check_options, one_robot, only_file, robot
+from urdfkit.core.words import counted
+from urdfkit.lint.context import Context
+from urdfkit.lint.engine import check
+from urdfkit.ros.importers.changes import changes
+from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS, ImporterFacts, UnknownImporter, chosen
+from urdfkit.ros.importers.imported import Imported
+from urdfkit.ros.importers.index_map import IndexMap, index_map
+from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.source import Span, shown
+
+VERSION = 1
+
+#: The rules about the graph of links and joints, for programs that are no target.
+STRUCTURE = ("JNT001", "NAM001", "REF001", "TRE")
+
+
+@with_examples(
+    "importers",
+    "urdfkit importers robot.urdf.xacro",
+    "urdfkit importers robot.urdf.xacro --for mujoco,pinocchio",
+    "urdfkit importers robot.urdf.xacro --map isaac:mujoco",
+)
+@one_robot
+@click.option("--for", "names", multiple=True, metavar="NAMES", help="Programs. [default: all]")
+@click.option("--map", "pair", metavar="FROM:TO", help="Indices of FROM in the order of TO.")
+@in_formats("text", "json", "csv")
+def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, form: str) -> int:
+    """Show what programs make of a robot: bodies, masses, order of joints.
+
+    NAMES are drake, gazebo, genesis, isaac (Isaac Lab, which merges fixed joints), isaac-sim (Isaac
+    Sim's importer, which does not), mujoco, newton, pinocchio, pybullet and yourdfpy. Errors that
+    a program stops at come first. Nothing of the programs need be installed.
+
+    Exit codes: 0 done, 2 the file cannot be read, or two programs have different joints.
+    """
+    asked_for = words({"for": names}, "for")
+    if pair is not None:
+        return _map(asked, asked_for, pair, form)
+    if form == "csv" and not asked_for:
+        raise UsageError("--format csv needs --for or --map")
+    if GAZEBO in asked_for:
+        if len(set(asked_for)) > 1 or form == "csv":
+            raise UsageError("--for gazebo stands alone, as text or JSON")
+        return gazebo.show(robot(asked), form, old=False)
+    facts = chosen(asked_for or IMPORTERS)
+    subject = robot(asked)
+    robots = [subject.imported(one.name) for one in facts]
+    if form == "csv":
+        output.write("".join(_csv(robots)))
+        return 0
+    errors = {one.name: _errors(asked, subject, one) for one in facts} if asked_for else {}
+    lines = _reports(robots, errors) if asked_for else _overview(robots)
+    output.json_or_page(form, _as_json(robots, errors), lines)
+    return 0
+
+
+def _map(asked: dict[str, Any], names: list[str], pair: str, form: str) -> int:
+    source, colon, target = pair.partition(":")
+    if names:
+        raise UsageError("--map names its programs itself; leave --for out")
+    if not (colon and source and target):
+        raise UsageError(f"--map {pair}: expected FROM:TO, such as isaac:mujoco")
+    if GAZEBO in (source, target):
+        raise UsageError(f"--map {pair}: gazebo finds joints by name, and has no order of them")
+    try:
+        chosen((source, target))
+    except UnknownImporter as error:
+        raise UsageError(f"--map {pair}: {error}") from error
+    subject = robot(asked)
+    found = index_map(subject.imported(source), subject.imported(target))
+    if form == "csv":
+        output.write("".join(_map_csv(found)))
+    else:
+        output.json_or_page(form, _map_as_json(found), [_map_line(found)])
+    return 0
+
+
+def _errors(asked: dict[str, Any], subject: Context, facts: ImporterFacts) -> list[Diagnostic]:
+    """The errors of a check for a program; those of the tree alone, if it is no target."""
+    options = check_options(asked, only_file(asked))
+    if facts.target:
+        options = options._replace(targets=(facts.target,))
+    else:
+        options = options._replace(select=STRUCTURE)
+    report = check(subject.source, options=options)
+    return [one for one in report.diagnostics if one.severity is Severity.ERROR]
+
+
+def _place(span: Span) -> str:
+    return f"{shown(span.source.path)}:{span.line}"
+
+
+def _overview(robots: list[Imported]) -> Iterator[str]:
+    """A row for each program, and then the orders that differ."""
+    model = robots[0].tree.model
+    yield f"{counted(len(model.links), 'link')}, {model.mass:g} kg, as programs import them:"
+    yield ""
+    rows = [(" program   ", f"{'bodies':>6} {'mass / kg':>10} {'DoF':>4}  order  root")]
+    orders: dict[tuple[str, ...], str] = {}
+    for one in robots:
+        order = tuple(joint.joint.name for joint in one.joints)
+        letter = orders.setdefault(order, _letter(len(orders)))
+        row = f"{len(_moving(one)):>6} {_total(one):>10} {_freedom(one):>4}  {letter:<5}  "
+        rows.append((f" {one.facts.name}", row + _root(one)))
+    yield from output.two_columns(rows)
+    yield ""
+    for order, letter in orders.items():
+        yield from output.indented(", ".join(order) or "no joints", f"{letter}: ", "   ")
+
+
+def _letter(number: int) -> str:
+    return chr(ord("A") + number)
+
+
+def _moving(one: Imported) -> list[str]:
+    """The bodies that are not the world."""
+    world = one.facts.merges_into_world
+    return [body.name for body in one.bodies if not (world and body.name == "world")]
+
+
+def _total(one: Imported) -> str:
+    masses = [body.mass for body in one.bodies if body.name in _moving(one)]
+    known = [mass for mass in masses if mass is not None]
+    return f"{sum(known):.4g}" if len(known) == len(masses) else "?"
+
+
+def _kilograms(one: Imported) -> str:
+    total = _total(one)
+    return "of unknown mass" if total == "?" else f"{total} kg"
+
+
+def _freedom(one: Imported) -> int:
+    return sum(joint.nv for joint in one.joints)
+
+
+def _root(one: Imported) -> str:
+    if one.root_is_free is None:
+        return "welded or free"
+    return "free" if one.root_is_free else "welded"
+
+
+def _reports(robots: list[Imported], errors: dict[str, list[Diagnostic]]) -> Iterator[str]:
+    for number, one in enumerate(robots):
+        if number:
+            yield ""
+        yield from _report(one, errors[one.facts.name])
+
+
+def _report(one: Imported, errors: list[Diagnostic]) -> Iterator[str]:
+    facts = one.facts
+    if errors:
+        flag = f" --target {facts.target}" if facts.target else ""
+        yield f"{facts.title} may reject this robot: 'urdfkit check{flag}' reports"
+        for error in errors:
+            text = f"{_place(error.span)}: {error.message} ({error.code})"
+            yield from output.indented(text)
+        yield "Without these errors:"
+        yield ""
+    number = len(_moving(one))
+    yield from output.wrapped(
+        f"{facts.title}: {counted(len(one.tree.model.links), 'link')} become "
+        f"{number} {'body' if number == 1 else 'bodies'}, {_kilograms(one)}; {_about_root(one)}"
+    )
+    yield from _changes(one)
+    yield ""
+    yield from _joints(one)
+
+
+def _about_root(one: Imported) -> str:
+    how = one.facts.about_root
+    what = "the root is " + ("welded to the world" if one.root_is_free is False else "free")
+    if one.root_is_free is None:
+        return how
+    return f"{what} ({how})" if how else what
+
+
+def _changes(one: Imported) -> Iterator[str]:
+    """The changes, below the file that they are in."""
+    for path, group in groupby(changes(one), key=lambda change: change.at.span.source.path):
+        yield ""
+        yield shown(path)
+        for change in group:
+            yield from output.indented(change.text, f"  {change.at.span.line:>4}  ", " " * 8)
+
+
+def _joints(one: Imported) -> Iterator[str]:
+    rows = [("    q    v  joint", "  type")]
+    rows += (
+        (f"{joint.q:>5}{joint.v:>5}  {', '.join(joint.names)}", f"  {joint.joint.kind}")
+        for joint in one.joints
+    )
+    yield from output.two_columns(rows if one.joints else [("no joint moves", "")])
+
+
+def _as_json(robots: list[Imported], errors: dict[str, list[Diagnostic]]) -> dict[str, Any]:
+    return {
+        "version": VERSION,
+        "importers": [_robot_as_json(one, errors.get(one.facts.name)) for one in robots],
+    }
+
+
+def _robot_as_json(one: Imported, errors: list[Diagnostic] | None) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "name": one.facts.name,
+        "title": one.facts.title,
+        "root": _root(one),
+        "bodies": [
+            {"name": body.name, "mass": body.mass, "links": [link.name for link in body.links]}
+            for body in one.bodies
+        ],
+        "joints": [
+            {
+                "name": joint.joint.name,
+                "names": list(joint.names),
+                "type": joint.joint.kind,
+                "q": joint.q,
+                "nq": joint.nq,
+                "v": joint.v,
+                "nv": joint.nv,
+                **_placed(joint.joint.at.span),
+            }
+            for joint in one.joints
+        ],
+        "changes": [{"text": change.text, **_placed(change.at.span)} for change in changes(one)],
+    }
+    if errors is not None:
+        found["errors"] = [
+            {"code": error.code, "message": error.message, **_placed(error.span)}
+            for error in errors
+        ]
+    return found
+
+
+def _placed(span: Span) -> dict[str, Any]:
+    return {"file": shown(span.source.path), "line": span.line}
+
+
+def _csv(robots: list[Imported]) -> Iterator[str]:
+    from csv import writer
+    from io import StringIO
+
+    text = StringIO()
+    rows = writer(text, lineterminator="\n")
+    rows.writerow(["importer", "joint", "type", "q", "nq", "v", "nv", "file", "line"])
+    for one in robots:
+        for joint in one.joints:
+            at = joint.joint.at.span
+            place = shown(at.source.path), at.line
+            kind = joint.joint.kind
+            numbers = joint.q, joint.nq, joint.v, joint.nv
+            rows.writerow([one.facts.name, joint.joint.name, kind, *numbers, *place])
+    yield text.getvalue()
+
+
+def _map_csv(found: IndexMap) -> Iterator[str]:
+    from csv import writer
+    from io import StringIO
+
+    text = StringIO()
+    rows = writer(text, lineterminator="\n")
+    rows.writerow(["joint", found.target, found.source])
+    for index, (joint, place) in enumerate(zip(found.joints, found.indices, strict=True)):
+        rows.writerow([joint.joint.name, index, place])
+    yield text.getvalue()
+
+
+def _map_line(found: IndexMap) -> str:
+    """One line to paste into Python."""
+    source, target = found.source.replace("-", "_"), found.target.replace("-", "_")
+    name = f"{source}_to_{target}"
+    return f"{name} = {list(found.indices)}  # q_{target} = q_{source}[{name}]"
+
+
+def _map_as_json(found: IndexMap) -> dict[str, Any]:
+    return {
+        "version": VERSION,
+        "from": found.source,
+        "to": found.target,
+        "joints": [joint.joint.name for joint in found.joints],
+        "indices": list(found.indices),
+    }

@@ -1,0 +1,81 @@
+"""The topics in Gazebo on which the sensors and systems of a robot publish, or which they read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.ros.catalog import data
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.document import Element
+
+
+class GazeboTopic(Record):
+    """A topic of a robot.
+
+    Attributes:
+        who: for messages.
+        message: of Gazebo, such as ``LaserScan``.
+        name: without slashes around it; ``*`` stands for the names of the world and the robot.
+        is_read: True if the robot reads it, as it does with commands.
+        is_default: True if the description does not name it.
+        is_system: True for that of a plugin.
+    """
+
+    who: str
+    message: str
+    name: str
+    is_read: bool = False
+    is_default: bool = False
+    is_system: bool = False
+
+    def is_called(self, name: str) -> bool:
+        """True if it has this name, which may have slashes around it."""
+        return fnmatchcase(name.strip("/"), self.name)
+
+
+def topics(model: RobotModel) -> Iterator[GazeboTopic]:
+    """The topics of the sensors and systems of a robot that are catalogued."""
+    for sensor in sensors(model):
+        yield from _of_sensor(sensor)
+    for gazebo in model.gazebo:
+        for plugin in gazebo.all("plugin"):
+            yield from _of_plugin(plugin)
+
+
+def _of_sensor(sensor: Sensor) -> Iterator[GazeboTopic]:
+    written = sensor.find("topic")
+    topic = written.text.strip().strip("/") if written else ""
+    is_default = not topic
+    topic = topic or f"world/*/sensor/{sensor.name}/*"
+    for entry in _entries("sensors", sensor.type):
+        message, _, path = entry.partition(" ")
+        above = topic.rpartition("/")[0]
+        start = ".." if path.startswith("..") else "."
+        name = path.replace(start, above if start == ".." else topic, 1)
+        info = sensor.find("camera/camera_info_topic")
+        if message == "CameraInfo" and info is not None:
+            name = info.text.strip()
+        name = topic if is_default else name.strip("/")
+        yield GazeboTopic(sensor.who, message, name, is_default=is_default)
+
+
+def _of_plugin(plugin: Element) -> Iterator[GazeboTopic]:
+    file = (plugin.get("filename") or "").strip().removeprefix("lib").removesuffix(".so")
+    for entry in _entries("plugins", file):
+        message, parameter, default = entry.split()
+        written = plugin.child(parameter[1:])
+        name = (written.text if written is not None else "").strip().strip("/")
+        who = f"plugin '{plugin.get('name')}'"
+        is_read = parameter.startswith("<")
+        default = default.strip("/")
+        yield GazeboTopic(who, message, name or default, is_read, not name, is_system=True)
+
+
+def _entries(section: str, key: str) -> list[str]:
+    return [entry for entry in data("bridge")[section].get(key, "").split(", ") if entry]

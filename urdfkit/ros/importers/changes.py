@@ -1,0 +1,103 @@
+"""What a program changes of a robot when it imports it, each at its element, for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.ros.importers.imported import WORLD
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import Joint, Link
+    from urdfkit.ros.importers.imported import Imported, ImportedBody
+    from urdfkit.text.document import Element
+
+
+class Change(Record):
+    """Something that a program makes of an element.
+
+    Attributes:
+        at: the element of the URDF.
+        text: what, in a few words.
+    """
+
+    at: Element
+    text: str
+
+
+def changes(robot: Imported) -> Iterator[Change]:
+    """What is not as it is written: bodies, then masses, shapes, joints."""
+    for body in robot.bodies:
+        yield from _merged(body)
+    for body in robot.bodies:
+        if body.name != WORLD or not robot.facts.merges_into_world:
+            yield from _masses(robot, body)
+    yield from _tensors(robot)
+    yield from _visuals(robot)
+    for joint in robot.tree.model.joints:
+        yield from _joint(robot, joint)
+
+
+def _merged(body: ImportedBody) -> Iterator[Change]:
+    for link in body.links:
+        if link.name == body.name:
+            continue
+        lost = f"; its {link.mass:g} kg have no effect" if body.name == WORLD and link.mass else ""
+        yield Change(link.at, f"link '{link.name}' is merged into {body.name}{lost}")
+
+
+def _masses(robot: Imported, body: ImportedBody) -> Iterator[Change]:
+    facts = robot.facts
+    if body.mass is None and facts.massless:
+        yield Change(body.links[0].at, f"link '{body.name}' has no mass: {facts.massless}")
+        return
+    for link in body.links:
+        found = robot.properties_of(link)
+        if found is not None:
+            yield from _mass(robot, link, found.mass)
+        elif not facts.massless:
+            how = "no <inertial>: its mass is that of meshes that are not measured here"
+            yield Change(link.at, f"link '{link.name}' has {how}")
+
+
+def _mass(robot: Imported, link: Link, mass: float) -> Iterator[Change]:
+    if abs(mass - link.mass) <= _ROUNDING * max(mass, link.mass):
+        return
+    is_computed = bool(robot.facts.density and link.collisions)
+    how = "from its collision shapes" if is_computed else "by default"
+    written = "no <inertial>" if link.inertial is None else f"{link.mass:g} kg"
+    at = (link.inertial or link).at
+    yield Change(at, f"link '{link.name}' with {written} gets {mass:.4g} kg {how}")
+
+
+#: Masses that differ by no more are the same.
+_ROUNDING = 1e-9
+
+
+def _tensors(robot: Imported) -> Iterator[Change]:
+    written = [link.inertial for link in robot.tree.model.links if link.inertial]
+    if robot.facts.ignores_tensors and written:
+        how = "each comes from the collision shapes"
+        yield Change(written[0].at, f"tensors are not read: {len(written)} in all; {how}")
+
+
+def _visuals(robot: Imported) -> Iterator[Change]:
+    visuals = [visual for link in robot.tree.model.links for visual in link.visuals]
+    if robot.drops_visuals and visuals:
+        yield Change(visuals[0].at, f"visuals are not loaded: {len(visuals)} in all")
+
+
+def _joint(robot: Imported, joint: Joint) -> Iterator[Change]:
+    facts, name = robot.facts, f"joint '{joint.name}'"
+    if joint.kind in facts.unknown_types:
+        yield Change(joint.at, f"{name} is {joint.kind}, which {facts.name} rejects")
+    elif joint.kind in facts.coordinates and facts.coordinates_of(joint.kind) == (0, 0):
+        yield Change(joint.at, f"{name} is {joint.kind}, and becomes fixed")
+    if joint.kind in facts.suffixes:
+        parts = ", ".join(joint.name + end for end in facts.suffixes[joint.kind])
+        yield Change(joint.at, f"{name} becomes {parts}")
+    if joint.mimic and joint.mimic.joint:
+        yield Change(
+            joint.mimic.at, f"{name} mimics '{joint.mimic.joint.value}': {facts.about_mimic}"
+        )

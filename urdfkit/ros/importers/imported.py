@@ -1,0 +1,163 @@
+"""A robot as a program has it after it has read the URDF."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import ORIGIN, Transform
+from urdfkit.robot.inertia import ZERO, MassProperties, combined, scaled
+from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
+from urdfkit.ros.importers.orders import ordered
+from urdfkit.ros.mujoco import compiler_of
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import Joint, Link
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.importers.facts import ImporterFacts
+
+#: The mass properties of the collision shapes of a link at 1 kg/m³, in the frame of the link; None
+#: if they are not known. The other argument is the fact ``mesh_volume``.
+Solid = Callable[["Link", str], "MassProperties | None"]
+
+#: The name of the world, in every program.
+WORLD = "world"
+
+
+class ImportedJoint(Record):
+    """A joint as a program has it.
+
+    Attributes:
+        joint: of the URDF.
+        names: of the joints that it becomes; one, but for those with several axes.
+        q, nq: the first of its positions, and how many they are.
+        v, nv: the same of its velocities.
+    """
+
+    joint: Joint
+    names: tuple[str, ...]
+    q: int
+    nq: int
+    v: int
+    nv: int
+
+
+class ImportedBody(Record):
+    """A body as a program has it.
+
+    Attributes:
+        name: of the body; ``world`` for what has become part of the world.
+        links: of the URDF, that it is made of, the topmost first.
+        properties: in the frame of the first link; None if they are not known here.
+    """
+
+    name: str
+    links: tuple[Link, ...]
+    properties: MassProperties | None
+
+    @property
+    def mass(self) -> float | None:
+        """In kg."""
+        return None if self.properties is None else self.properties.mass
+
+
+def dense(unit: MassProperties, density: float) -> MassProperties:
+    """A solid that is given with 1 kg/m³, with a density in kg/m³."""
+    return MassProperties(unit.mass * density, unit.center, scaled(unit.tensor, density))
+
+
+class Imported:
+    """A robot after the import by one program, with its default settings.
+
+    Args:
+        tree: of the robot.
+        facts: of the program.
+        solid: measures the collision shapes of a link.
+
+    Attributes:
+        tree, facts: the same.
+        merges_fixed: True if links at fixed joints are merged.
+        drops_visuals: True if visuals are not loaded.
+    """
+
+    def __init__(self, tree: KinematicTree, facts: ImporterFacts, solid: Solid) -> None:
+        self.tree = tree
+        self.facts = facts
+        self._solid = solid
+        compiler = compiler_of(tree.model) if facts.reads_compiler else None
+        self._compiler = compiler
+        self.merges_fixed = facts.merges_fixed if compiler is None else compiler.fuses_static
+        self.drops_visuals = facts.drops_visuals if compiler is None else compiler.drops_visuals
+
+    @property
+    def root_is_free(self) -> bool | None:
+        """True if the root moves; None if the user decides."""
+        if self.facts.root == "asked":
+            return None
+        root = next(iter(self.tree.roots), None)
+        if self.facts.root == "welded" or root is None or root.name == WORLD:
+            return False
+        if not self.facts.massless_root_is_welded:
+            return True
+        own = self.properties_of(root)
+        return own is None or own.mass != 0
+
+    @cached_property
+    def joints(self) -> tuple[ImportedJoint, ...]:
+        """The joints that have coordinates, in the program's order.
+
+        Their coordinates are counted after those of a free root.
+        """
+        facts = self.facts
+        order = ordered(self.tree, facts.walk, facts.siblings, merged=self.merges_fixed)
+        is_counted = self.root_is_free or facts.numbers_root
+        q, v = facts.root_coordinates if is_counted else (0, 0)
+        found: list[ImportedJoint] = []
+        for joint in order:
+            nq, nv = facts.coordinates_of(joint.kind)
+            if nv and not (facts.skips_mimic and joint.mimic):
+                names = (joint.name + end for end in facts.suffixes.get(joint.kind, ("",)))
+                found.append(ImportedJoint(joint, tuple(names), q, nq, v, nv))
+                q, v = q + nq, v + nv
+        return tuple(found)
+
+    @cached_property
+    def bodies(self) -> tuple[ImportedBody, ...]:
+        """The bodies, parents before their children; the world only if links are part of it."""
+        return tuple(map(self._body, self._groups))
+
+    @cached_property
+    def _groups(self) -> tuple[RigidBody, ...]:
+        fixed = frozenset(joint.name for joint in self.tree.model.joints)
+        return rigid_bodies(self.tree, frozenset() if self.merges_fixed else fixed)
+
+    def _body(self, group: RigidBody) -> ImportedBody:
+        links = tuple(link for link, _ in group.links)
+        if group.joint is None and self.facts.merges_into_world and self.merges_fixed:
+            return ImportedBody(WORLD, links, None)
+        own = [(self.properties_of(link), frame) for link, frame in group.links]
+        parts = [part.moved(frame) for part, frame in own if part is not None]
+        # What a program computes later it computes for bodies: one part with a mass is enough.
+        is_known = len(parts) == len(own) or bool(parts and self.facts.massless)
+        return ImportedBody(group.top.name, links, combined(parts) if is_known else None)
+
+    def properties_of(self, link: Link) -> MassProperties | None:
+        """Of one link in its own frame, before anything is merged; None if they are not known."""
+        facts, compiler = self.facts, self._compiler
+        from_shapes = compiler.inertia_from_geometry if compiler else False
+        found: MassProperties | None
+        if link.inertial is not None and not from_shapes:
+            found = properties_of(link, Transform())
+        elif facts.default_mass:
+            mass = 0.0 if link.name == WORLD else facts.default_mass
+            found = MassProperties(mass, ORIGIN, ZERO)
+        elif facts.massless:
+            found = None
+        elif facts.density and link.collisions:
+            unit = self._solid(link, facts.mesh_volume)
+            found = None if unit is None else dense(unit, facts.density)
+        else:
+            found = properties_of(link, Transform())
+        return compiler.bounded(found) if compiler and found else found

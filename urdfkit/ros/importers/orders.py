@@ -1,0 +1,96 @@
+"""The orders in which programs number the joints of a URDF."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import Joint
+    from urdfkit.robot.tree import KinematicTree
+
+#: Takes a link, and returns the joints below it.
+Below = Callable[[str], Iterable["Joint"]]
+
+
+def ordered(tree: KinematicTree, walk: str, siblings: str, *, merged: bool) -> list[Joint]:
+    """The joints of a robot, fixed ones included, in the order of a program.
+
+    Args:
+        tree: of the robot; what no root leads to is left out.
+        walk: ``depth``, ``breadth`` or ``file``.
+        siblings: ``file``, ``joint`` or ``link``.
+        merged: True if fixed joints are merged before the walk. That changes an order by breadth:
+            what is below a fixed joint is one level higher then.
+    """
+    if walk == "file":
+        return list(tree.model.joints)
+    sort = _sorter(tree, siblings)
+    if walk == "breadth":
+        below = _without_fixed(tree, sort) if merged else lambda link: sort(tree.children[link])
+        found = _breadth_first(tree, below)
+        return found + [joint for joint in tree.spanning if joint.kind == "fixed" and merged]
+    return _depth_first(tree, lambda link: sort(tree.children[link]))
+
+
+def _sorter(tree: KinematicTree, siblings: str) -> Callable[[Iterable[Joint]], list[Joint]]:
+    """Orders the joints below one link; those of a model are in the order of the document."""
+    if siblings == "joint":
+        return lambda joints: sorted(joints, key=lambda joint: joint.name)
+    if siblings == "link":
+        place = {name: index for index, name in enumerate(tree.model.links_by_name)}
+        return lambda joints: sorted(joints, key=lambda joint: place[_child(joint)])
+    place = {joint.name: index for index, joint in enumerate(tree.model.joints)}
+    return lambda joints: sorted(joints, key=lambda joint: place[joint.name])
+
+
+def _child(joint: Joint) -> str:
+    assert joint.child is not None  # a joint without one is not in the tree
+    return joint.child.value
+
+
+def _depth_first(tree: KinematicTree, below: Below) -> list[Joint]:
+    found: list[Joint] = []
+    seen = {root.name for root in tree.roots}
+    for root in tree.roots:
+        stack = list(reversed(list(below(root.name))))
+        while stack:
+            joint = stack.pop()
+            if _child(joint) not in seen:
+                seen.add(_child(joint))
+                found.append(joint)
+                stack += reversed(list(below(_child(joint))))
+    return found
+
+
+def _breadth_first(tree: KinematicTree, below: Below) -> list[Joint]:
+    found: list[Joint] = []
+    seen = {root.name for root in tree.roots}
+    queue = deque(root.name for root in tree.roots)
+    while queue:
+        for joint in below(queue.popleft()):
+            if _child(joint) not in seen:
+                seen.add(_child(joint))
+                found.append(joint)
+                queue.append(_child(joint))
+    return found
+
+
+def _without_fixed(tree: KinematicTree, sort: Callable[[Iterable[Joint]], list[Joint]]) -> Below:
+    """The moving joints below a link and all that is fixed to it."""
+
+    def below(link: str) -> list[Joint]:
+        moving: list[Joint] = []
+        seen = {link}
+        group = [link]
+        for name in group:  # grows while it is walked
+            for joint in tree.children[name]:
+                if joint.kind != "fixed":
+                    moving.append(joint)
+                elif _child(joint) not in seen:
+                    seen.add(_child(joint))
+                    group.append(_child(joint))
+        return sort(moving)
+
+    return below

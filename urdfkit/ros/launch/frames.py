@@ -1,0 +1,101 @@
+"""The frames that files of a launch file name: parameters of nodes, and RViz's configuration."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
+from urdfkit.text.located_yaml import Key, Node, Value, load
+
+if TYPE_CHECKING:
+    from urdfkit.ros.launch.contents import Launch
+    from urdfkit.text.source import Source, Span
+    from urdfkit.workspace.resolve import Resolver
+
+#: Parameters that name a frame of the robot: of robot_localization, Nav2, slam_toolbox, AMCL and
+#: the controllers of wheels.
+_OF_ROBOT = ("base_link_frame", "robot_base_frame", "base_frame", "base_frame_id", "sensor_frame")
+_PARAMETERS = "ros__parameters"
+#: In a value that is known at run time only.
+_OPEN = ("$", "<", "{")
+
+
+class NamedFrame(Record):
+    """A frame that a file names.
+
+    Attributes:
+        name: of the frame, without a slash before it.
+        who: what names it, for messages.
+        key: of the parameter; empty for RViz.
+        span: of the name.
+        named_at: where the launch file names the file.
+    """
+
+    name: str
+    who: str
+    key: str
+    span: Span
+    named_at: Span
+
+
+def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
+    """The frames of the robot that the files of a launch file name."""
+    seen: set[str] = set()
+    for file in launch.files:
+        if not file.exists or file.path in seen:
+            continue
+        seen.add(file.path)
+        if file.path.endswith((".yaml", ".yml")):
+            found = _of_parameters
+        elif file.path.endswith(".rviz"):
+            found = _of_rviz
+        else:
+            continue
+        try:
+            source = resolver.read(file.path)
+        except UnreadableFile:
+            continue
+        for who, key, value in found(source):
+            name = value.text.strip().lstrip("/")
+            if name and not any(mark in name for mark in _OPEN):
+                yield NamedFrame(name, who, key, value.span, file.span)
+
+
+def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
+    """The frames in the parameters of nodes in ROS 2."""
+    if not any(key.encode() in source.data for key in _OF_ROBOT):
+        return
+    stack: list[tuple[Node, bool]] = [(load(source), False)]
+    while stack:
+        node, is_inside = stack.pop()
+        for key, value in node.items() if isinstance(node, dict) else ():
+            if is_inside and key in _OF_ROBOT and isinstance(value, Value):
+                yield key, key, value
+            elif isinstance(value, dict) and isinstance(key, Key):
+                stack.append((value, is_inside or key == _PARAMETERS))
+
+
+def _of_rviz(source: Source) -> Iterator[tuple[str, str, Value]]:
+    """The frames in a configuration of RViz: the fixed one, and those of displays that are on."""
+    root = load(source)
+    manager = root.get("Visualization Manager") if isinstance(root, dict) else None
+    if not isinstance(manager, dict):
+        return
+    options = manager.get("Global Options")
+    fixed = options.get("Fixed Frame") if isinstance(options, dict) else None
+    if isinstance(fixed, Value):
+        yield "Fixed Frame of RViz", "", fixed
+    displays = manager.get("Displays")
+    stack: list[Node] = list(displays) if isinstance(displays, list) else []
+    while stack:
+        display = stack.pop()
+        if not isinstance(display, dict):
+            continue
+        frame, enabled = display.get("Reference Frame"), display.get("Enabled")
+        is_on = not isinstance(enabled, Value) or enabled.text.lower() == "true"
+        if is_on and isinstance(frame, Value):
+            yield "display of RViz", "", frame
+        inner = display.get("Displays")
+        stack += inner if is_on and isinstance(inner, list) else []
