@@ -38,6 +38,9 @@ def generate_launch_description():
                         get_package_share_directory("ros_gz_sim"), "launch", "gz_sim.launch.py"
                     )
                 ),
+                launch_arguments={
+                    "gz_args": "-r " + os.path.join(share, "worlds", "yard.sdf")
+                }.items(),
             ),
             Node(
                 package="ros_gz_sim",
