@@ -15,8 +15,8 @@ pytestmark = needs_corpus
 FILES = sorted(
     file for ending in ("*.launch", "*.launch.py", "*.launch.xml") for file in CORPUS.rglob(ending)
 )
-#: Configurations of RViz and worlds that the corpus leaves out, and an argument that husky's launch file has
-#: lost.
+#: Configurations of RViz and worlds that the corpus leaves out, and an argument that husky's launch
+#: file has lost.
 FOUND: dict[str, dict[str, int]] = {
     "anymal_c_simple_description/launch/standalone.launch": {"LAU003": 1},
     "gazebo_ros_demos/rrbot_description/launch/rrbot_rviz.launch": {"LAU003": 1},
