@@ -19,7 +19,7 @@ Call Comparison Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Options 
 RobotModel
 Rule Severity Source Span Context Tolerances UnreadableRobot UrdfkitError Xacro all_rules bundle
 check collisions compare convert expand find_rule fix format_files frames load mass_properties pose
-read report stand statics summarise to_yourdfpy transform
+read report simulate stand statics summarise to_yourdfpy transform
 """.split()
 
 SIGNATURES = {

@@ -54,6 +54,7 @@ __all__ = [
     "pose",
     "read",
     "report",
+    "simulate",
     "stand",
     "statics",
     "summarise",
@@ -83,6 +84,7 @@ if TYPE_CHECKING:
     from urdfkit.output.mass_table import mass_properties
     from urdfkit.output.overview import summarise
     from urdfkit.output.report.writing import report
+    from urdfkit.output.simulation import simulate
     from urdfkit.physics.collision.sampling import collisions
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.physics.dynamics.statics import statics
@@ -99,6 +101,7 @@ _HOMES = {
     "output.bundle.writing": "bundle",
     "output.comparison": "Comparison compare",
     "output.conversion": "convert",
+    "output.simulation": "simulate",
     "text.diagnostic": "Call Confidence Diagnostic Edit Fix Related Severity",
     "output.comparison.differences": "Tolerances",
     "physics.dynamics.robot": "Dynamics",

@@ -29,7 +29,10 @@ if TYPE_CHECKING:
 
 #: Commands that run in a process of their own, with limits (`urdfkit.cli.own_process`).
 COMPUTING = frozenset(
-    "bundle collisions convert diff inertia info kinematics mass mesh render report statics".split()
+    (
+        "bundle collisions convert diff inertia info kinematics mass mesh render report simulate "
+        "statics"
+    ).split()
 )
 
 

@@ -24,6 +24,7 @@ SECTIONS = {
         "inertia",
         "statics",
         "collisions",
+        "simulate",
         "importers",
         "gazebo",
         "diff",

@@ -39,7 +39,7 @@ STRUCTURE = ("JNT001", "NAM001", "REF001", "TRE")
 @click.option("--map", "pair", metavar="FROM:TO", help="Indices of FROM in the order of TO.")
 @in_formats("text", "json", "csv")
 def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, form: str) -> int:
-    """Show what programs make of a robot: bodies, masses, order of joints.
+    """Show what simulators make of a robot.
 
     NAMES are drake, gazebo, genesis, isaac (Isaac Lab, which merges fixed joints), isaac-sim (Isaac
     Sim's importer, which does not), mujoco, newton, pinocchio, pybullet and yourdfpy. Errors that

@@ -103,7 +103,7 @@ def staged(
         _put_back(old, out)  # after a kill
         _empty(workshop)
         _require_free(out, mark, force=force)
-        _write(files, made)
+        write_files(files, made)
         yield made
         try:
             if _is_zip(out):
@@ -155,7 +155,8 @@ def _require_free(out: str, mark: str, *, force: bool) -> None:
         raise UnwritableFile(f"{out}: exists; --force replaces it")
 
 
-def _write(files: Iterable[BundledFile], directory: str) -> None:
+def write_files(files: Iterable[BundledFile], directory: str) -> None:
+    """Write files below a directory."""
     for file in files:
         path = os.path.join(directory, *file.path.split("/"))
         os.makedirs(os.path.dirname(path), exist_ok=True)

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from itertools import chain, count
 from typing import Any
 
 import mujoco
 import numpy as np
 
-from urdfkit.core.spatial import Rotation, Transform
+from urdfkit.core.spatial import Rotation, Transform, vector
 from urdfkit.errors import UrdfkitError
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.kinematics import direction, laws
-from urdfkit.robot.model import Body, Inertial, Joint, Link, Shape
-from urdfkit.robot.rigid_bodies import properties_of
+from urdfkit.robot.model import Body, Inertial, Joint, Link, Shape, Tensor
+from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 
 #: The least range that MuJoCo accepts of a joint, in rad or m.
@@ -41,6 +43,7 @@ class MjcfRobot:
     Attributes:
         spec: MuJoCo's.
         bodies: of the links, by name.
+        excluded: pairs of links that do not collide.
         losses: what became of each part.
 
     Args:
@@ -58,10 +61,13 @@ class MjcfRobot:
     ) -> None:
         self.losses = LossTable()
         self.bodies: dict[str, Any] = {}
+        self.excluded: set[frozenset[str]] = set()
         self._files = files
         self._colours = Colours(tree.model)
+        self._inertials = dict(_inertials(tree))
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
         self._materials: dict[str, str] = {}
+        self._names: set[str] = set()
         self.spec = _empty(tree.model.name, directory)
         self._build(tree, is_free)
         self._couple(tree)
@@ -165,15 +171,19 @@ class MjcfRobot:
             self._geom(body, geometry, is_visual=False)
 
     def _inertial(self, body: Any, link: Link, inertial: Inertial) -> None:
-        found = properties_of(link, Transform())
-        xx, xy, xz, yy, yz, zz = found.tensor
-        body.explicitinertial = True
-        body.mass, body.ipos, body.iquat = found.mass, found.center, (1.0, 0.0, 0.0, 0.0)
-        body.fullinertia = (xx, yy, zz, xy, xz, yz)
-        self.losses.keep(inertial.at, "inertial")
+        what = "inertial"
+        if link.name in self._inertials:
+            found = self._inertials[link.name]
+            moments, axes = _principal(found.tensor)
+            body.explicitinertial = True
+            body.mass, body.ipos, body.inertia = found.mass, found.center, moments
+            body.iquat = quaternion(axes)
+        else:
+            what = "part of the inertial of the link that it is fixed to"
+        self.losses.keep(inertial.at, what)
         for child in inertial.at.children:
             if child.tag in ("mass", "inertia", "origin"):
-                self.losses.keep(child, "inertial")
+                self.losses.keep(child, what)
 
     def _geom(self, body: Any, geometry: Body, *, is_visual: bool) -> None:
         shape = geometry.shape
@@ -227,6 +237,13 @@ class MjcfRobot:
             self.losses.keep(material.at.child("color"), "rgba")
         self.losses.lose(material.at.child("texture"), "textures are not converted")
 
+    def free_name(self, name: str) -> str:
+        """A name for a device: the same, or with a number if it is taken."""
+        numbered = (f"{name}_{number}" for number in count(2))
+        free = next(one for one in chain((name,), numbered) if one not in self._names)
+        self._names.add(free)
+        return free
+
     def _couple(self, tree: KinematicTree) -> None:
         """Equalities for what follows another joint."""
         known = laws(tree.model.joints_by_name)
@@ -246,6 +263,38 @@ class MjcfRobot:
             )
             made.data[:5] = (shift, factor, 0.0, 0.0, 0.0)
             self.losses.keep(mimic.at, "equality")
+
+
+def _inertials(tree: KinematicTree) -> Iterator[tuple[str, MassProperties]]:
+    """The inertia of each body, about its own frame.
+
+    MuJoCo rejects a tensor that no body has, of a fixed link, too. What is fixed together then
+    has its inertia at its top, where the sum counts.
+    """
+    for group in rigid_bodies(tree):
+        own = {link.name: properties_of(link, Transform()) for link, _ in group.links}
+        top, has_sound_top = group.top.name, _is_physical(own[group.top.name].tensor)
+        summed = [properties_of(group.top, Transform())]
+        for link, frame in group.links[1:]:
+            if has_sound_top and _is_physical(own[link.name].tensor):
+                yield link.name, own[link.name]
+            else:
+                summed.append(properties_of(link, frame))
+        yield top, combined(summed) if len(summed) > 1 else own[top]
+
+
+def _is_physical(tensor: Tensor) -> bool:
+    least, middle, most = principal_moments(tensor)
+    return least >= 0 and least + middle >= most
+
+
+def _principal(tensor: Tensor) -> tuple[Any, Rotation]:
+    """The principal moments, and their axes as a rotation."""
+    xx, xy, xz, yy, yz, zz = tensor
+    moments, axes = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    axes[:, 0] *= np.sign(np.linalg.det(axes))
+    first, second, third = (vector(row) for row in axes)
+    return moments, (first, second, third)
 
 
 def _empty(name: str, directory: str) -> Any:

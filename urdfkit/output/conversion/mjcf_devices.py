@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import atan, degrees, tan
 from typing import Any
 
@@ -36,12 +36,11 @@ _FORCE_TORQUE = (("force", _SENSOR.mjSENS_FORCE), ("torque", _SENSOR.mjSENS_TORQ
 
 
 def add_devices(made: MjcfRobot, robot: Context) -> None:
-    """Add friction, actuators, sensors, cameras and exclusions to a robot."""
+    """Add friction, actuators, sensors and cameras to a robot."""
     _frictions(made, robot)
     _actuators(made, robot)
     for sensor in sensors(robot.model):
         _sensor(made, robot, sensor)
-    _exclusions(made, robot)
 
 
 def _frictions(made: MjcfRobot, robot: Context) -> None:
@@ -134,7 +133,7 @@ def _measured(
     made: MjcfRobot, sensor: Sensor, body: Any, at: Transform, kinds: tuple[tuple[str, Any], ...]
 ) -> None:
     """A site where a sensor is, and what it measures there."""
-    name = sensor.name or sensor.reference
+    name = made.free_name(sensor.name or sensor.reference)
     body.add_site(name=name, pos=at.position, quat=quaternion(at.rotation))
     for what, kind in kinds:
         made.spec.add_sensor(
@@ -150,7 +149,7 @@ def _camera(made: MjcfRobot, sensor: Sensor, body: Any) -> None:
     wide = sensor.number("camera/horizontal_fov")
     width, height = sensor.number("camera/image/width"), sensor.number("camera/image/height")
     camera = body.add_camera(
-        name=sensor.name or sensor.reference,
+        name=made.free_name(sensor.name or sensor.reference),
         pos=at.position,
         quat=quaternion(multiply(at.rotation, _CAMERA)),
     )
@@ -176,17 +175,24 @@ def _pose(sensor: Element) -> Transform:
     return Transform(from_rpy(*rpy), (x, y, z))
 
 
-def _exclusions(made: MjcfRobot, robot: Context) -> None:
-    """Pairs of links that the SRDF disables, and those with a joint between them.
+def exclude_neighbours(made: MjcfRobot, robot: Context) -> None:
+    """Exclude pairs of links with a joint between them.
 
-    MuJoCo leaves out the latter itself, but not where the parent is welded to the world.
+    MuJoCo does so itself, but not where the parent is welded to the world.
     """
     moving = (joint for joint in robot.model.joints if joint.kind != "fixed")
-    pairs = {frozenset(robot.tree.ends(joint) or ()) for joint in moving}
-    if robot.srdf:
-        pairs |= robot.srdf.disabled.keys()
-    for pair in sorted(map(sorted, pairs)):
+    _exclude(made, {frozenset(robot.tree.ends(joint) or ()) for joint in moving})
+
+
+def exclude_disabled(made: MjcfRobot, robot: Context) -> None:
+    """Exclude pairs of links that the SRDF disables."""
+    _exclude(made, robot.srdf.disabled if robot.srdf else ())
+
+
+def _exclude(made: MjcfRobot, pairs: Iterable[frozenset[str]]) -> None:
+    for pair in sorted(map(sorted, set(pairs) - made.excluded)):
         if len(pair) == 2 and all(made.bodies.get(name) is not None for name in pair):
             first, second = (made.bodies[name].name for name in pair)
             if "world" not in (first, second):
                 made.spec.add_exclude(name=f"{first} {second}", bodyname1=first, bodyname2=second)
+    made.excluded.update(pairs)

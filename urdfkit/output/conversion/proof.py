@@ -13,6 +13,7 @@ from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.dynamics.robot import Dynamics
 from urdfkit.robot.kinematics import laws, positions
+from urdfkit.robot.rigid_bodies import rigid_bodies
 
 #: Random poses that the frames and the dynamics are compared at.
 POSES, DYNAMIC_POSES = 100, 10
@@ -26,7 +27,7 @@ class Proof(Record):
     """The largest differences.
 
     Attributes:
-        mass: of a link, in kg.
+        mass: of links that are fixed together, in kg.
         frames: of the placement of a link, in m and of entries of its rotation.
         mass_matrix, gravity: as a part of the largest entry.
         link: whose placement differs most.
@@ -149,9 +150,13 @@ def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
 
 
 def _masses(model: Any, robot: Context) -> float:
-    """The largest difference of the mass of a link, in kg."""
-    bodies = ((link, model.body(link.name)) for link in robot.model.links if link.name != "world")
-    return max((abs(float(body.mass[0]) - link.mass) for link, body in bodies), default=0.0)
+    """The largest difference of the mass of links that are fixed together, in kg."""
+    differences = [0.0]
+    for group in rigid_bodies(robot.tree):
+        if not group.is_ground:
+            found = sum(float(model.body(link.name).mass[0]) for link, _ in group.links)
+            differences.append(abs(found - group.mass))
+    return max(differences)
 
 
 def _part(ours: Floats, theirs: Floats) -> float:

@@ -24,7 +24,11 @@ from urdfkit.output.bundle.robot import references
 from urdfkit.output.bundle.writing import staged
 from urdfkit.output.conversion.losses import Entry, Result
 from urdfkit.output.conversion.mjcf import MjcfRobot
-from urdfkit.output.conversion.mjcf_devices import add_devices
+from urdfkit.output.conversion.mjcf_devices import (
+    add_devices,
+    exclude_disabled,
+    exclude_neighbours,
+)
 from urdfkit.output.conversion.proof import Proof, prove
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.stability import standing
@@ -95,19 +99,11 @@ class Conversion(Record):
 
 def write(robot: Context, out: str, *, base: str, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
-    if not robot.tree.is_sound:
-        raise UrdfkitError(
-            f"{robot.source.path}: links and joints do not form one tree; see urdfkit check"
-        )
-    is_free = base == "free" or (base == "auto" and _floats(robot))
+    is_free = floats(robot, base)
     bundle = Bundle(robot, CONSUMERS["mujoco"])
-    with staged(_assets(bundle), out, force=force, mark=REPORT) as directory:
-        files = {
-            id(reference): one.new
-            for reference, one in zip(references(robot.model), bundle.renamed, strict=True)
-        }
-        made = MjcfRobot(robot.tree, files, directory, is_free=is_free)
-        add_devices(made, robot)
+    with staged(assets(bundle), out, force=force, mark=REPORT) as directory:
+        made = assembled(robot, bundle, directory, is_free=is_free)
+        exclude_neighbours(made, robot)
         model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
         proof = prove(model, robot)
         if not proof.holds:
@@ -121,24 +117,60 @@ def write(robot: Context, out: str, *, base: str, force: bool) -> Conversion:
     return found
 
 
-def _floats(robot: Context) -> bool:
-    """True for what stands on wheels or feet, and not on its base."""
+def floats(robot: Context, base: str) -> bool:
+    """True if the root of a robot is not welded to the world; ``auto`` asks what it stands on.
+
+    Raises:
+        UrdfkitError: links and joints do not form one tree, or the world is to float.
+    """
+    if not robot.tree.is_sound:
+        raise UrdfkitError(
+            f"{robot.source.path}: links and joints do not form one tree; see urdfkit check"
+        )
+    if base == "free" and robot.tree.roots[0].name == "world":
+        raise UrdfkitError(f"{robot.source.path}: a root link called 'world' cannot float")
+    if base != "auto":
+        return base == "free"
     fixed = {link.name for link, _ in rigid_bodies(robot.tree)[0].links}
     return not fixed.issuperset(standing(robot).links)
 
 
-def _assets(bundle: Bundle) -> Iterator[BundledFile]:
+def assets(bundle: Bundle) -> Iterator[BundledFile]:
     """The meshes of a bundle, without its URDF and its manifest."""
     for file in bundle.files():
         if "/" in file.path:
             yield file
 
 
+def assembled(robot: Context, bundle: Bundle, directory: str, *, is_free: bool) -> MjcfRobot:
+    """The specification of a robot whose assets lie in a directory."""
+    files = {
+        id(reference): one.new
+        for reference, one in zip(references(robot.model), bundle.renamed, strict=True)
+    }
+    made = MjcfRobot(robot.tree, files, directory, is_free=is_free)
+    add_devices(made, robot)
+    exclude_disabled(made, robot)
+    return made
+
+
+def compiled(made: MjcfRobot, robot: Context) -> Any:
+    """MuJoCo's model.
+
+    Raises:
+        UrdfkitError: MuJoCo rejects it.
+    """
+    try:
+        return made.spec.compile()
+    except (ValueError, mujoco.FatalError) as error:
+        raise _explained(str(error), robot) from error
+
+
 def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
     """The file, as MuJoCo loads it."""
+    compiled(made, robot)
+    _write_all_digits()
     try:
-        made.spec.compile()
-        _write_all_digits()
         atomic.make_directory(os.path.dirname(path))  # of a robot without files
         atomic.write(path, made.spec.to_xml().encode(), durable=False)
         return mujoco.MjModel.from_xml_path(path)

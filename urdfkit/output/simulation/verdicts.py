@@ -1,0 +1,59 @@
+"""What simulations say of a robot."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from urdfkit.core.record import Record
+from urdfkit.text.source import Span, shown
+
+
+class Verdict(Record):
+    """One statement.
+
+    Attributes:
+        test: ``overlap``, ``stability``, ``energy`` or ``hold``.
+        passes: False if the robot does not behave.
+        message: what happens, how much, and the bound.
+        value: that was measured, in m, J, rad or m.
+        bound: of the value.
+        names: of the links or joints that it is about.
+        span: where the cause is written; None where it has no place.
+    """
+
+    test: str
+    passes: bool
+    message: str
+    value: float
+    bound: float
+    names: tuple[str, ...] = ()
+    span: Span | None = None
+
+
+class Simulation(Record):
+    """All verdicts on a robot; ``is_free`` if its root floats and stands on a floor."""
+
+    is_free: bool
+    verdicts: tuple[Verdict, ...]
+
+    @property
+    def passes(self) -> bool:
+        """True if every verdict does."""
+        return all(one.passes for one in self.verdicts)
+
+    @property
+    def facts(self) -> dict[str, Any]:
+        """For JSON."""
+        return {
+            "base": "free" if self.is_free else "fixed",
+            "passes": self.passes,
+            "verdicts": [
+                {
+                    **one._asdict(),
+                    "span": None,
+                    "file": shown(one.span.source.path) if one.span else None,
+                    "line": one.span.line if one.span else None,
+                }
+                for one in self.verdicts
+            ],
+        }
