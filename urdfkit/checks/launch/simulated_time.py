@@ -10,6 +10,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.ros.launch.worlds import GZ, worlds
 
 if TYPE_CHECKING:
     from urdfkit.workspace.resolve import Resolver
@@ -32,7 +33,9 @@ _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign
 
 
 def without_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
-    """Nodes by the time of gz-sim, where no bridge passes that time on."""
+    """Nodes by the time of a gz-sim that is started here, where no bridge passes that time on."""
+    if not any(world.generation == GZ for world in worlds(subject.launch)):
+        return
     unread = (path.rpartition("/")[2] for path in subject.launch.unread)
     is_gz = any(one.package == "ros_gz_sim" and spawner_of(one) for one in started)
     waiting = next((one for one in started if _sim_time(one, subject.resolver) is True), None)
