@@ -50,6 +50,7 @@ _PACKAGES = (
     ("coacd", "mesh decompose --engine coacd", "urdfkit[decompose]"),
     ("pin", "dynamics", "urdfkit[dynamics]"),
     ("coal", "collisions", "urdfkit[dynamics]"),
+    ("mujoco", "convert, simulate", "urdfkit[simulate]"),
     ("Pillow", "pictures", "urdfkit[render]"),
     ("Jinja2", "report pages", "urdfkit[report]"),
     ("starlette", "the viewer", "urdfkit[report]"),

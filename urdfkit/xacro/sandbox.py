@@ -187,8 +187,8 @@ class Sandbox:
         return self.keep(left % right)
 
     def _map(self, function: Any, /, *values: Any) -> Iterator[Any]:
-        sized = [sized(one) for one in values]
-        return (self.call(function, *arguments) for arguments in zip(*sized))  # noqa: B905
+        bounded = [sized(one) for one in values]
+        return (self.call(function, *arguments) for arguments in zip(*bounded))  # noqa: B905
 
     def _filter(self, function: Any, values: Any, /) -> Iterator[Any]:
         test = bool if function is None else partial(self.call, function)

@@ -7,7 +7,9 @@ import glob
 import json
 import os
 import re
+import warnings
 from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import mujoco
@@ -160,20 +162,27 @@ def compiled(made: MjcfRobot, robot: Context) -> Any:
     Raises:
         UrdfkitError: MuJoCo rejects it.
     """
-    try:
+    with _rejections(robot):
         return made.spec.compile()
-    except (ValueError, mujoco.FatalError) as error:
-        raise _explained(str(error), robot) from error
 
 
 def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
     """The file, as MuJoCo loads it."""
     compiled(made, robot)
     _write_all_digits()
-    try:
-        atomic.make_directory(os.path.dirname(path))  # of a robot without files
-        atomic.write(path, made.spec.to_xml().encode(), durable=False)
+    atomic.make_directory(os.path.dirname(path))  # of a robot without files
+    atomic.write(path, made.spec.to_xml().encode(), durable=False)
+    with _rejections(robot):
         return mujoco.MjModel.from_xml_path(path)
+
+
+@contextmanager
+def _rejections(robot: Context) -> Iterator[None]:
+    """Errors of MuJoCo as ours; what it warns of, as in meshes, is found by a check."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
     except (ValueError, mujoco.FatalError) as error:
         raise _explained(str(error), robot) from error
 

@@ -1,4 +1,4 @@
-"""XAC022: see the rule."""
+"""XAC023: see the rule."""
 
 import pytest
 
@@ -31,7 +31,7 @@ def test_conditions(condition: str, count: int, tag: str) -> None:
         f'<xacro:{tag} value="{condition}"><gazebo/></xacro:{tag}>',
         f'<!-- <xacro:if value="{condition}"/> -->',
     )
-    report = check(Source("r.xacro", text.encode()), select=["XAC022"])
+    report = check(Source("r.xacro", text.encode()), select=["XAC023"])
     assert len(report.diagnostics) == count
 
 
@@ -40,4 +40,4 @@ def test_parameters_of_macros() -> None:
 <gazebo/></xacro:if></xacro:macro><link name="base"/><xacro:m sim="{}"/>"""
     for value, count in (("true", 1), ("'true'", 0)):
         source = Source("r.xacro", xacro_xml(macro.format(value)).encode())
-        assert len(check(source, select=["XAC022"]).diagnostics) == count
+        assert len(check(source, select=["XAC023"]).diagnostics) == count
