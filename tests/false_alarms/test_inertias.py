@@ -178,6 +178,6 @@ def test_a_shape_in_millimetres_says_nothing_of_the_tensor(edge: str, count: int
 
 def test_a_flat_shape_is_in_no_other_unit() -> None:
     """The PR2's forearm: one of its shapes has hardly any volume."""
-    flat = shape("visual", '<box size="0.1 0.1 1e-7"/>')
-    text = link("arm", flat, shape("collision", BALL), inertial(1, (0.9, 0, 0, 1.1, 0, 1.3)))
+    flat = shape("visual", '<box size="0.02 0.02 1e-6"/>')
+    text = link("arm", flat, shape("collision", BALL), inertial(1, (1, 0, 0, 1.1, 0, 1.2)))
     assert len(messages("INE006", text)) == 1
