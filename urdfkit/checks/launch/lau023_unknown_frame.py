@@ -122,7 +122,7 @@ def _of_robots(subject: Context, launches: tuple[Launch, ...]) -> frozenset[str]
         robot = subject.other_robot(description.path, description.arguments)
         if robot.reading.document is None or not description.is_whole:
             return frozenset()
-        found.update(robot.model.links_by_name)
+        found.update(name.lstrip("/") for name in robot.model.links_by_name)
     return frozenset(found)
 
 
@@ -162,7 +162,8 @@ def _unknown_parents(launch: Launch, known: frozenset[str], of_robot: frozenset[
         if found is None:
             continue
         name, child = ((word.text or "").lstrip("/") for word in (found.parent, found.child))
-        if name and name not in known and child not in of_robot:
+        # Gazebo's plugins publish frames as MODEL/FRAME.
+        if name and name.rpartition("/")[2] not in known and child not in of_robot:
             yield Finding(
                 Location(found.parent.span, one.frame),
                 f"parent '{name}' of the static transform is no link of the robot"

@@ -18,8 +18,9 @@ if TYPE_CHECKING:
 _CLOCK = "clock"
 _SIM_TIME = "use_sim_time"
 #: Packages whose nodes give or compare stamps, and how much worse it is if they use another clock.
+#: robot_state_publisher passes on the stamps of the joint states.
 _STAMPING = {
-    "robot_state_publisher": Severity.WARNING,
+    "robot_state_publisher": Severity.INFO,
     "robot_localization": Severity.WARNING,
     "slam_toolbox": Severity.WARNING,
     "nav2_amcl": Severity.WARNING,
