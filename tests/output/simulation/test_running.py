@@ -14,7 +14,7 @@ from urdfkit.text.source import Source
 for library in ("mujoco", "numpy", "trimesh"):
     pytest.importorskip(library)
 
-HERE = Path(__file__).parents[1]
+HERE = Path(__file__).parents[2]
 ROVER = HERE / "carriers" / "rover" / "urdf" / "rover.urdf.xacro"
 PICKER = HERE / "carriers" / "picker" / "urdf" / "picker.urdf"
 
