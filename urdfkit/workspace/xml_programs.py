@@ -25,7 +25,7 @@ _READS_XML = re.compile(rb"tinyxml|FirstChildElement|ElementTree|minidom|lxml|pu
 def readers_of(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, str]:
     """The source files of programs that read XML and name a tag as a string, by tag.
 
-    Programs are looked for in the packages of a workspace; one without packages is searched whole.
+    Programs are looked for in the packages of a workspace, for a file in one of them.
 
     Args:
         tags: of elements.
@@ -45,8 +45,10 @@ def readers_of(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, 
 
 def _sources(near: str, resolver: Resolver) -> Iterator[str]:
     """The source files in the packages of a workspace."""
+    if not resolver.packages.enclosing(near):
+        return
     files = resolver.directories.walk(resolver.packages.workspace(near))
     packages = tuple(path[: 1 - len(_MANIFEST)] for path in files if path.endswith(_MANIFEST))
     for path in files:
-        if path.endswith(_SUFFIXES) and (not packages or path.startswith(packages)):
+        if path.endswith(_SUFFIXES) and path.startswith(packages):
             yield path
