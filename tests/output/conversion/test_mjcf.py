@@ -165,6 +165,16 @@ def test_followers_follow(tmp_path: Path) -> None:
     assert parts["joint/follow/mimic@offset"] == "kept: equality"
 
 
+def test_what_follows_a_planar_joint_does_not(tmp_path: Path) -> None:
+    follower = (
+        f'<link name="finger">{INERTIAL}</link><joint name="follow" type="revolute">'
+        f'<parent link="tip"/><child link="finger"/>{LIMIT}<mimic joint="turn"/></joint>'
+    )
+    model, parts = loaded(arm(kind="planar", more=follower), tmp_path / "o")
+    assert model.neq == 0
+    assert parts["joint/follow/mimic"].startswith("lost: ")
+
+
 def test_visuals_and_collisions(tmp_path: Path) -> None:
     content = (
         f'{INERTIAL}<visual><origin xyz="0 0 1"/>{BOX}'
@@ -232,7 +242,8 @@ def test_a_root_called_world_is_the_world(tmp_path: Path) -> None:
         (arm(LIMIT, more='<link name="other"/>'), "do not form one tree"),
         (Source("r.urdf", b'<robot name="r"/>'), "do not form one tree"),
         (arm(LIMIT, tip=INERTIAL + "<collision><geometry><sphere/></geometry></collision>"),
-         "<sphere> has no readable size"),
+         "<sphere> has no size that is over 0"),
+        (Source("r.urdf", arm(LIMIT).data.replace(b'"tip"', b'"world"')), "repeated name 'world'"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_converted_leaves_nothing(

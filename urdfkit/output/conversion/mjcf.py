@@ -15,7 +15,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
-from urdfkit.robot.kinematics import direction, laws
+from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.robot.model import Body, Inertial, Joint, Link, Shape, Tensor
 from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
@@ -34,6 +34,8 @@ _GEOMS = {
     "capsule": mujoco.mjtGeom.mjGEOM_CAPSULE,
     "mesh": mujoco.mjtGeom.mjGEOM_MESH,
 }
+#: Joints that one number moves.
+_ONE_WAY = (*TURNING, *SLIDING)
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -102,7 +104,7 @@ class MjcfRobot:
         keep(at, what if joint.kind != "fixed" else "body without a joint")
         for tag in ("origin", "parent", "child"):
             keep(at.child(tag), "place of the body")
-        if joint.kind in ("revolute", "continuous", "prismatic"):
+        if joint.kind in _ONE_WAY:
             kind = _SLIDE if joint.kind == "prismatic" else _HINGE
             made = body.add_joint(name=joint.name, type=kind, axis=direction(joint))
             keep(at.child("axis"), "axis")
@@ -191,7 +193,7 @@ class MjcfRobot:
             return
         size = _size(shape)
         if size is None:
-            raise UrdfkitError(f"{shape.at.span}: <{shape.kind}> has no readable size")
+            raise UrdfkitError(f"{shape.at.span}: <{shape.kind}> has no size that is over 0")
         made = body.add_geom(
             type=_GEOMS[shape.kind],
             pos=geometry.origin.position,
@@ -246,13 +248,14 @@ class MjcfRobot:
 
     def _couple(self, tree: KinematicTree) -> None:
         """Equalities for what follows another joint."""
-        known = laws(tree.model.joints_by_name)
+        joints = tree.model.joints_by_name
+        known = laws(joints)
         for joint in tree.model.joints:
             mimic = joint.mimic
             if mimic is None:
                 continue
             leader, factor, shift = known[joint.name]
-            if not leader or joint.kind not in ("revolute", "continuous", "prismatic"):
+            if not {joint.kind, joints[leader].kind if leader else ""} <= set(_ONE_WAY):
                 continue
             made = self.spec.add_equality(
                 name=f"{joint.name}_mimic",
@@ -328,12 +331,16 @@ def _size(shape: Shape) -> tuple[float, ...] | None:
     if shape.kind == "mesh":
         return (0.0, 0.0, 0.0)
     if shape.kind == "box":
-        return tuple(edge / 2 for edge in shape.size) if shape.size else None
-    if shape.radius is None:
+        written: tuple[float | None, ...] = shape.size or (None,)
+    else:
+        written = (shape.radius,) if shape.kind == "sphere" else (shape.radius, shape.length)
+    sizes = [one for one in written if one is not None and one > 0]
+    if len(sizes) < len(written):
         return None
-    if shape.kind == "sphere":
-        return (shape.radius, 0.0, 0.0)
-    return (shape.radius, shape.length / 2, 0.0) if shape.length is not None else None
+    if shape.kind == "box":
+        return tuple(edge / 2 for edge in sizes)
+    radius, *length = sizes
+    return (radius, length[0] / 2 if length else 0.0, 0.0)
 
 
 def _positive(text: str) -> float | None:

@@ -145,14 +145,19 @@ def assets(bundle: Bundle) -> Iterator[BundledFile]:
 
 
 def assembled(robot: Context, bundle: Bundle, directory: str, *, is_free: bool) -> MjcfRobot:
-    """The specification of a robot whose assets lie in a directory."""
+    """The specification of a robot whose assets lie in a directory.
+
+    Raises:
+        UrdfkitError: MuJoCo rejects it, or a joint or a shape has no meaning.
+    """
     files = {
         id(reference): one.new
         for reference, one in zip(references(robot.model), bundle.renamed, strict=True)
     }
-    made = MjcfRobot(robot.tree, files, directory, is_free=is_free)
-    add_devices(made, robot)
-    exclude_disabled(made, robot)
+    with _rejections(robot):
+        made = MjcfRobot(robot.tree, files, directory, is_free=is_free)
+        add_devices(made, robot)
+        exclude_disabled(made, robot)
     return made
 
 
