@@ -50,9 +50,14 @@ def _as_one(group: list[Diagnostic]) -> Diagnostic:
 def _note(other: Diagnostic, first: Diagnostic) -> Related:
     """The note about another one: its help, too, if that is its own."""
     if other.code in _ACROSS_FILES:
-        return Related(other.span, other.message.partition("; searched")[0])
+        return Related(other.span, without_search(other.message))
     own = other.help if other.help != first.help else ""
     return Related(other.span, f"{other.message}: {own}" if own else other.message)
+
+
+def without_search(message: str) -> str:
+    """A message without the places that were searched, which is long and the same in others."""
+    return message.partition("; searched: ")[0]
 
 
 def _together(fixes: list[Fix | None]) -> Fix | None:

@@ -64,6 +64,13 @@ def test_the_code_to_explain_is_that_of_the_worst_finding() -> None:
     assert "urdfkit explain ABC002\n" in render(report(info, warning))
 
 
+def test_what_was_searched_is_left_to_the_full_format() -> None:
+    found = diagnostic(ARM, message="package 'p' is not found; searched: /a, /b")
+    assert " ".join(shown(found).split()) == (
+        "robot.urdf:2:14: warning ABC123 package 'p' is not found"
+    )
+
+
 def test_a_fix_stands_for_the_help() -> None:
     found = diagnostic(ARM, help="make it shorter", fix=Fix("write 'leg'", (Edit(ARM, "leg"),)))
     assert shown(found).splitlines()[1:] == ["  fix: write 'leg'"]

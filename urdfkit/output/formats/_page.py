@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from urdfkit.core.words import counted, few
+from urdfkit.lint.grouping import without_search
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown
@@ -51,7 +52,7 @@ class TextPage:
     def brief(self, group: Sequence[Diagnostic]) -> str:
         """Findings that are alike in few lines: where, what, and what to do."""
         first, *others = group
-        blocks = [self.head(first)]
+        blocks = [self.head(first._replace(message=without_search(first.message)))]
         if macros := [step for step in first.calls[0].via if step.kind == "macro"]:
             more = f" and {counted(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
             where = self._near(macros[-1].span, first) + more
