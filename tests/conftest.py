@@ -131,8 +131,8 @@ SLOW = (
 
 #: Tests of which one of so many is run unless ``--thorough``; none if 0.
 SAMPLED = {
-    "tests/consumers/test_corpus.py": 12,
-    "tests/ros/importers/test_against_engines.py::test_a_real_robot": 12,
+    "tests/consumers/test_corpus.py": 40,
+    "tests/ros/importers/test_against_engines.py::test_a_real_robot": 40,
     "tests/integration/test_action.py::test_each_variant": 0,
     "tests/integration/test_action.py::test_it_installs": 0,
     "tests/integration/test_action.py::test_gitlab": 0,
