@@ -1,4 +1,4 @@
-"""GAZ073: a driven wheel has next to no friction, or what slides beside it has much."""
+"""GAZ073: a driven wheel has next to no friction, or a fixed caster has much."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def test_wheels_that_are_meant_so(text: str) -> None:
 @pytest.mark.parametrize("inside", ["<mu1>1</mu1><mu2>1</mu2>", "<mu1>0.5</mu1>"])
 def test_a_caster_with_grip(inside: str) -> None:
     (one,) = messages("GAZ073", BASE + GZ + friction("ball", inside))
-    assert "'ball' slides on the ground beside driven wheels" in one
+    assert "'ball' slides on the ground next to driven wheels" in one
 
 
 def test_casters_that_do_no_harm() -> None:

@@ -112,6 +112,19 @@ def test_a_wrong_model_does_not_hold(tmp_path: Path) -> None:
     assert not prove(model, robot).holds
 
 
+def test_dynamics_that_differ_do_not_hold(tmp_path: Path) -> None:
+    """A joint with a vertical axis bears nothing, unless gravity points another way."""
+    outwards = INERTIAL.replace("<inertial>", '<inertial><origin xyz="0.3 0 0"/>')
+    robot = read(arm('<axis xyz="0 0 1"/>' + LIMIT, tip=outwards))
+    file = tmp_path / "o" / convert(robot, tmp_path / "o").file
+    model = mujoco.MjModel.from_xml_path(str(file))
+    assert prove(model, robot).gravity == 0
+    model.opt.gravity = (0, -9.81, 0)
+    assert prove(model, robot).mass_matrix < PART < prove(model, robot).gravity
+    model.body("tip").inertia *= 1.0001
+    assert prove(model, robot).mass_matrix > PART
+
+
 def test_joints_have_their_limits_friction_and_actuators(tmp_path: Path) -> None:
     model, parts = loaded(arm(LIMIT + '<dynamics damping="0.5" friction="0.2"/>'), tmp_path / "o")
     turn = model.joint("turn")
@@ -188,6 +201,7 @@ def test_visuals_and_collisions(tmp_path: Path) -> None:
     assert model.geom_size.tolist() == [[0.1, 0.2, 0.3]] * 2
     assert model.geom_pos[visual].tolist() == [0, 0, 1]
     assert model.geom_rgba[visual].tolist() == [1, 0, 0, 0.5]
+    assert parts["link/tip/visual/material/red"] == "kept: rgba of the geom"
     assert model.geom_friction[collision][0] == 0.3
     assert parts["gazebo/tip/mu1"] == "kept: friction"
     assert parts["gazebo/tip/mu2"].startswith("lost: ")
@@ -215,6 +229,21 @@ def test_sensors_stand_where_gazebo_has_them(tmp_path: Path) -> None:
     assert np.allclose(data.site("imu").xmat.reshape(3, 3)[:, 0], [0, 1, 0])
     assert data.sensor("imu_linear_acceleration").data == pytest.approx([0, 0, 9.81])
     assert parts["gazebo/tip/sensor/scan"].startswith("lost: ")
+
+
+def test_a_material_that_gives_no_colour_is_lost(tmp_path: Path) -> None:
+    named = f'{INERTIAL}<visual>{BOX}<material name="red"/></visual>'
+    image = (
+        f'{INERTIAL}<visual>{BOX}<material name="w"><texture filename="w.png"/></material></visual>'
+    )
+    assert loaded(arm(tip=named), tmp_path / "n")[1]["link/tip/visual/material/red"].startswith(
+        "lost"
+    )
+    (tmp_path / "w.png").write_bytes(b"")
+    text = arm(tip=image).data
+    (tmp_path / "r.urdf").write_bytes(text)
+    parts = loaded(tmp_path / "r.urdf", tmp_path / "i")[1]
+    assert parts["link/tip/visual/material/w/texture"] == "lost: textures are not converted"
 
 
 @pytest.mark.parametrize(("base", "joints"), [("fixed", 1), ("free", 2), ("auto", 1)])

@@ -76,6 +76,8 @@ def test_neighbours_of_what_is_welded_collide_in_mujoco() -> None:
         joint("a", "base", "0 0 0"),
     )
     assert failures(inside)["overlap"] == ("a", "base")
+    (overlap,) = [one for one in simulate(read(inside)).verdicts if one.test == "overlap"]
+    assert overlap.message.endswith("since the parent is welded to the world")
     floating = Source("r.urdf", inside.data.replace(b'"world"', b'"root"'))
     assert "overlap" not in failures(floating, base="free"), "there MuJoCo leaves the pair out"
 
@@ -88,6 +90,15 @@ def test_a_joint_holds_with_its_effort(effort: float, holds: bool) -> None:
     assert verdict.passes is holds
     if not holds:
         assert "needs 4.91 N·m, its effort is 4.8 N·m" in verdict.message
+
+
+def test_what_follows_starts_where_its_leader_takes_it() -> None:
+    """From zero it would be thrown there: a gain of 14 J."""
+    follower = joint("b", "world", "0 2 0").replace(
+        "</joint>", '<mimic joint="a" multiplier="1" offset="0.8"/></joint>'
+    )
+    arms = link("a", at="0.5 0 0"), joint("a", "world", "0 0 0"), link("b", at="0.5 0 0"), follower
+    assert failures(robot(*arms)) == {}
 
 
 def test_a_joint_starts_within_its_range() -> None:

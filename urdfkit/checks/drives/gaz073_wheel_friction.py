@@ -1,4 +1,4 @@
-"""A driven wheel has next to no friction, or what slides beside it has much.
+"""A driven wheel has next to no friction, or a fixed caster has much.
 
 - A wheel that a drive turns, with `mu1` and `mu2` below 0.1: it spins in place, and the odometry of
   the plugin, which counts turns, shows a way that the robot has not gone. The friction of a contact
@@ -119,7 +119,7 @@ def _friction(model: RobotModel, link: str) -> list[Placed[float]]:
 
 
 def _casters(subject: Context, driven: set[str]) -> Findings:
-    """What is fixed to the body, touches the ground beside driven wheels, and does not slide."""
+    """What is fixed to the body, touches the ground next to driven wheels, and does not slide."""
     standing = stand(subject, meshes=False) if driven and subject.tree.is_sound else None
     if standing is None or driven.isdisjoint(standing.links):
         return
@@ -129,7 +129,7 @@ def _casters(subject: Context, driven: set[str]) -> Findings:
         if given and min(one.value for one in given) >= MUCH:
             yield Finding(
                 given[0],
-                f"'{link}' slides on the ground beside driven wheels, with a friction coefficient "
+                f"'{link}' slides on the ground next to driven wheels, with a friction coefficient "
                 f"of {given[0].value:g}: it keeps the robot from turning",
                 "write 0.01",
             )

@@ -3,8 +3,9 @@
 - Controllers and a robot_state_publisher, but nothing that publishes the joint states: the links
   behind moving joints have no transform, and RViz shows them at the origin. Spawn
   `joint_state_broadcaster`.
-- A robot_state_publisher, a filter or a planner by the wall clock, beside Gazebo and nodes with
-  `use_sim_time`: its transforms are years newer than their data.
+- A filter or a planner by the wall clock, with Gazebo and nodes with `use_sim_time`: its transforms
+  are years newer than their data. A robot_state_publisher is an info: it passes on the stamps of
+  the joint states.
 - Nodes with `use_sim_time`, and no bridge that passes Gazebo's `/clock` on: their time stands still
   at zero.
 - `create -topic` on which no robot_state_publisher publishes the robot: "Waiting messages on topic

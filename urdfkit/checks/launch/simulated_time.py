@@ -60,7 +60,7 @@ def without_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Find
 
 
 def by_wall_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
-    """Nodes without the time of Gazebo, beside others that have it."""
+    """Nodes without the time of Gazebo, where others have it."""
     if subject.launch.has_scopes or not any(map(spawner_of, started)):
         return
     resolver = subject.resolver
@@ -73,7 +73,7 @@ def by_wall_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Find
         if other is not None:
             message = f"{one.executable} has no {_SIM_TIME}, which '{other.executable}' has"
         elif own is False and one.package == "robot_state_publisher":
-            message = f"{_SIM_TIME} of {one.executable} is false, beside Gazebo"
+            message = f"{_SIM_TIME} of {one.executable} is false, though Gazebo gives the time"
         else:
             continue
         help = f'give it {{"{_SIM_TIME}": True}}'

@@ -16,7 +16,7 @@ from urdfkit.output.conversion.losses import LossTable
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
-from urdfkit.robot.model import Body, Inertial, Joint, Link, Shape, Tensor
+from urdfkit.robot.model import Body, Inertial, Joint, Link, Material, Shape, Tensor
 from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 
@@ -68,7 +68,6 @@ class MjcfRobot:
         self._colours = Colours(tree.model)
         self._inertials = dict(_inertials(tree))
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
-        self._materials: dict[str, str] = {}
         self._names: set[str] = set()
         self.spec = _empty(tree.model.name, directory)
         self._build(tree, is_free)
@@ -144,6 +143,8 @@ class MjcfRobot:
         if limit.effort and limit.effort.value > 0:
             made.actfrclimited, made.actfrcrange = True, (-limit.effort.value, limit.effort.value)
             self.losses.keep(attributes.get("effort"), "actuatorfrcrange")
+        else:
+            self.losses.lose(attributes.get("effort"), "an effort that is not over 0 is no limit")
         self.losses.lose(attributes.get("velocity"), "MuJoCo does not limit velocities")
 
     def _damping(self, made: Any, joint: Joint) -> None:
@@ -183,9 +184,8 @@ class MjcfRobot:
         else:
             what = "part of the inertial of the link that it is fixed to"
         self.losses.keep(inertial.at, what)
-        for child in inertial.at.children:
-            if child.tag in ("mass", "inertia", "origin"):
-                self.losses.keep(child, what)
+        for tag in ("mass", "inertia", "origin"):
+            self.losses.keep(inertial.at.child(tag), what)
 
     def _geom(self, body: Any, geometry: Body, *, is_visual: bool) -> None:
         shape = geometry.shape
@@ -229,15 +229,13 @@ class MjcfRobot:
 
     def _color(self, made: Any, geometry: Body) -> None:
         material = self._colours.of(geometry)
-        if geometry.material:
-            self.losses.keep(geometry.material.at, "material")
         if material is None:
             return
-        self.losses.keep(material.at, "material")
+        self.losses.lose(material.at.child("texture"), "textures are not converted")
         if material.rgba and len(material.rgba.value) == 4:
             made.rgba = material.rgba.value
-            self.losses.keep(material.at.child("color"), "rgba")
-        self.losses.lose(material.at.child("texture"), "textures are not converted")
+            for one in (material.at, material.at.child("color"), geometry.material):
+                self.losses.keep(one.at if isinstance(one, Material) else one, "rgba of the geom")
 
     def free_name(self, name: str) -> str:
         """A name for a device: the same, or with a number if it is taken."""

@@ -1,4 +1,4 @@
-"""What stands beside the bodies in MJCF: friction, actuators, sensors, cameras, exclusions."""
+"""What MJCF has besides bodies: friction, actuators, sensors, cameras, exclusions."""
 
 from __future__ import annotations
 

@@ -19,6 +19,8 @@ from urdfkit.robot.rigid_bodies import rigid_bodies
 POSES, DYNAMIC_POSES = 100, 10
 #: Bounds: of frames in m, and of masses, mass matrix and torques as a part of the largest entry.
 LENGTH, PART = 1e-9, 1e-6
+#: Entries below this, in N·m, kg or kg·m², are rounding.
+LEAST = 1e-9
 #: Positions are drawn between these where no limit is nearer, in rad or m.
 _REACH = 3.0
 
@@ -160,6 +162,6 @@ def _masses(model: Any, robot: Context) -> float:
 
 
 def _part(ours: Floats, theirs: Floats) -> float:
-    """The largest difference as a part of the largest entry."""
-    largest = float(np.abs(ours).max(initial=0.0))
-    return float(np.abs(ours - theirs).max(initial=0.0)) / largest if largest else 0.0
+    """The largest difference as a part of the largest entry, which counts as `LEAST` at least."""
+    largest = max(float(np.abs(ours).max(initial=0.0)), LEAST)
+    return float(np.abs(ours - theirs).max(initial=0.0)) / largest

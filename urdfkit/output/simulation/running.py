@@ -16,6 +16,7 @@ from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.writing import write_files
 from urdfkit.output.conversion.writing import assembled, assets, compiled, floats
 from urdfkit.output.simulation.verdicts import Simulation, Verdict
+from urdfkit.robot.kinematics import positions
 from urdfkit.text.source import Span
 
 #: Links that are in one another by more, push each other away.
@@ -47,7 +48,7 @@ def run(robot: Context, base: str) -> Simulation:
         made = assembled(robot, bundle, directory, is_free=is_free)
         model = compiled(made, robot)
         if is_free:
-            height = _lowest(model)
+            height = _lowest(model, robot)
             if height is not None:
                 plane = mujoco.mjtGeom.mjGEOM_PLANE
                 made.spec.worldbody.add_geom(type=plane, size=(0, 0, 1), pos=(0, 0, height))
@@ -65,19 +66,26 @@ def _ignore(warning: str) -> None:
     """MuJoCo writes what it warns of to a file in the current directory otherwise."""
 
 
-def _started(model: Any) -> Any:
-    """A robot with its joints at zero, or at the end of their range that is nearest to it."""
+def _started(model: Any, robot: Context) -> Any:
+    """A robot with its joints at zero, or at the end of their range that is nearest to it.
+
+    What follows another joint is where that takes it.
+    """
     data = mujoco.MjData(model)
     for number in np.flatnonzero(model.jnt_limited):
         at = model.jnt_qposadr[number]
         data.qpos[at] = np.clip(data.qpos[at], *model.jnt_range[number])
+    moving = positions(robot.tree, {})
+    given = {name: float(data.joint(name).qpos[0]) for name in moving}
+    for name, position in positions(robot.tree, given).items():
+        data.joint(name).qpos[0] = position
     mujoco.mj_forward(model, data)
     return data
 
 
-def _lowest(model: Any) -> float | None:
+def _lowest(model: Any, robot: Context) -> float | None:
     """The height of the lowest point of all that collides, at the start."""
-    data = _started(model)
+    data = _started(model, robot)
     lowest = [
         float(at[2] + (turn.reshape(3, 3) @ box[:3])[2] - np.abs(turn.reshape(3, 3)[2]) @ box[3:])
         for at, turn, box, collides in zip(
@@ -90,7 +98,8 @@ def _lowest(model: Any) -> float | None:
 
 def _overlaps(model: Any, robot: Context) -> Iterator[Verdict]:
     """Links that are in one another at the start."""
-    data = _started(model)
+    data = _started(model, robot)
+    neighbours = {frozenset(robot.tree.ends(joint) or ()) for joint in robot.model.joints}
     deepest: dict[tuple[str, str], float] = {}
     for contact in data.contact:
         first, second = sorted(
@@ -102,6 +111,8 @@ def _overlaps(model: Any, robot: Context) -> Iterator[Verdict]:
     for names, depth in sorted(deepest.items(), key=lambda pair: -pair[1]):
         links = " and ".join(f"'{name}'" for name in names)
         text = f"links {links} overlap by {depth * 1e3:.3g} mm at the start"
+        if frozenset(names) in neighbours:  # whom MuJoCo leaves out elsewhere
+            text += "; MuJoCo collides them, since the parent is welded to the world"
         yield Verdict("overlap", False, text, depth, OVERLAP, names, _collision(robot, names[0]))
     if not deepest:
         yield Verdict("overlap", True, "no links overlap at the start", 0.0, OVERLAP)
@@ -109,12 +120,12 @@ def _overlaps(model: Any, robot: Context) -> Iterator[Verdict]:
 
 def _released(model: Any, robot: Context) -> Iterator[Verdict]:
     """Without drives a robot may fall, but not blow up nor gain energy."""
-    gain, bound, bad = _gained_energy(model, STEP)
+    gain, bound, bad = _gained_energy(model, robot, STEP)
     if bad is None and gain <= bound:
         text = f"released for {RELEASED:g} s, it gains {gain:.2g} J (bound {bound:.2g} J)"
         yield Verdict("energy", True, text, gain, bound)
         return
-    fine, fine_bound, fine_bad = _gained_energy(model, FINE_STEP)
+    fine, fine_bound, fine_bad = _gained_energy(model, robot, FINE_STEP)
     is_coarse = fine_bad is None and fine <= fine_bound
     why = f", but not with steps of {FINE_STEP * 1e3:g} ms" if is_coarse else ""
     if bad is None:
@@ -126,10 +137,10 @@ def _released(model: Any, robot: Context) -> Iterator[Verdict]:
     yield Verdict("stability", False, text, gain, bound, (joint,), _joint(robot, joint))
 
 
-def _gained_energy(model: Any, step: float) -> tuple[float, float, int | None]:
+def _gained_energy(model: Any, robot: Context, step: float) -> tuple[float, float, int | None]:
     """The most energy over that of the start, its bound, and the coordinate that diverges."""
     model.opt.timestep = step
-    data = _started(model)
+    data = _started(model, robot)
     start = most = float(data.energy.sum())
     kinetic = 0.0
     for _ in range(round(RELEASED / step)):
@@ -147,7 +158,7 @@ def _held(model: Any, robot: Context) -> Iterator[Verdict]:
     """Each joint is held where it is, by no more than its effort."""
     model.opt.timestep = FINE_STEP
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
-    data = _started(model)
+    data = _started(model, robot)
     needed, start = data.qfrc_bias.copy(), data.qpos.copy()
     most = _efforts(model)
     for _ in range(round(HELD / FINE_STEP)):

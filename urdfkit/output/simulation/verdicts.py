@@ -49,8 +49,12 @@ class Simulation(Record):
             "passes": self.passes,
             "verdicts": [
                 {
-                    **one._asdict(),
-                    "span": None,
+                    "test": one.test,
+                    "passes": one.passes,
+                    "message": one.message,
+                    "value": one.value,
+                    "bound": one.bound,
+                    "names": list(one.names),
                     "file": shown(one.span.source.path) if one.span else None,
                     "line": one.span.line if one.span else None,
                 }
