@@ -87,3 +87,18 @@ def test_a_misspelt_world_of_gazebo(tmp_path: Path) -> None:
     own = {"worlds/emtpy.sdf": "<sdf/>"}
     text = GZ.replace("WORLD", '"emtpy.sdf"')
     assert reported(tmp_path, "LAU003", "b.launch.py", text, own) == []
+
+
+def test_a_world_outside_of_the_workspace_is_not_read(tmp_path: Path) -> None:
+    world = tmp_path / "other" / "hall.sdf"
+    world.parent.mkdir()
+    world.write_text("<sdf/>")
+    launch = tmp_path / "robot" / "robot.launch"
+    launch.parent.mkdir()
+    (launch.parent / ".git").mkdir()
+    launch.write_text(f'<launch><executable cmd="gz sim -r {world}"/></launch>')
+    (found,) = check(launch, select=["LAU003", "WLD"]).diagnostics
+    assert found.code == "LAU003"
+    assert found.message.endswith(
+        "is outside the workspace and the packages of this model: not read"
+    )

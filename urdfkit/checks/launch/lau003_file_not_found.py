@@ -20,6 +20,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Sever
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.worlds import GZ, worlds
+from urdfkit.text.source import Span
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.resolve import OUTSIDE
 from urdfkit.workspace.revisions import is_ignored
@@ -37,13 +38,17 @@ _MAX_DIRECTORIES = 2000
 def check(subject: Context) -> Findings:
     for file in subject.launch.files:
         if file.is_outside:
-            message = f"{file.purpose} {file.path} {OUTSIDE}: not read"
-            yield Finding(Location(file.span), message, "move it into the package, or pass --trust")
+            yield _outside(f"{file.purpose} {file.path}", file.span)
         elif not file.exists and not _may_come_from_elsewhere(subject, file.path):
             suggested = nearest_file(file.path)
             hint = f"did you mean '{suggested}'?" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
     yield from _worlds(subject)
+
+
+def _outside(what: str, span: Span) -> Finding:
+    help = "move it into the package, or pass --trust"
+    return Finding(Location(span), f"{what} {OUTSIDE}: not read", help)
 
 
 def _worlds(subject: Context) -> Findings:
@@ -55,7 +60,9 @@ def _worlds(subject: Context) -> Findings:
             continue
         if os.path.isabs(name):
             there = disk.exists(name) or subject.resolver.installed(name)
-            if not there and not _may_come_from_elsewhere(subject, name):
+            if disk.is_file(name) and not subject.resolver.admits(name):
+                yield _outside(f"world {name}", started.span)
+            elif not there and not _may_come_from_elsewhere(subject, name):
                 suggested = nearest_file(name)
                 hint = f"did you mean '{suggested}'?" if suggested else ""
                 yield Finding(Location(started.span), f"world not found: {name}", hint)

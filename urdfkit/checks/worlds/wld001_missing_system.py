@@ -30,7 +30,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Relat
 from urdfkit.robot.samples import element_xml
 from urdfkit.ros.catalog.plugins import Plugin, all_plugins
 from urdfkit.ros.catalog.sensors import types
-from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.samples import CART_LAUNCH, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.worlds import (
     Models,
@@ -43,16 +43,7 @@ from urdfkit.ros.launch.spawning import spawner_of
 from urdfkit.ros.launch.worlds import FACTORY, GZ
 
 NAME = "launch/robot.launch.py"
-BAD = """\
-from launch_ros.actions import Node
-from launch.actions import ExecuteProcess
-from launch.substitutions import Command
-from ament_index_python.packages import get_package_share_directory
-
-share = get_package_share_directory("cart")
-gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
-robot = Command(["xacro ", share + "/cart.urdf"])
-"""
+BAD = CART_LAUNCH
 GOOD = BAD.replace("bad.sdf", "good.sdf")
 _WORLD = b"""\
 <sdf version="1.9">

@@ -21,20 +21,12 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Relat
 from urdfkit.robot.samples import element_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.controllers import managers
-from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.samples import CART_LAUNCH, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.worlds import DEFAULT_STEP
 
 NAME = "launch/robot.launch.py"
-BAD = """\
-from ament_index_python.packages import get_package_share_directory
-from launch.actions import ExecuteProcess
-from launch.substitutions import Command
-
-share = get_package_share_directory("cart")
-gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
-robot = Command(["xacro ", share + "/cart.urdf"])
-"""
+BAD = CART_LAUNCH
 GOOD = BAD.replace("bad.sdf", "good.sdf")
 _WORLD = b"""\
 <sdf version="1.9">
