@@ -53,7 +53,9 @@ class TextPage:
         """Findings that are alike in few lines: where, what, and what to do."""
         first, *others = group
         blocks = [self.head(first._replace(message=without_search(first.message)))]
-        if macros := [step for step in first.calls[0].via if step.kind == "macro"]:
+        if macros := [
+            step for step in (first.calls[0].via if first.calls else ()) if step.kind == "macro"
+        ]:
             more = f" and {counted(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
             where = self._near(macros[-1].span, first) + more
             blocks.append(f"  expanded from macro '{printable(macros[-1].name)}' at {where}")
