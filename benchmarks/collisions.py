@@ -66,31 +66,31 @@ class Loop(NamedTuple):
             pin.computeDistances(self.model, self.data, self.geometry, results, row)
 
 
-def loop(subject: Context, package: Path, name: str, scratch: Path, *, all_pairs: bool) -> Loop:
+def loop(context: Context, package: Path, name: str, scratch: Path, *, all_pairs: bool) -> Loop:
     """Pinocchio's model with the pairs of a loop: all, or those that urdfkit samples."""
     if not (scratch / name).exists():
         (scratch / name).symlink_to(package)
-    path = subject.source.path
+    path = context.source.path
     model = pin.buildModelFromUrdf(path)
     geometry = pin.buildGeomFromUrdf(
         model, path, pin.GeometryType.COLLISION, package_dirs=[str(scratch)]
     )
-    adjacency = Adjacency(subject.tree)
+    adjacency = Adjacency(context.tree)
     links = [model.frames[thing.parentFrame].name for thing in geometry.geometryObjects]
     for first in range(len(links)):
         for second in range(first + 1, len(links)):
             if all_pairs or not adjacency.is_adjacent(links[first], links[second]):
                 geometry.addCollisionPair(pin.CollisionPair(first, second))
-    return Loop(model, model.createData(), geometry, configurations(subject, model))
+    return Loop(model, model.createData(), geometry, configurations(context, model))
 
 
-def configurations(subject: Context, model: Any) -> Floats:
+def configurations(context: Context, model: Any) -> Floats:
     """The first samples of urdfkit as Pinocchio has them: its followers have columns, too."""
-    arrays = chain(subject.tree)
+    arrays = chain(context.tree)
     rows = arrays.samples(PART, 0, 0)
     found = np.zeros((PART, model.nq))
     columns = {axis.joint: column for column, axis in enumerate(arrays.axes)}
-    for joint in subject.model.joints:
+    for joint in context.model.joints:
         leader = joint.mimic.joint.value if joint.mimic and joint.mimic.joint else joint.name
         if leader in columns:
             found[:, model.joints[model.getJointId(joint.name)].idx_q] = rows[:, columns[leader]]
@@ -113,9 +113,9 @@ def measure(name: str, shared: Path, scratch: Path, rounds: int) -> float:
     """Print the costs for one robot; how many times faster urdfkit is than the plain loop."""
     directory, package, file = ROBOTS[name]
     place = shared / "corpus" / "moveit_resources" / directory
-    subject = read(place / file)
-    plain = loop(subject, place, package, scratch, all_pairs=True)
-    same = loop(subject, place, package, scratch, all_pairs=False)
+    context = read(place / file)
+    plain = loop(context, place, package, scratch, all_pairs=True)
+    same = loop(context, place, package, scratch, all_pairs=False)
     scale = SAMPLES / PART
     jobs: dict[str, tuple[float, Callable[[], object]]] = {
         "loop, all pairs, collisions": (scale, plain.collisions),

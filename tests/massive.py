@@ -52,14 +52,14 @@ def joint(parent: str, child: str, kind: str = "fixed", xyz: str = "0 0 0") -> s
     )
 
 
-def subject(text: str) -> Context:
+def context(text: str) -> Context:
     """A robot from the pieces inside it."""
     return Context(Source("robot.urdf", whole_robot(text).encode()), Resolver(environment={}))
 
 
 def masses(text: str) -> Masses:
     """What the pieces of a robot say about masses."""
-    return subject(text).masses
+    return context(text).masses
 
 
 def link_inertia(text: str) -> LinkInertia:

@@ -262,8 +262,8 @@ PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
 def test_the_corpus_has_errors_where_urdfdom_objects(entry: tuple[Path, dict[str, Any]]) -> None:
     directory, model = entry
     path = str(directory / model["path"])
-    subject = Context(Source.read(path), Resolver())
-    if subject.reading.document and subject.is_part:
+    context = Context(Source.read(path), Resolver())
+    if context.reading.document and context.is_part:
         pytest.skip("made for another file to include, and no robot by itself")
     files = ["MSH", "XAC011"]  # of meshes and packages, which check_urdf does not open
     report = engine.check(path, ignore=[*files, "INE", "GEO", "JNT", "GAZ", "RCT", "SRD"])

@@ -52,8 +52,8 @@ def _only_the_corpus(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_model_is_as_independent_tools_measured_it(entry: tuple[Path, dict[str, Any]]) -> None:
     directory, model = entry
     source = Source.read(directory / model["path"])
-    subject = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
-    robot, expected = subject.model, model["expect"]
+    context = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    robot, expected = context.model, model["expect"]
     masses = [
         link.inertial.mass.value for link in robot.links if link.inertial and link.inertial.mass
     ]
@@ -64,17 +64,17 @@ def test_the_model_is_as_independent_tools_measured_it(entry: tuple[Path, dict[s
     children = {joint.child.value for joint in robot.joints if joint.child}
     roots = [link.name for link in robot.links if link.name not in children]
     assert roots == expected["root_links"]
-    ends = [subject.tree.ends(joint) for joint in robot.joints]
+    ends = [context.tree.ends(joint) for joint in robot.joints]
     if all(pair and pair[0] != pair[1] for pair in ends):
-        assert [root.name for root in subject.tree.roots] == roots
+        assert [root.name for root in context.tree.roots] == roots
 
 
 @pytest.mark.parametrize("entry", REFUSED, ids=model_id)
 def test_the_reason_why_xacro_refuses_a_model_is_told(entry: tuple[Path, dict[str, Any]]) -> None:
     directory, model = entry  # a check takes values for arguments from around the file
     source = Source.read(directory / model["path"])
-    subject = Context(source, Resolver(), corpus_findings.arguments_of(model))
-    found = {problem.code for problem in subject.reading.problems}
+    context = Context(source, Resolver(), corpus_findings.arguments_of(model))
+    found = {problem.code for problem in context.reading.problems}
     assert REASONS[model["expand_error_class"]] in found
 
 

@@ -39,10 +39,10 @@ ENTRIES = [
 
 def missing(path: Path, arguments: dict[str, str]) -> tuple[set[str], int]:
     """The references of a model that lead to no file, and the number of references."""
-    subject = Context(Source.read(path), Resolver(environment={}), arguments)
-    if subject.reading.document is None:
-        pytest.fail(f"does not expand: {subject.reading.problems[0].message}")
-    meshes = subject.files.meshes
+    context = Context(Source.read(path), Resolver(environment={}), arguments)
+    if context.reading.document is None:
+        pytest.fail(f"does not expand: {context.reading.problems[0].message}")
+    meshes = context.files.meshes
     return {mesh.at.value for mesh in meshes if mesh.located.path is None}, len(meshes)
 
 

@@ -116,8 +116,8 @@ def test_a_robot_that_fails_costs_no_other_robot(
     read = vars(DescriptionFile)["reading"].func
     broken = str(robots[1])
 
-    def reading(subject: Context) -> object:
-        return fail() if subject.source.path == broken else read(subject)
+    def reading(context: Context) -> object:
+        return fail() if context.source.path == broken else read(context)
 
     part = cached_property(reading)
     part.__set_name__(Context, "reading")
@@ -138,8 +138,8 @@ def test_a_process_that_dies_costs_its_robot_alone(
     before = [one for one in reported(check(*robots)) if one[0] not in deadly]
     read = vars(DescriptionFile)["reading"].func
 
-    def reading(subject: Context) -> object:
-        return os._exit(9) if subject.source.path in deadly else read(subject)
+    def reading(context: Context) -> object:
+        return os._exit(9) if context.source.path in deadly else read(context)
 
     part = cached_property(reading)
     part.__set_name__(Context, "reading")
@@ -216,8 +216,8 @@ def crashed(rule: Rule, robot: str, name: str, text: str) -> object:
             folder = folder.removesuffix("example.urdf")
             data = text.encode("utf-8", "surrogateescape")
             Path(folder, name).write_bytes(data)
-        subject = rule_examples.subject_of(rule, source)
-        return runner.run_rules(subject, rule_index.codes()).crashed
+        context = rule_examples.context_of(rule, source)
+        return runner.run_rules(context, rule_index.codes()).crashed
 
 
 def sample(items: Iterator[Any], count: int, seed: str) -> list[Any]:

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
-from urdfkit.lint.engine import check, subjects
+from urdfkit.lint.engine import check, contexts
 from urdfkit.lint.fix import fix
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
@@ -88,16 +88,16 @@ def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: tuple[Path, dict[
 
 def _parts(file: Path, arguments: Any, texts: dict[str, bytes]) -> dict[str, tuple[Any, ...]]:
     """What mechanics knows of each link and joint, by its name."""
-    (subject,) = subjects(Options(arguments=arguments, texts=texts), [file])
-    assert subject is not None
-    if subject.reading.document is None:
+    (context,) = contexts(Options(arguments=arguments, texts=texts), [file])
+    assert context is not None
+    if context.reading.document is None:
         return {}
     parts: dict[str, tuple[Any, ...]] = {}
-    for link in subject.model.links:
+    for link in context.model.links:
         inertial = link.inertial
         tensor = inertial.tensor.value if inertial and inertial.tensor else None
         parts[link.name] = (link.mass, tensor, inertial and inertial.origin)
-    for joint in subject.model.joints:
+    for joint in context.model.joints:
         parts[joint.name] = (joint.kind, joint.origin, joint.axis and joint.axis.value)
     return parts
 

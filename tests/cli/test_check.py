@@ -74,8 +74,8 @@ def test_an_unknown_code_that_is_ignored_is_a_warning(check: Screen, bad: str) -
 
 
 def fake(severity: Severity) -> Rule:
-    def find(subject: Context):
-        yield Finding(subject.document.root, "it is there")
+    def find(context: Context):
+        yield Finding(context.document.root, "it is there")
 
     return Rule("ABC123", "fake", severity, frozenset({Need.MODEL}), find, "", False, __name__, {})
 
@@ -101,7 +101,7 @@ def test_fail_on(
 def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
     check: Screen, bad: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def crash(subject: Context):
+    def crash(context: Context):
         raise ValueError("boom")
 
     rules = [fake(Severity.INFO)._replace(check=crash, code="ABC001"), fake(Severity.ERROR)]

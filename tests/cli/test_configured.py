@@ -179,7 +179,7 @@ def test_the_viewer(robot: Path, monkeypatch, capsys) -> None:
     configure(robot, TWO)
     assert main(["view", str(robot), "--variant", "right", "--no-open"]) == 0
     reported = describe(*seen[0], quick=True)
-    assert reported.subject.arguments == {"side": "right"}
+    assert reported.context.arguments == {"side": "right"}
 
 
 def test_the_language_server(robot: Path) -> None:

@@ -82,16 +82,16 @@ def verdict(name: str, robot: Robot) -> Verdict | None:
     """What a program and urdfkit say of one robot; None for what is no whole robot."""
     path, arguments = robot
     options = Options(arguments=arguments, targets=(name,), only_errors=_SLOW).resolved()
-    subject = next(iter(engine.subjects(options, [path])), None)
-    if subject is None:
+    context = next(iter(engine.contexts(options, [path])), None)
+    if context is None:
         return None
     try:
-        text = with_absolute_paths(subject)
+        text = with_absolute_paths(context)
     except (Unavailable, ElementTree.ParseError):
         return None
-    if subject.is_part or subject.reading.missing_arguments:
+    if context.is_part or context.reading.missing_arguments:
         return None
-    result = run_rules(subject, rule_index.codes(), options)
+    result = run_rules(context, rule_index.codes(), options)
     found = {one.code for one in result.diagnostics if one.severity is Severity.ERROR}
     errors = tuple(sorted(found - OF_HANDLING))
     reading = read(name, text, path.parent)
@@ -99,14 +99,14 @@ def verdict(name: str, robot: Robot) -> Verdict | None:
         cause, codes = cause_of(name, reading)
         lacking = {one.code for one in result.diagnostics if one.code == NOT_HERE}
         return Verdict(reading, cause, tuple(sorted((found | lacking) & codes)), errors)
-    return Verdict(errors=errors, differences="; ".join(_differences(subject, reading)))
+    return Verdict(errors=errors, differences="; ".join(_differences(context, reading)))
 
 
-def with_absolute_paths(subject: Context) -> bytes:
+def with_absolute_paths(context: Context) -> bytes:
     """The expanded URDF, with the places of the meshes that are there."""
-    text = re.sub(rb"^\s*<\?xml.*?\?>", b"", subject.text)
+    text = re.sub(rb"^\s*<\?xml.*?\?>", b"", context.text)
     robot = ElementTree.fromstring(text)
-    paths = {mesh.at.value: mesh.located.path for mesh in subject.files.meshes}
+    paths = {mesh.at.value: mesh.located.path for mesh in context.files.meshes}
     for mesh in robot.iter("mesh"):
         if path := paths.get(mesh.get("filename", "")):
             mesh.set("filename", path)
@@ -124,15 +124,15 @@ def cause_of(name: str, refusal: str) -> tuple[str, set[str]]:
     return "other", set()
 
 
-def _differences(subject: Context, reading: Reading) -> list[str]:
+def _differences(context: Context, reading: Reading) -> list[str]:
     """How the program's robot differs from the written one."""
     found = []
-    mass = sum(link.mass or 0.0 for link in subject.model.links)
+    mass = sum(link.mass or 0.0 for link in context.model.links)
     if not isclose(reading.mass, mass, rel_tol=1e-5, abs_tol=1e-9):
         found.append(f"mass {reading.mass:.6g} kg, written {mass:.6g} kg")
     moved = [
         name
-        for name, place in subject.tree.frames.items()
+        for name, place in context.tree.frames.items()
         if (frame := reading.frames.get(name))
         and dist(frame, (*place.position, *chain(*place.rotation))) > _NEAR
     ]

@@ -59,8 +59,8 @@ def test_min_confidence(
 ) -> None:
     rule = rule_index.get("JNT020")
     made = rule._replace(
-        check=lambda subject: (
-            found._replace(confidence=confidence) for found in rule.check(subject)
+        check=lambda context: (
+            found._replace(confidence=confidence) for found in rule.check(context)
         )
     )
     monkeypatch.setattr(rule_index, "get", lambda code: made)

@@ -208,7 +208,7 @@ def test_a_slip_in_the_name_is_told_with_the_nearest(place: Place) -> None:
 def test_a_rule_that_fails_is_told_as_its_own_bug(place: Place) -> None:
     source = (OWN_RULE / "acme_rules" / "acm001_joint_too_fast.py").read_text()
     place.install(
-        code=source.replace("for joint in subject", "raise ValueError\n    for joint in subject")
+        code=source.replace("for joint in context", "raise ValueError\n    for joint in context")
     )
     code, text = place.check("--rules", "acme", "--select", "ACM")
     assert code == 3

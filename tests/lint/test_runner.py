@@ -76,7 +76,7 @@ WHEELS = b"""\
 """
 
 
-def subject(data: bytes = WHEELS, **options: Any) -> Context:
+def context(data: bytes = WHEELS, **options: Any) -> Context:
     path = "r.xacro" if b"xacro:" in data else "r.urdf"
     return Context(Source(path, data), Resolver(environment={}), **options)
 
@@ -99,7 +99,7 @@ def judged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., runner.FileResult]:
 
     def run(*made: Rule, one: Context | None = None) -> runner.FileResult:
         run_only(monkeypatch, made)
-        return runner.run_rules(one or subject(), [])
+        return runner.run_rules(one or context(), [])
 
     return run
 
@@ -228,7 +228,7 @@ def test_the_help_of_the_rule_stands_in(judged) -> None:
 def test_the_worst_severity_of_a_target_wins(judged, targets, severity, affected) -> None:
     by_target = {"mujoco": Severity.ERROR, "drake": Severity.ERROR, "kdl": Severity.INFO}
     weighed = rule(of_links(lambda name, at: Finding(at, name)), by_target=by_target)
-    verdict = judged(weighed, one=subject(targets=Targets(targets)))
+    verdict = judged(weighed, one=context(targets=Targets(targets)))
     assert {(d.severity, d.targets) for d in verdict.diagnostics} == {(severity, affected)}
     assert verdict.targets == Targets(targets)
 
@@ -240,7 +240,7 @@ def test_a_finding_may_have_a_severity_of_its_own(judged) -> None:
             yield Finding(link.at, link.name, weight=float(mild is not None), severity=mild)
 
     weighed = rule(find, by_target={"mujoco": Severity.ERROR})
-    base, wheel = judged(weighed, one=subject(targets=Targets(("mujoco",)))).diagnostics
+    base, wheel = judged(weighed, one=context(targets=Targets(("mujoco",)))).diagnostics
     assert (base.severity, base.targets) == (Severity.INFO, ())
     # The calls of one macro are one finding, as bad as the worst of them.
     assert (wheel.severity, wheel.targets) == (Severity.ERROR, ("mujoco",))
@@ -259,7 +259,7 @@ def test_a_part_that_is_not_to_be_had_skips_the_rule(judged) -> None:
         raise Unavailable("Pinocchio is not installed")
 
     of_all = rule(of_links(lambda name, at: Finding(at, name)), code="ABC002")
-    verdict = judged(rule(of_pinocchio), of_all, one=subject(b'<robot><link name="a"/></robot>'))
+    verdict = judged(rule(of_pinocchio), of_all, one=context(b'<robot><link name="a"/></robot>'))
     assert [(skip.code, skip.path, skip.reason) for skip in verdict.skipped] == [
         ("ABC001", "r.urdf", "Pinocchio is not installed")
     ]

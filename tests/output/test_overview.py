@@ -155,9 +155,9 @@ def test_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
     """Masses and joints as other tools measured them, Pinocchio's nq and nv among them."""
     directory, model = entry
     source = Source.read(directory / model["path"])
-    subject = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
-    vars(subject)["meshes"] = _NoMeshes()
-    found, expected = summarise(subject), model["expect"]
+    context = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    vars(context)["meshes"] = _NoMeshes()
+    found, expected = summarise(context), model["expect"]
     assert found.structure.joints == expected["joint_types"]
     assert found.weight.whole.mass == pytest.approx(expected["total_mass_kg"], rel=1e-9, abs=1e-12)
     pinocchio = expected["pinocchio"]

@@ -123,17 +123,17 @@ def test_more_joints_than_are_searched_have_their_load_at_zero(
         '<origin xyz="0 0 1"/><axis xyz="1 0 0"/></joint>'
     )
     text = "".join(body.format(n) for n in range(4))
-    subject = of(text + "".join(joint.format(n, n + 1) for n in range(3)))
-    model = GravityModel(subject.tree)
+    context = of(text + "".join(joint.format(n, n + 1) for n in range(3)))
+    model = GravityModel(context.tree)
     starts = model.starts(3, seed=0)
-    searched = gravity_loads(model, efforts(subject), starts, pose={})
+    searched = gravity_loads(model, efforts(context), starts, pose={})
     assert max(load.worst for load in searched) == pytest.approx(3 * 9.81)  # 1 and 2 m away
     monkeypatch.setattr(gravity, "MAX_SEARCHED", 2)
-    loads = gravity_loads(model, efforts(subject), starts, pose={})
+    loads = gravity_loads(model, efforts(context), starts, pose={})
     assert [(load.worst, load.pose) for load in loads] == [(0, {})] * 3  # the chain is upright
-    found = statics(subject.dynamics)
+    found = statics(context.dynamics)
     assert not found.searched
-    assert "zero pose only" in next(render(found, subject.model))
+    assert "zero pose only" in next(render(found, context.model))
 
 
 def test_the_rule_says_that_it_does_not_search(monkeypatch: pytest.MonkeyPatch) -> None:

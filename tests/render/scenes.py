@@ -23,9 +23,9 @@ def robot(*links: str, joints: str = "") -> Context:
         for name in names[1:]
     )
     text = f'<robot name="r">{"".join(links)}{joints}</robot>'
-    subject = Context(Source("r.urdf", text.encode()), Resolver())
-    assert read_xml(subject.source)[0] is not None
-    return subject
+    context = Context(Source("r.urdf", text.encode()), Resolver())
+    assert read_xml(context.source)[0] is not None
+    return context
 
 
 def link(

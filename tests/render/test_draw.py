@@ -214,10 +214,10 @@ def test_a_collision_on_its_visual_covers_it_without_patches(orthographic: bool)
     ball = '<geometry><sphere radius="0.3"/></geometry>'
     inner = '<geometry><sphere radius="0.2995"/></geometry>'  # a hair below
     body = f'<visual>{ball}<material name="m"><color rgba="0 0 1 1"/></material></visual>'
-    subject = robot(f'<link name="a">{body}<collision>{inner}</collision></link>')
-    shown = build(subject, roles=("visual", "collision"))
+    context = robot(f'<link name="a">{body}<collision>{inner}</collision></link>')
+    shown = build(context, roles=("visual", "collision"))
     camera = place_camera(shown.points(), "iso", size=SIZE, orthographic=orthographic)
-    alone_, both = (alone(one, camera).astype(int) for one in (build(subject), shown))
+    alone_, both = (alone(one, camera).astype(int) for one in (build(context), shown))
     inside = alone_[..., 3] == 255
     inside[[0, -1]] = inside[:, [0, -1]] = False
     core = inside.copy()

@@ -41,9 +41,9 @@ def test_letters_that_a_font_of_the_system_has_are_drawn() -> None:
 
 @pytest.mark.parametrize("name", ["激光雷达", "🤖", "колесо", "é", "\ud800", "a\x00b", ""])
 def test_no_name_stops_a_picture(name: str) -> None:
-    subject = robot(link("a", '<box size="1 1 1"/>'))
-    scene = build(subject)
-    scene = explained(scene, subject, ["names"], {})
+    context = robot(link("a", '<box size="1 1 1"/>'))
+    scene = build(context)
+    scene = explained(scene, context, ["names"], {})
     scene = scene._replace(labels=tuple(one._replace(text=name) for one in scene.labels))
     image = Image.new("RGBA", (160, 90))
     write(image, scene, place_camera(scene.points(), size=image.size))

@@ -24,16 +24,16 @@ SOLID = (
 )
 
 
-def overlays(layer: str, subject, given=None) -> list[SceneItem]:
-    scene = explained(build(subject, given), subject, [layer], given)
+def overlays(layer: str, context, given=None) -> list[SceneItem]:
+    scene = explained(build(context, given), context, [layer], given)
     return [item for item in scene.items if item.role == layer or item.material.overlay]
 
 
 def test_the_box_of_inertia_is_the_box_that_has_it() -> None:
     x, y, z = 0.2, 0.3, 0.6  # 12 kg of it: I = m/12 (b^2 + c^2)
     tensor = SOLID.format(y * y + z * z, x * x + z * z, x * x + y * y)
-    subject = robot(f'<link name="a">{tensor}</link>')
-    (item,) = overlays("inertia", subject)
+    context = robot(f'<link name="a">{tensor}</link>')
+    (item,) = overlays("inertia", context)
     turned_back = item.vertices - np.array((0.1, 0, 0))
     c, s = np.cos(-0.5), np.sin(-0.5)
     own = turned_back @ np.array(((c, -s, 0), (s, c, 0), (0, 0, 1))).T
@@ -47,8 +47,8 @@ def test_a_box_of_inertia_larger_than_the_robot_is_told_and_not_drawn() -> None:
     )
     base = link("base", '<box size="1 1 1"/>').replace("</link>", SOLID.format(2, 2, 2) + "</link>")
     frames = [f'<link name="frame{n}">{light.format(0.01)}</link>' for n in range(6)]
-    subject = robot(base, *frames, f'<link name="good">{light.format(1e-4)}</link>')
-    scene = explained(build(subject), subject, ["inertia"])
+    context = robot(base, *frames, f'<link name="good">{light.format(1e-4)}</link>')
+    scene = explained(build(context), context, ["inertia"])
     assert {item.link for item in scene.items if item.material.overlay} == {"base", "good"}
     assert [label.text for label in scene.labels] == [
         *(f"frame{n}: inertia of 2.45 m" for n in range(3)),
@@ -57,14 +57,14 @@ def test_a_box_of_inertia_larger_than_the_robot_is_told_and_not_drawn() -> None:
 
 
 def test_a_tensor_that_no_matter_has_is_drawn_flat_not_refused() -> None:
-    subject = robot(f'<link name="a">{SOLID.format(1, 1, 5)}</link>')
-    (item,) = overlays("inertia", subject)
+    context = robot(f'<link name="a">{SOLID.format(1, 1, 5)}</link>')
+    (item,) = overlays("inertia", context)
     assert np.isfinite(item.vertices).all()
 
 
 def test_frames_point_where_the_axes_do() -> None:
-    subject = robot(link("a", '<box size="1 1 1"/>'))
-    x, y, z = overlays("frames", subject)
+    context = robot(link("a", '<box size="1 1 1"/>'))
+    x, y, z = overlays("frames", context)
     for axis, item in enumerate((x, y, z)):
         tip = item.vertices[np.argmax(item.vertices[:, axis])]
         assert np.argmax(item.material.rgba[:3]) == axis
@@ -78,20 +78,20 @@ JOINT = (
 
 
 def test_frames_of_a_robot_without_geometry_are_seen_from_outside() -> None:
-    subject = robot('<link name="a"/>')
-    scene = explained(build(subject), subject, ["frames"])
+    context = robot('<link name="a"/>')
+    scene = explained(build(context), context, ["frames"])
     camera = place_camera(scene.points(), "front")
     ends = np.concatenate([item.vertices for item in scene.items])
     assert np.linalg.norm(np.array(camera.eye)) > 3 * np.abs(ends).max()
 
 
 def test_the_sector_of_a_joint_spans_its_range() -> None:
-    subject = robot(
+    context = robot(
         link("a", '<box size="1 1 1"/>'),
         link("b", '<box size="1 1 1"/>'),
         joints=JOINT.format("revolute", -pi / 4, pi / 2),
     )
-    _, sector, hand = overlays("joints", subject, {"j": pi / 4})
+    _, sector, hand = overlays("joints", context, {"j": pi / 4})
 
     def angles(item: SceneItem) -> np.ndarray:
         rim = item.vertices[1:]
@@ -104,32 +104,32 @@ def test_the_sector_of_a_joint_spans_its_range() -> None:
 
 
 def test_the_rail_of_a_slide_is_as_long_as_its_way() -> None:
-    subject = robot(
+    context = robot(
         link("a", '<box size="1 1 1"/>'),
         link("b", '<box size="1 1 1"/>'),
         joints=JOINT.format("prismatic", -0.5, 1.5),
     )
-    _, rail, ball = overlays("joints", subject, {"j": 0.25})
+    _, rail, ball = overlays("joints", context, {"j": 0.25})
     assert (rail.vertices[:, 2].min(), rail.vertices[:, 2].max()) == pytest.approx((0.5, 2.5))
     assert (ball.vertices[:, 2].min() + ball.vertices[:, 2].max()) / 2 == pytest.approx(1.25)
 
 
 def test_the_centre_of_mass_is_that_of_all_links() -> None:
     mass = '<inertial><origin xyz="{} 0 0"/><mass value="{}"/></inertial>'
-    subject = robot(
+    context = robot(
         f'<link name="a">{mass.format(0, 1)}</link>', f'<link name="b">{mass.format(4, 3)}</link>'
     )
-    scene = explained(build(subject), subject, ["mass"])
+    scene = explained(build(context), context, ["mass"])
     (label,) = scene.labels
     assert label.text == "4 kg"
     assert placed(np.array([label.point]), scene.frames[label.link])[0] == pytest.approx((3, 0, 0))
 
 
 def test_a_sign_is_seen_through_what_hides_it_and_throws_no_shadow() -> None:
-    subject = robot(link("a", '<box size="1 1 1"/>', rgba="1 1 1 1"))
-    scene = explained(build(subject), subject, ["frames"])
+    context = robot(link("a", '<box size="1 1 1"/>', rgba="1 1 1 1"))
+    scene = explained(build(context), context, ["frames"])
     camera = place_camera(scene.points(), "front", size=(200, 200))
-    plain, signed = alone(build(subject), camera).astype(int), alone(scene, camera).astype(int)
+    plain, signed = alone(build(context), camera).astype(int), alone(scene, camera).astype(int)
     changed = np.abs(plain - signed).sum(axis=2) > 20
     assert 0 < changed.sum() < 0.05 * changed.size
     assert (plain[..., 3] == signed[..., 3]).mean() > 0.95
@@ -138,7 +138,7 @@ def test_a_sign_is_seen_through_what_hides_it_and_throws_no_shadow() -> None:
 def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
     pytest.importorskip("coal")
     box = '<collision><origin xyz="{} 0 0"/><geometry><box size="1 1 1"/></geometry></collision>'
-    subject = robot(
+    context = robot(
         f'<link name="a">{box.format(0)}</link>',
         f'<link name="b">{box.format(0.9)}</link>',
         f'<link name="c">{box.format(1.85)}</link>',
@@ -148,7 +148,7 @@ def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
             for child, kind in (("b", "fixed"), ("c", "continuous"), ("d", "fixed"))
         ),
     )
-    scene = explained(build(subject), subject, ["contacts"])
+    scene = explained(build(context), context, ["contacts"])
     reported = {label.text: label.point for label in scene.labels}
     assert set(reported) == {"a, b: 100 mm", "b, c: 50 mm"}
     assert reported["a, b: 100 mm"] == pytest.approx((0.45, 0, 0), abs=1e-6)
@@ -160,18 +160,18 @@ def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
 
 def test_names_stand_beside_their_links_and_never_on_one_another() -> None:
     links = [link(f"link_{i}", '<sphere radius="0.1"/>', f"0 {i * 0.05} 0") for i in range(12)]
-    subject = robot(*links)
-    scene = explained(build(subject), subject, ["names"])
+    context = robot(*links)
+    scene = explained(build(context), context, ["names"])
     assert [label.text for label in scene.labels] == [f"link_{i}" for i in range(12)]
-    bare = np.asarray(render_image(build(subject), size=(480, 270), quality="draft"), dtype=int)
+    bare = np.asarray(render_image(build(context), size=(480, 270), quality="draft"), dtype=int)
     named = np.asarray(render_image(scene, size=(480, 270), quality="draft"), dtype=int)
     assert (np.abs(bare - named).sum(axis=2) > 60).sum() > 500
 
 
 @pytest.mark.parametrize("layer", LAYERS)
 def test_every_layer_takes_a_robot_that_is_nothing(layer: str) -> None:
-    subject = robot('<link name="a"/>')
-    render_image(explained(build(subject), subject, [layer]), size=(64, 64), quality="draft")
+    context = robot('<link name="a"/>')
+    render_image(explained(build(context), context, [layer]), size=(64, 64), quality="draft")
 
 
 @pytest.mark.parametrize("layer", LAYERS)
@@ -186,14 +186,14 @@ def test_every_layer_takes_a_robot_larger_than_the_world(layer: str, tmp_path: P
         <origin xyz="1e308 1e308 -1e308"/>
         <limit lower="-1e308" upper="1e308" effort="1" velocity="1"/></joint></robot>"""
     )
-    subject = read(file)
-    explained(build(subject), subject, [layer])
+    context = read(file)
+    explained(build(context), context, [layer])
 
 
 def test_a_layer_that_is_not_there_is_named() -> None:
-    subject = robot('<link name="a"/>')
+    context = robot('<link name="a"/>')
     with pytest.raises(NoSuchLayer, match="frames"):
-        explained(build(subject), subject, ["frame"])
+        explained(build(context), context, ["frame"])
 
 
 @pytest.mark.parametrize(
@@ -206,5 +206,5 @@ def test_a_layer_that_is_not_there_is_named() -> None:
     ],
 )
 def test_a_layer_that_has_nothing_to_draw_says_why(layer: str, note: str) -> None:
-    subject = robot('<link name="a"/>', '<link name="b"/>')
-    assert explained(build(subject), subject, [layer, "frames"]).notes == (note,)
+    context = robot('<link name="a"/>', '<link name="b"/>')
+    assert explained(build(context), context, [layer, "frames"]).notes == (note,)

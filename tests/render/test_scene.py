@@ -102,13 +102,13 @@ def test_a_broken_texture_leaves_the_surface(quad: Path, content: bytes) -> None
 def test_gazebo_colours_count_where_nothing_else_says_anything() -> None:
     body = '<link name="{}"><visual><geometry><box size="1 1 1"/></geometry>{}</visual></link>'
     gazebo = '<gazebo reference="{}"><material>Gazebo/Orange</material></gazebo>'
-    subject = robot(
+    context = robot(
         body.format("plain", "") + gazebo.format("plain"),
         body.format("blue", '<material name="b"><color rgba="0 0 1 1"/></material>')
         + gazebo.format("blue"),
         body.format("bare", ""),
     )
-    looks = {item.link: item.material for item in build(subject).items}
+    looks = {item.link: item.material for item in build(context).items}
     assert looks["plain"].rgba[0] > looks["plain"].rgba[1] > looks["plain"].rgba[2]
     assert looks["blue"].rgba[:3] == (0, 0, 1)
     assert looks["bare"] == PLAIN
@@ -181,12 +181,12 @@ def test_a_box_for_a_mesh_of_which_nothing_is_known_reaches_to_the_next_joints()
 
 def test_every_visual_of_the_models_is_drawn_or_said_to_be_missing() -> None:
     for file in sorted((MODELS / "good").rglob("*.urdf")):
-        subject = read(file)
-        scene = build(subject, roles=("visual", "collision"))
-        shapes = sum(len(link.visuals) + len(link.collisions) for link in subject.model.links)
+        context = read(file)
+        scene = build(context, roles=("visual", "collision"))
+        shapes = sum(len(link.visuals) + len(link.collisions) for link in context.model.links)
         drawn = {(item.link, item.role) for item in scene.items}
         assert len(scene.items) >= shapes
-        for one in subject.model.links:
+        for one in context.model.links:
             assert not one.visuals or (one.name, "visual") in drawn
 
 

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.massive import inertial, joint, link, subject
+from tests.massive import context, inertial, joint, link
 from urdfkit.robot.rigid_bodies import rigid_bodies
 
 ROBOT = (
@@ -22,7 +22,7 @@ def bodies(text: str, preserved: tuple[str, ...] = ()) -> list[tuple[str, list[s
     """The joint above each body and its links."""
     return [
         (body.joint.name if body.joint else "", [one.name for one, _ in body.links])
-        for body in rigid_bodies(subject(text).tree, frozenset(preserved))
+        for body in rigid_bodies(context(text).tree, frozenset(preserved))
     ]
 
 
@@ -36,7 +36,7 @@ def test_fixed_joints_make_links_one() -> None:
 
 
 def test_mass_and_centre_are_those_of_all_links() -> None:
-    base, wheel = rigid_bodies(subject(ROBOT).tree)
+    base, wheel = rigid_bodies(context(ROBOT).tree)
     assert (base.top.name, base.mass, wheel.mass) == ("root", 3, 0.5)
     properties = base.properties
     assert properties.center == pytest.approx((2 / 3, 0, 1))
@@ -49,12 +49,12 @@ def test_mass_and_centre_are_those_of_all_links() -> None:
 def test_what_is_fixed_to_the_world_is_ground() -> None:
     robot = link("world") + link("rail") + link("cart")
     robot += joint("world", "rail") + joint("rail", "cart", "prismatic")
-    assert [body.is_ground for body in rigid_bodies(subject(robot).tree)] == [True, False]
-    assert not any(body.is_ground for body in rigid_bodies(subject(ROBOT).tree))
+    assert [body.is_ground for body in rigid_bodies(context(robot).tree)] == [True, False]
+    assert not any(body.is_ground for body in rigid_bodies(context(ROBOT).tree))
 
 
 def test_a_link_without_a_number_weighs_nothing() -> None:
-    (plain, bad) = subject(link("a") + link("b", inertial(float("nan"), (1, 1, 1)))).model.links
+    (plain, bad) = context(link("a") + link("b", inertial(float("nan"), (1, 1, 1)))).model.links
     assert (plain.mass, bad.mass) == (0, 0)
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.massive import BALL, BOX, MESH, WHEEL, link, shape, subject
+from tests.massive import BALL, BOX, MESH, WHEEL, context, link, shape
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, from_rpy
 from urdfkit.robot import inertia
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, Primitive, shaped, sizes, solid
@@ -179,19 +179,19 @@ def test_boxes_in_common() -> None:
     ],
 )
 def test_what_is_a_solid(geometry: str, text: str | None) -> None:
-    (one,) = subject(link("a", shape("collision", geometry))).model.links
+    (one,) = context(link("a", shape("collision", geometry))).model.links
     found = solid(one.collisions)
     assert (found and str(found)) == text
 
 
 def test_one_mesh_makes_it_no_solid() -> None:
-    (one,) = subject(link("a", shape("visual", BOX), shape("visual", MESH))).model.links
+    (one,) = context(link("a", shape("visual", BOX), shape("visual", MESH))).model.links
     assert solid(one.visuals) is None
     assert solid(one.collisions) is None
 
 
 def test_the_shapes_of_a_model_and_their_sizes() -> None:
-    model = subject(
+    model = context(
         link("a", shape("visual", WHEEL), shape("collision", '<box size="1 2"/>')) + link("b")
     ).model
     found = [(link.name, body.at.tag, shape) for link, body, shape in shaped(model)]

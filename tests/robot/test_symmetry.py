@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from tests.massive import joint, link, subject
+from tests.massive import context, joint, link
 from urdfkit.robot.symmetry import apart, joint_pairs, numbered_pairs, pairs
 
 
@@ -141,7 +141,7 @@ def test_a_long_chain_takes_no_long_time() -> None:
 def symmetric_pairs(*joints: str) -> list[tuple[str, str]]:
     """The names of the joints that are pairs in a robot of joints."""
     names = sorted({name for one in joints for name in re.findall(r'(?<=link=")\w+', one)})
-    tree = subject("".join(map(link, names)) + "".join(joints)).tree
+    tree = context("".join(map(link, names)) + "".join(joints)).tree
     return [(left.name, right.name) for left, right in joint_pairs(tree)]
 
 

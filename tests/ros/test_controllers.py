@@ -126,7 +126,7 @@ def test_hostile_files_end(text: str) -> None:
     assert len(of(text)) <= 1
 
 
-def subject(directory: Path, *paths: str) -> Context:
+def context(directory: Path, *paths: str) -> Context:
     parameters = "".join(f"<parameters> {path} </parameters>" for path in paths)
     text = whole_robot(ROBOT + plugin("libgazebo_ros2_control.so", parameters))
     return Context(Source(str(directory / "r.urdf"), text.encode()), Resolver(environment={}))
@@ -135,7 +135,7 @@ def subject(directory: Path, *paths: str) -> Context:
 def test_the_files_that_a_plugin_names(tmp_path: Path) -> None:
     here = tmp_path / "c.yaml"
     here.write_text(PLAIN, encoding="utf-8")
-    model = subject(tmp_path, str(here), "/nowhere/c.yaml", str(here))
+    model = context(tmp_path, str(here), "/nowhere/c.yaml", str(here))
     assert [(file.path, file.found) for file in parameter_files(model)] == [
         (str(here), str(here)),
         ("/nowhere/c.yaml", None),
@@ -148,7 +148,7 @@ def test_the_files_that_a_plugin_names(tmp_path: Path) -> None:
 
 
 def test_paths_that_say_nothing_here(tmp_path: Path) -> None:
-    model = subject(tmp_path, "c.yaml", "$(find p)/c.yaml", "/${x}.yaml", "", "package://p/c.yaml")
+    model = context(tmp_path, "c.yaml", "$(find p)/c.yaml", "/${x}.yaml", "", "package://p/c.yaml")
     assert parameter_files(model) == []
 
 
@@ -157,7 +157,7 @@ def test_a_file_that_a_build_would_install(tmp_path: Path) -> None:
     (tmp_path / "bringup" / "config").mkdir(parents=True)
     source = tmp_path / "bringup" / "config" / "c.yaml"
     source.write_text(PLAIN, encoding="utf-8")
-    (file,) = parameter_files(subject(tmp_path, str(tmp_path / "config" / "c.yaml")))
+    (file,) = parameter_files(context(tmp_path, str(tmp_path / "config" / "c.yaml")))
     assert file.found == str(source)
 
 
@@ -166,6 +166,6 @@ def test_a_file_outside_of_the_workspace_is_not_read(tmp_path: Path) -> None:
     workspace.mkdir(parents=True)
     (workspace / "package.xml").write_text("<package><name>p</name></package>")
     outside.write_text(PLAIN, encoding="utf-8")
-    model = subject(workspace, str(outside))
+    model = context(workspace, str(outside))
     assert [file.found for file in parameter_files(model)] == [str(outside)]
     assert list(controllers(model)) == []

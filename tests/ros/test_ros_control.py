@@ -22,14 +22,14 @@ from urdfkit.workspace.resolve import Resolver
 PR2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission"/>'
 
 
-def subject(text: str) -> Context:
+def context(text: str) -> Context:
     return Context(Source("robot.urdf", whole_robot(text).encode()), Resolver(environment={}))
 
 
 def test_a_component_and_its_parts() -> None:
     sensor = '<sensor name="imu"><state_interface name="orientation.x"/></sensor>'
     block = control(driven("swing", more='<param name="p">1</param>'), sensor, plugin=CLASSIC)
-    (component,) = components(subject(ROBOT + block).model)
+    (component,) = components(context(ROBOT + block).model)
     assert (component.name, component.hardware) == ("c", CLASSIC)
     assert component.called == "<ros2_control> 'c'"
     assert [(part.kind, part.name) for part in component.parts] == [
@@ -52,13 +52,13 @@ def test_a_component_and_its_parts() -> None:
 def test_the_bounds_of_an_interface(text: str, value: float | None) -> None:
     joint = f'<joint name="j"><command_interface name="v"><param name="min">{text}</param>'
     block = control(f"{joint}</command_interface></joint>")
-    interface = components(subject(block).model)[0].joints[0].interfaces[0]
+    interface = components(context(block).model)[0].joints[0].interfaces[0]
     assert interface.bound("min") == value
     assert interface.bound("max") is None
 
 
 def test_an_empty_block_is_read() -> None:
-    (component,) = components(subject(ROBOT + "<ros2_control/>").model)
+    (component,) = components(context(ROBOT + "<ros2_control/>").model)
     assert component.plugin is None
     assert component.parts == ()
     assert (component.hardware, component.called) == ("", "<ros2_control>")
@@ -67,7 +67,7 @@ def test_an_empty_block_is_read() -> None:
 def test_control_plugins_among_others() -> None:
     text = plugin("libgazebo_ros_control.so") + plugin("libgazebo_ros_joint_pose_trajectory.so")
     text += plugin("libacme_control.so") + plugin("gz_ros2_control-system")
-    found = control_plugins(subject(ROBOT + text).model)
+    found = control_plugins(context(ROBOT + text).model)
     assert [(one.kind, one.filename) for one in found] == [
         ("gazebo_ros_control", "libgazebo_ros_control.so"),
         ("gz_ros2_control", "gz_ros2_control-system"),
@@ -75,13 +75,13 @@ def test_control_plugins_among_others() -> None:
 
 
 def test_transmissions() -> None:
-    model = subject(ROBOT + transmission("swing") + PR2).model
+    model = context(ROBOT + transmission("swing") + PR2).model
     ((joint, of),) = driven_joints(model)
     assert (joint.get("name"), of) == ("swing", model.transmissions[0])
     assert [is_of_pr2(one) for one in model.transmissions] == [False, True]
     mistake = '<transmission type="SimpleTransmission"><joint name="swing"/>{}</transmission>'
     for content, older in (("", False), ("<mechanicalReduction/>", True), ("<type/>", False)):
-        (one,) = subject(ROBOT + mistake.format(content)).model.transmissions
+        (one,) = context(ROBOT + mistake.format(content)).model.transmissions
         assert is_of_pr2(one) is older
 
 
@@ -102,7 +102,7 @@ def test_who_reads_the_transmissions_of_ros1(targets: list[str], read: bool) -> 
 
 def is_about_control(text: str) -> bool:
     return any(
-        rule_index.applicable(family, ["RCT001"], subject(text))
+        rule_index.applicable(family, ["RCT001"], context(text))
         for family in ("ros2_control", "controllers", "transmissions")
     )
 

@@ -31,8 +31,8 @@ import os
 from urdfkit.lint.rules import rule
 from urdfkit.text.diagnostic import Severity
 @rule(Severity.WARNING, help="none")
-def check(subject):
-    name = subject.model.name
+def check(context):
+    name = context.model.name
     if name == "kills":
         os.kill(os.getpid(), 9)
     while name == "hangs":

@@ -49,8 +49,8 @@ def command(asked: dict[str, Any], out: str, consumer: str, force: bool) -> int:
     cannot be read or written.
     """
     with progress() as bar:
-        subject = robot(asked, bar)
-    bundle, rejections = write(subject, out, consumer=consumer, force=force)
+        context = robot(asked, bar)
+    bundle, rejections = write(context, out, consumer=consumer, force=force)
     output.page((*_summary(bundle, out), *_reasons(consumer, rejections)))
     return int(bool(rejections))
 

@@ -49,8 +49,8 @@ def command(asked: dict[str, Any], to: str, out: str, base: str, force: bool, fo
     Exit codes: 0 done, 2 the robot cannot be converted, or OUT cannot be written.
     """
     with progress() as bar:
-        subject = robot(asked, bar)
-    found = convert(subject, out, base=base, force=force)
+        context = robot(asked, bar)
+    found = convert(context, out, base=base, force=force)
     output.json_or_page(form, found.facts, _page(found, out))
     return 0
 

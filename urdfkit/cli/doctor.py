@@ -140,11 +140,11 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     given = parse(names) if names else None
     trust = values["trust"] or config.trust
     source = Source.of(stdin.opened(path))
-    subject = Context(source, resolver, arguments, trust=trust, targets=given)
-    yield f"{path}: {'plain XML' if subject.reading.xacro is None else 'xacro'}"
+    context = Context(source, resolver, arguments, trust=trust, targets=given)
+    yield f"{path}: {'plain XML' if context.reading.xacro is None else 'xacro'}"
     yield from _packages(path, resolver)
-    if subject.reading.document is not None:
-        yield from _targets(subject, given)
+    if context.reading.document is not None:
+        yield from _targets(context, given)
     report = check(
         source, arguments=arguments, packages=packages, targets=names, trust=trust, config=config
     )
@@ -173,10 +173,10 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
         yield from (f"    and in {variable}: {shown(directory)}" for directory in directories)
 
 
-def _targets(subject: Context, given: Targets | None) -> Iterator[str]:
+def _targets(context: Context, given: Targets | None) -> Iterator[str]:
     if given is not None:
         yield f"  targets: {', '.join(given.names)} (given)"
         return
-    inferred = subject.inferred_targets
+    inferred = context.inferred_targets
     yield f"  targets: {', '.join(inferred.names) or 'none detected; select with --target'}"
     yield from (f"    {reason}" for reason in inferred.evidence)

@@ -37,16 +37,16 @@ def command(asked: dict[str, Any], form: str, old: bool) -> int:
     return show(robot(asked), form, old=old)
 
 
-def show(subject: Context, form: str, *, old: bool) -> int:
+def show(context: Context, form: str, *, old: bool) -> int:
     """Print what Gazebo makes of a robot.
 
     Args:
-        subject: the robot.
+        context: the robot.
         form: ``text`` or ``json``.
         old: convert as sdformat did before 9.10.1 and 12.7.2.
     """
-    conversion = Conversion(subject.tree, OLD if old else NEW)
-    rejected = rejections(run_rules(subject, sorted(CODES)).diagnostics, conversion)
+    conversion = Conversion(context.tree, OLD if old else NEW)
+    rejected = rejections(run_rules(context, sorted(CODES)).diagnostics, conversion)
     lines = (*_rejection(rejected), *render(conversion))
     output.json_or_page(form, as_json(conversion, rejected), lines)
     return 0

@@ -57,12 +57,12 @@ def command(asked: dict[str, Any], names: tuple[str, ...], pair: str | None, for
             raise UsageError("--for gazebo stands alone, as text or JSON")
         return gazebo.show(robot(asked), form, old=False)
     facts = chosen(asked_for or IMPORTERS)
-    subject = robot(asked)
-    robots = [subject.imported(one.name) for one in facts]
+    context = robot(asked)
+    robots = [context.imported(one.name) for one in facts]
     if form == "csv":
         output.write("".join(_csv(robots)))
         return 0
-    errors = {one.name: _errors(asked, subject, one) for one in facts} if asked_for else {}
+    errors = {one.name: _errors(asked, context, one) for one in facts} if asked_for else {}
     lines = _reports(robots, errors) if asked_for else _overview(robots)
     output.json_or_page(form, _as_json(robots, errors), lines)
     return 0
@@ -80,8 +80,8 @@ def _map(asked: dict[str, Any], names: list[str], pair: str, form: str) -> int:
         chosen((source, target))
     except UnknownImporter as error:
         raise UsageError(f"--map {pair}: {error}") from error
-    subject = robot(asked)
-    found = index_map(subject.imported(source), subject.imported(target))
+    context = robot(asked)
+    found = index_map(context.imported(source), context.imported(target))
     if form == "csv":
         output.write("".join(_map_csv(found)))
     else:
@@ -89,14 +89,14 @@ def _map(asked: dict[str, Any], names: list[str], pair: str, form: str) -> int:
     return 0
 
 
-def _errors(asked: dict[str, Any], subject: Context, facts: ImporterFacts) -> list[Diagnostic]:
+def _errors(asked: dict[str, Any], context: Context, facts: ImporterFacts) -> list[Diagnostic]:
     """The errors of a check for a program; those of the tree alone, if it is no target."""
     options = check_options(asked, only_file(asked))
     if facts.target:
         options = options._replace(targets=(facts.target,))
     else:
         options = options._replace(select=STRUCTURE)
-    report = check(subject.source, options=options)
+    report = check(context.source, options=options)
     return [one for one in report.diagnostics if one.severity is Severity.ERROR]
 
 

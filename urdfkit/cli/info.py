@@ -44,8 +44,8 @@ def command(asked: dict[str, Any], form: str) -> int:
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
     with progress.shown("mesh files") as bar:
-        subject = robot(asked, bar)
-        found = summarise(subject, positions(subject, asked))
+        context = robot(asked, bar)
+        found = summarise(context, positions(context, asked))
     output.json_or_page(form, as_json(found), render(found))
     return 0
 

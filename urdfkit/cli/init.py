@@ -79,12 +79,12 @@ class _ConfiguredRobot:
 
     def __init__(self, file: str, directory: str, resolver: Resolver) -> None:
         self.file = os.path.relpath(file, directory).replace(os.sep, "/")
-        subject = Context(Source.read(file), resolver)
-        self._xacro = subject.reading.xacro
-        self._needed = subject.reading.missing_arguments
+        context = Context(Source.read(file), resolver)
+        self._xacro = context.reading.xacro
+        self._needed = context.reading.missing_arguments
         self._resolver = resolver
-        is_readable = subject.reading.document is not None
-        self.targets = subject.targets.names if is_readable else ()
+        is_readable = context.reading.document is not None
+        self.targets = context.targets.names if is_readable else ()
 
     def lines(self) -> Iterator[str]:
         """Its table, with the arguments that it needs; the others as comments."""

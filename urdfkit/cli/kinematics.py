@@ -50,30 +50,30 @@ def command(
 
     Exit codes: 0 done, 2 the file or the pose cannot be read, or a link is unknown.
     """
-    subject = robot(asked)
-    given = positions(subject, asked)
+    context = robot(asked)
+    given = positions(context, asked)
     found: dict[str, Any] = {"version": VERSION, "pose": given}
     if not (ends or jacobian or mass_matrix):
-        found["frames"] = frames(subject.tree, given)
+        found["frames"] = frames(context.tree, given)
     if ends:
-        found["transform"] = transform(subject.tree, given, ends[1], ends[0])
+        found["transform"] = transform(context.tree, given, ends[1], ends[0])
         found["from"], found["to"] = ends
     if jacobian or mass_matrix:
-        found |= _dynamics(subject, given, jacobian, mass_matrix)
-    roots = subject.tree.root_of
+        found |= _dynamics(context, given, jacobian, mass_matrix)
+    roots = context.tree.root_of
     output.json_or_page(form, as_json(found, roots), render(found, roots))
     return 0
 
 
 def _dynamics(
-    subject: Context, given: Mapping[str, float], link: str | None, mass_matrix: bool
+    context: Context, given: Mapping[str, float], link: str | None, mass_matrix: bool
 ) -> dict[str, Any]:
     """What Pinocchio computes.
 
     Raises:
         UrdfkitError: it is not installed, or cannot be asked this.
     """
-    dynamics = subject.dynamics
+    dynamics = context.dynamics
     found: dict[str, Any] = {"columns": list(dynamics.columns)}
     if link:
         found["link"] = link

@@ -39,8 +39,8 @@ def command(asked: dict[str, Any], form: str) -> int:
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
     with shown("mesh files") as bar:
-        subject = robot(asked, bar)
-        found = mass_properties(subject, positions(subject, asked))
+        context = robot(asked, bar)
+        found = mass_properties(context, positions(context, asked))
     if form == "text":
         output.page(render(found))
     else:

@@ -28,7 +28,7 @@ posed = with_options(
 )
 
 
-def positions(subject: Context, asked: Mapping[str, Any]) -> dict[str, float]:
+def positions(context: Context, asked: Mapping[str, Any]) -> dict[str, float]:
     """The positions that the options give; those outside the limits are reported.
 
     Raises:
@@ -43,7 +43,7 @@ def positions(subject: Context, asked: Mapping[str, Any]) -> dict[str, float]:
                 f"--joint {word}: expected NAME=VALUE: the joint and its position"
             )
         given[key] = value
-    found = pose(subject, given, asked["pose"])
-    for sentence in outside_limits(subject.tree, found):
+    found = pose(context, given, asked["pose"])
+    for sentence in outside_limits(context.tree, found):
         output.note(sentence)
     return found

@@ -160,7 +160,7 @@ def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, A
         chosen = check_options(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
             where = os.path.join(os.path.realpath(directory), name)
-            robot = RobotState(file, where, chosen).subject
+            robot = RobotState(file, where, chosen).context
             scenes.append(_scene(robot, positions(robot, asked), values))
         before, after = scenes
         image = render.difference(

@@ -158,7 +158,7 @@ def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context
     file = only_file(asked)
     how = reading(asked, file)
     try:
-        subject = read(
+        context = read(
             stdin.opened(file),
             arguments=how.arguments,
             packages=how.packages,
@@ -167,19 +167,19 @@ def robot(asked: Mapping[str, Any], progress: Progress | None = None) -> Context
         )
     except UnreadableRobot as error:
         raise first_of(error, file) from error
-    if not subject.model.links and subject.document.root.tag != "robot":
-        root = subject.document.root
+    if not context.model.links and context.document.root.tag != "robot":
+        root = context.document.root
         hint = ""
         if root.tag == "sdf" and root.child("world"):
             hint = "; a world is checked with the package that starts it: urdfkit check PACKAGE"
         raise UnreadableRobot(f"{file}: the root element is <{root.tag}>, not <robot>{hint}")
-    for one in subject.launched:
+    for one in context.launched:
         values = " ".join(f"{name}:={value}" for name, value in one.arguments.items())
         output.note(f"read with {values} of {shown(one.launch)}")
-    for name, suggested in unknown_arguments(subject, options.arguments(asked)).items():
+    for name, suggested in unknown_arguments(context, options.arguments(asked)).items():
         hint = f"; did you mean '{suggested}'?" if suggested else ""
         output.note(f"the robot has no argument '{name}'{hint}")
-    return subject
+    return context
 
 
 def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:

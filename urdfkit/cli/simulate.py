@@ -41,8 +41,8 @@ def command(asked: dict[str, Any], base: str, form: str) -> int:
     Exit codes: 0 it behaves, 1 it does not, 2 it cannot be simulated.
     """
     with progress() as bar:
-        subject = robot(asked, bar)
-    found = simulate(subject, base=base)
+        context = robot(asked, bar)
+    found = simulate(context, base=base)
     output.json_or_page(form, found.facts, _page(found))
     return int(not found.passes)
 

@@ -71,42 +71,42 @@ def command(
 
     Exit codes: 0 done, 2 usage or input error.
     """
-    subject = robot(asked)
-    given = positions(subject, asked)
-    carried = _payload(subject, payload)
-    loads = _statics(subject, given, carried, samples, seed)
-    contacts = [subject.model.require_link(link).name for link in contact] or None
-    stands = standing(subject, given, contacts, payload=carried, visuals=visuals)
-    lines = [*render(loads, subject.model, posed=bool(given)), ""]
+    context = robot(asked)
+    given = positions(context, asked)
+    carried = _payload(context, payload)
+    loads = _statics(context, given, carried, samples, seed)
+    contacts = [context.model.require_link(link).name for link in contact] or None
+    stands = standing(context, given, contacts, payload=carried, visuals=visuals)
+    lines = [*render(loads, context.model, posed=bool(given)), ""]
     lines += (line for text in describe(stands) for line in output.wrapped(text))
     output.json_or_page(form, as_json(loads, stands), lines)
     return 0
 
 
-def _payload(subject: Context, words: tuple[str, ...]) -> dict[str, float]:
+def _payload(context: Context, words: tuple[str, ...]) -> dict[str, float]:
     found: dict[str, float] = {}
     for word in words:
         mass, at, link = word.partition("@")
         value = number(mass.removesuffix("kg"))
         if not at or value is None or value < 0:
             raise options.UsageError(f"--payload {word}: expected KG@LINK: a mass in kg and a link")
-        subject.model.require_link(link)
+        context.model.require_link(link)
         found[link] = found.get(link, 0.0) + value
     return found
 
 
 def _statics(
-    subject: Context,
+    context: Context,
     given: dict[str, float],
     payload: dict[str, float],
     samples: int,
     seed: int,
 ) -> Statics:
-    bare = subject.dynamics
+    bare = context.dynamics
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.physics.dynamics.statics import statics
 
-    loaded = Dynamics(subject.tree, payload) if payload else bare
+    loaded = Dynamics(context.tree, payload) if payload else bare
     with shown() as bar:
         return statics(loaded, given, samples=samples, seed=seed, progress=bar)
 

@@ -24,9 +24,9 @@ def command(asked: dict[str, Any], form: str) -> int:
 
     Exit codes: 0 done, 2 the file cannot be read.
     """
-    subject = robot(asked)
+    context = robot(asked)
     if form == "text":
-        output.write(text.render(subject.tree, output.width()))
+        output.write(text.render(context.tree, output.width()))
     else:
-        output.write(import_module(f"urdfkit.output.diagrams.{form}").render(subject.tree))
+        output.write(import_module(f"urdfkit.output.diagrams.{form}").render(context.tree))
     return 0

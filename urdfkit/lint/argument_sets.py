@@ -31,13 +31,13 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
         job: one description.
         read: makes the description of a job.
     """
-    subject = read(job)
-    if not (names := subject.reading.arguments_to_pass):
-        return _as_started(job, read, subject) or [(job, subject)]
+    context = read(job)
+    if not (names := context.reading.arguments_to_pass):
+        return _as_started(job, read, context) or [(job, context)]
     from urdfkit.ros.launch.robot_arguments import given
 
     found, failed = [], {}
-    sets = given(job.path, names, subject.resolver)
+    sets = given(job.path, names, context.resolver)
     for one in sets[:MAX_GIVEN]:
         values = {name: (one.arguments[name], one.launch) for name in names}
         arguments = {**one.arguments, **job.arguments}
@@ -51,23 +51,23 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
         offered = [{name: one.arguments[name] for name in names} for one in sets]
         _note_unchecked(found, offered, failed)
         return found
-    if not subject.reading.missing_arguments:
-        return [(job, subject)]
-    return _as_found(job, read, subject, names) or [(job, subject)]
+    if not context.reading.missing_arguments:
+        return [(job, context)]
+    return _as_found(job, read, context, names) or [(job, context)]
 
 
 def _as_started(
-    job: Job, read: Callable[[Job], Context], subject: Context
+    job: Job, read: Callable[[Job], Context], context: Context
 ) -> list[tuple[Job, Context]]:
     """A job whose defaults do not expand, with what launch files start it with; else nothing."""
-    if all(one.code != "XAC001" for one in subject.reading.problems):
+    if all(one.code != "XAC001" for one in context.reading.problems):
         return []
-    if subject.reading.document is not None or subject.reading.is_fragment:
+    if context.reading.document is not None or context.reading.is_fragment:
         return []
     from urdfkit.ros.launch.robot_arguments import given
 
     found = []
-    for one in given(job.path, (), subject.resolver)[:MAX_GIVEN]:
+    for one in given(job.path, (), context.resolver)[:MAX_GIVEN]:
         if one.frame is not None and one.arguments:
             values = {name: (value, one.launch) for name, value in one.arguments.items()}
             arguments = {**one.arguments, **job.arguments}
@@ -78,17 +78,17 @@ def _as_started(
 
 
 def _as_found(
-    job: Job, read: Callable[[Job], Context], subject: Context, names: tuple[str, ...]
+    job: Job, read: Callable[[Job], Context], context: Context, names: tuple[str, ...]
 ) -> list[tuple[Job, Context]]:
     """A job with values that nobody starts it with; empty if it expands with none of them."""
     from urdfkit.lint.argument_values import combinations
 
-    xacro = subject.reading.xacro
+    xacro = context.reading.xacro
     assert xacro is not None, "only a xacro lacks arguments"
     found: list[tuple[Job, Context]] = []
     failed: dict[tuple[str, ...], Context] = {}
     more: tuple[str, ...] = ()
-    sets = list(combinations(names, xacro, subject.resolver))
+    sets = list(combinations(names, xacro, context.resolver))
     offered = [{name: value for name, (value, _) in values.items()} for values in sets]
     for values, given in list(zip(sets, offered, strict=True))[:MAX_GIVEN]:
         now = job._replace(arguments={**given, **job.arguments}, launched=_launched(job, values))
@@ -102,7 +102,7 @@ def _as_found(
         _note_unchecked(found, offered, failed)
     if found or set(more) <= set(names):
         return found
-    return _as_found(job, read, subject, tuple(dict.fromkeys((*names, *more))))
+    return _as_found(job, read, context, tuple(dict.fromkeys((*names, *more))))
 
 
 def _note_unchecked(
@@ -121,10 +121,10 @@ def _note_unchecked(
 
     left: dict[tuple[str, str], list[str]] = {}
     for values in offered:
-        subject = failed.get(tuple(values.values()))
+        context = failed.get(tuple(values.values()))
         why = f"only {MAX_GIVEN} sets of arguments are tried"
-        if subject is not None:
-            why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
+        if context is not None:
+            why, _ = why_unchecked(context.reading, context.source, context.resolver)
         for name, value in values.items():
             known = left.setdefault((name, why), [])
             if all(job.arguments.get(name) != value for job, _ in found) and value not in known:
@@ -144,16 +144,16 @@ def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched
     return tuple(Launched(job.path, *one) for one in origins.items())
 
 
-def unknown_arguments(subject: Context, given: Iterable[str]) -> dict[str, str]:
+def unknown_arguments(context: Context, given: Iterable[str]) -> dict[str, str]:
     """The given arguments that a description never mentions, each with the suggested one.
 
     xacro takes any, so that a typo has no effect and is not reported. A launch file may pass them
     on, and of what cannot be read not all is known: neither has any.
     """
     names = tuple(given)
-    if not names or subject.reading.document is None:
+    if not names or context.reading.document is None:
         return {}
-    xacro = subject.reading.xacro
+    xacro = context.reading.xacro
     declared = {argument.name for argument in xacro.arguments} if xacro else set()
     mentioned = declared | (xacro.usage.names if xacro else frozenset())
     return {name: nearest(name, declared) or "" for name in names if name not in mentioned}

@@ -59,8 +59,8 @@ def check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Ch
 def check_job(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
     try:
         return [
-            (launched, check_subject(launched, subject, options))
-            for launched, subject in as_launched(job, reader(options, resolver))
+            (launched, check_context(launched, context, options))
+            for launched, context in as_launched(job, reader(options, resolver))
         ]
     except UrdfkitError:
         raise
@@ -73,25 +73,25 @@ def failed(job: Job, error: Exception) -> FileResult:
     return FileResult((), (), (crash("", job.path, error),), frozenset(), None, 0)
 
 
-def check_subject(job: Job, subject: Context, options: Options) -> FileResult:
+def check_context(job: Job, context: Context, options: Options) -> FileResult:
     chosen = [code for code in options.select if not job.codes or code in job.codes]
     # That a robot of a directory cannot be expanded by itself is no defect of it.
-    lacking = subject.reading.missing_argument_codes if job.found else ()
+    lacking = context.reading.missing_argument_codes if job.found else ()
     codes = [code for code in chosen if code not in lacking]
-    result = _skipped_as_one(run_rules(subject, codes, options), subject)
-    return result._replace(unknown_arguments=unknown_arguments(subject, options.arguments))
+    result = _skipped_as_one(run_rules(context, codes, options), context)
+    return result._replace(unknown_arguments=unknown_arguments(context, options.arguments))
 
 
-def _skipped_as_one(result: FileResult, subject: Context) -> FileResult:
+def _skipped_as_one(result: FileResult, context: Context) -> FileResult:
     """A description that cannot be read, of which no error says so, is skipped as a whole."""
     errors = {
         d.code
         for d in result.diagnostics
         if d.severity is Severity.ERROR or d.code in rule_index.NOT_EXPANDED
     }
-    if subject.is_readable or subject.reading.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
+    if context.is_readable or context.reading.is_fragment or not errors <= {rule_index.NOT_CHECKED}:
         return result
     from urdfkit.lint.unchecked import why_unchecked
 
-    why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
-    return result._replace(skipped=(Skipped("", subject.source.path, why),))
+    why, _ = why_unchecked(context.reading, context.source, context.resolver)
+    return result._replace(skipped=(Skipped("", context.source.path, why),))

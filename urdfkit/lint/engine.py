@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.check_job import check_job, check_one_of_many, check_subject, reader
+from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, reader
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.merging import Checked, merged_report
@@ -120,11 +120,11 @@ def check_robots(
     """
     plan, read = planned([file], resolver, options), reader(options, resolver)
     robots = [pair for job in plan.jobs for pair in as_launched(job, read)]
-    checked = [(job, check_subject(job, subject, options)) for job, subject in robots]
-    return merged_report(plan, checked, ()), [subject for _, subject in robots]
+    checked = [(job, check_context(job, context, options)) for job, context in robots]
+    return merged_report(plan, checked, ()), [context for _, context in robots]
 
 
-def subjects(
+def contexts(
     options: Options, files: Iterable[str | os.PathLike[str] | Source]
 ) -> Iterator[Context | None]:
     """The descriptions that a check with the same options looks at, in the same order.
@@ -135,8 +135,8 @@ def subjects(
     options = options.with_config()
     resolver = Resolver(options.packages, texts=options.texts)
     for planned_job in planned(files, resolver, options).jobs:
-        for job, subject in as_launched(planned_job, reader(options, resolver)):
-            yield None if is_launch(job.path) or job.codes else subject
+        for job, context in as_launched(planned_job, reader(options, resolver)):
+            yield None if is_launch(job.path) or job.codes else context
 
 
 def _checked(jobs: list[Job], options: Options, resolver: Resolver) -> Iterator[Checked]:

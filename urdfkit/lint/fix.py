@@ -15,7 +15,7 @@ from urdfkit.core import disk
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
-from urdfkit.lint.engine import subjects
+from urdfkit.lint.engine import contexts
 from urdfkit.lint.fix_guard import Checker, real_path
 from urdfkit.lint.fix_session import Fixes, FixSession, UnappliedFix
 from urdfkit.lint.options import Options, choose, external_codes
@@ -126,7 +126,7 @@ def _generated_meshes(
         text = f"generating meshes needs {error.name}: pip install 'urdfkit[meshes]'"
         raise UrdfkitError(text) from error
     found: dict[str, GeneratedMesh | NotGenerated] = {}
-    for robot in filter(None, subjects(options, files)):
+    for robot in filter(None, contexts(options, files)):
         if robot.reading.document is None:
             continue
         ours = Ownership([robot.source.path], robot.resolver)

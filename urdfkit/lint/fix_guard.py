@@ -14,7 +14,7 @@ from urdfkit.core import disk
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context
-from urdfkit.lint.engine import check_with, subjects
+from urdfkit.lint.engine import check_with, contexts
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Need
@@ -47,8 +47,8 @@ def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
     Args:
         before: the check without the fixes.
         after: the check with them.
-        old: the subjects of the first, which are read only where an error is new.
-        new: the subjects of the second.
+        old: the contexts of the first, which are read only where an error is new.
+        new: the contexts of the second.
     """
     if lost := _rules(after.skipped) - _rules(before.skipped):
         return f"dropped: with it, {min(lost)[0]} could not be checked any more"
@@ -165,7 +165,7 @@ class Checker:
         self, texts: Mapping[str, bytes], files: Iterable[str] | None = None
     ) -> Iterator[Context | None]:
         """The robots of a check, in its order."""
-        return subjects(self._with_texts(texts), self._files if files is None else files)
+        return contexts(self._with_texts(texts), self._files if files is None else files)
 
     def _check(
         self,
@@ -220,12 +220,12 @@ class RegressionGuard:
             codes = {one.code for one in chosen}
             proposals += self._checker.proposals(texts, others, codes)
         found: set[FindingKey] = set()
-        for subject, proposed in zip(robots, proposals, strict=True):
+        for context, proposed in zip(robots, proposals, strict=True):
             asked = set(map(place_of, proposed))
             missing = {key: set(places) - asked for key, places in edits.items()}
-            if subject is None or not any(missing.values()):
+            if context is None or not any(missing.values()):
                 continue
-            tags = _tags(subject, files)
+            tags = _tags(context, files)
             found |= {
                 key for key, places in missing.items() if any(_is_used(one, tags) for one in places)
             }
@@ -271,13 +271,13 @@ class RegressionGuard:
         return self._found[files]
 
 
-def _tags(subject: Context, files: set[str]) -> dict[str, list[tuple[int, int]]]:
+def _tags(context: Context, files: set[str]) -> dict[str, list[tuple[int, int]]]:
     """First and last byte of the start tags that a robot uses of some files, in their order."""
-    if subject.reading.document is None:
+    if context.reading.document is None:
         return {}
-    real = {source.path: disk.real(source.path) for source in subject.document.sources}
+    real = {source.path: disk.real(source.path) for source in context.document.sources}
     found: dict[str, set[tuple[int, int]]] = {}
-    for element in subject.document.root.walk():
+    for element in context.document.root.walk():
         path = real.get(element.tag_at.source.path, "")
         if path in files:
             found.setdefault(path, set()).add(element.span[1:])

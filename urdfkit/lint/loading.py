@@ -49,13 +49,13 @@ def read(
         UnreadableRobot: it is not XML, or does not expand; with every reason.
     """
     source, resolver = Source.of(file), Resolver(packages)
-    subject = subject_of(source, resolver, arguments, trust=trust, cache=cache, progress=progress)
-    if subject.reading.document is None:
-        raise _unreadable(subject.source, subject.reading.problems)
-    return subject
+    context = context_of(source, resolver, arguments, trust=trust, cache=cache, progress=progress)
+    if context.reading.document is None:
+        raise _unreadable(context.source, context.reading.problems)
+    return context
 
 
-def subject_of(
+def context_of(
     source: Source,
     resolver: Resolver,
     arguments: Mapping[str, str] | None,
@@ -78,11 +78,11 @@ def subject_of(
     def described(job: Job) -> Context:
         return Context(source, resolver, job.arguments, trust=trust, cache=cache, progress=progress)
 
-    (job, subject), *others = as_launched(Job(source.path, "", given, False), described)
+    (job, context), *others = as_launched(Job(source.path, "", given, False), described)
     if others:
         return described(Job(source.path, "", given, False))
-    subject.launched = job.launched
-    return subject
+    context.launched = job.launched
+    return context
 
 
 def load(

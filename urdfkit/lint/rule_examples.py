@@ -64,7 +64,7 @@ def targets_of(rule: Rule) -> tuple[str, ...]:
     return names
 
 
-def subject_of(rule: Rule, source: Source) -> Context:
+def context_of(rule: Rule, source: Source) -> Context:
     """An example as a rule sees it."""
     names = targets_of(rule)
     return Context(source, Resolver(environment={}), targets=parse(names) if names else None)
@@ -73,7 +73,7 @@ def subject_of(rule: Rule, source: Source) -> Context:
 def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
     """What one rule says about one of its examples."""
     with laid_out(rule, text) as source:
-        return diagnose(rule, list(rule.check(subject_of(rule, source))))
+        return diagnose(rule, list(rule.check(context_of(rule, source))))
 
 
 def assert_examples(rule: Rule) -> None:
@@ -103,7 +103,7 @@ def assert_examples(rule: Rule) -> None:
 def apply_fixes(rule: Rule, text: str) -> dict[str, str]:
     """The files of an example that one rule's fixes change, by relative path; "" is the robot."""
     with laid_out(rule, text) as source:
-        found = diagnose(rule, list(rule.check(subject_of(rule, source))))
+        found = diagnose(rule, list(rule.check(context_of(rule, source))))
         directory = source.path.removesuffix(_file_name(rule)).rstrip(os.sep)
         edits: dict[str, dict[Edit, None]] = {}
         for one in found:

@@ -86,18 +86,18 @@ def of_family(family: str) -> frozenset[str]:
     return frozenset(code for code in codes() if family_of(code) == family)
 
 
-def applicable(family: str, codes: list[str], subject: Context) -> list[str]:
+def applicable(family: str, codes: list[str], context: Context) -> list[str]:
     """Those rules of a family that may have something to report of a description.
 
-    The ``__init__.py`` of the family has ``applies(subject)``, and where something names the rules
-    that report it, ``codes(subject)``: those that have something to report.
+    The ``__init__.py`` of the family has ``applies(context)``, and where something names the rules
+    that report it, ``codes(context)``: those that have something to report.
     """
     if not family:
         return codes
     module = import_module(f"urdfkit.checks.{family}")
-    if not module.applies(subject):
+    if not module.applies(context):
         return []
-    found = module.codes(subject) if hasattr(module, "codes") else codes
+    found = module.codes(context) if hasattr(module, "codes") else codes
     return [code for code in codes if code in found]
 
 

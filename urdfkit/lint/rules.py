@@ -96,9 +96,9 @@ class Finding(Record):
 Findings = Iterator[Finding]
 
 
-def reported(subject: Context, code: str) -> Findings:
+def reported(context: Context, code: str) -> Findings:
     """The findings of a rule that only reports problems of reading."""
-    for problem in subject.problems(code):
+    for problem in context.problems(code):
         at = Location(problem.span, problem.frame)
         yield Finding(
             at,
@@ -166,9 +166,9 @@ class Rule(Record):
     migrates: bool = False
     about_files: bool = False
 
-    def option(self, subject: Context, name: str) -> float:
+    def option(self, context: Context, name: str) -> float:
         """The value of an option: as configured, else its default."""
-        return subject.run.rule_options.get(self.code, self.options).get(name, self.options[name])
+        return context.run.rule_options.get(self.code, self.options).get(name, self.options[name])
 
     def may_report_errors(self, configured: Severity | None) -> bool:
         """True if a finding may be an error, with the severity that the configuration gives it."""

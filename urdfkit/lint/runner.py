@@ -61,44 +61,44 @@ class FileResult(Record):
 
 
 def run_rules(
-    subject: Context,
+    context: Context,
     chosen: Sequence[str],
     options: Options = Options(preview=True),
 ) -> FileResult:
     """Run rules over a description.
 
     Args:
-        subject: the description.
+        context: the description.
         chosen: codes of the rules.
         options: whose configuration changes severities and options of rules, and leaves findings
             out; resolved.
     """
-    subject.run = RunState(options.config.options)
-    run = _RuleRun(subject, options)
+    context.run = RunState(options.config.options)
+    run = _RuleRun(context, options)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if rule_index.family_of(code) == OWN_FAMILY]
     run.rules([code for code in chosen if code not in own])
-    subject.run = RunState(options.config.options, tuple(run.diagnostics), frozenset(chosen))
-    run.ignores = run.guarded(lambda: subject.ignores, ())
+    context.run = RunState(options.config.options, tuple(run.diagnostics), frozenset(chosen))
+    run.ignores = run.guarded(lambda: context.ignores, ())
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
-        lacking = subject.reading.missing_argument_codes
+        lacking = context.reading.missing_argument_codes
         wants_arguments = bool(lacking) and lacking.isdisjoint(chosen)
         is_unexplained = wants_arguments or not run.explains_failure()
-        is_unchecked = run.skipped and not subject.is_readable and is_unexplained
-        if is_unchecked or subject.unchecked:
+        is_unchecked = run.skipped and not context.is_readable and is_unexplained
+        if is_unchecked or context.unchecked:
             run.rules([rule_index.NOT_CHECKED])
-            subject.run = subject.run._replace(diagnostics=tuple(run.diagnostics))
+            context.run = context.run._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules(own)
     return run.result()
 
 
 class _RuleRun:
-    """Gathers what the rules say about one subject."""
+    """Gathers what the rules say about one context."""
 
-    def __init__(self, subject: Context, options: Options) -> None:
-        self.subject = subject
+    def __init__(self, context: Context, options: Options) -> None:
+        self.context = context
         self.options = options
         self.config = options.config
         self.diagnostics: list[Diagnostic] = []
@@ -113,11 +113,11 @@ class _RuleRun:
         try:
             return look()
         except Exception as error:  # a bug in urdfkit must not hide what the rules find
-            self.crashed.append(crash("", self.subject.source.path, error))
+            self.crashed.append(crash("", self.context.source.path, error))
             return otherwise
 
     def rules(self, chosen: Iterable[str]) -> None:
-        """Run those of some rules whose family applies to the subject.
+        """Run those of some rules whose family applies to the context.
 
         Raises:
             Cancelled: the result is not wanted any more.
@@ -148,24 +148,24 @@ class _RuleRun:
         try:
             findings = self._with_consistent_fixes(findings)
             # Detected only where severities depend on them.
-            targets = self.subject.targets.names if findings and rule.by_target else ()
+            targets = self.context.targets.names if findings and rule.by_target else ()
             findings = [self._of_what_is_loaded(rule, finding, targets) for finding in findings]
-            if self.subject.given_targets:
+            if self.context.given_targets:
                 findings = [self._as_target_says(rule, finding, targets) for finding in findings]
             self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
         except Exception as error:
             self.ran.discard(rule.code)
-            self.crashed.append(crash(rule.code, self.subject.source.path, error))
+            self.crashed.append(crash(rule.code, self.context.source.path, error))
 
     def _applicable(self, family: str, codes: list[str]) -> list[str]:
         """Those rules of a family that may have something to report."""
-        path = self.subject.source.path
+        path = self.context.source.path
         if is_launch(path) and family not in LAUNCH_FAMILIES:
             return []
-        if self.subject.given_targets and self.subject.targets.passes_over(family):
+        if self.context.given_targets and self.context.targets.passes_over(family):
             return []
         try:
-            return rule_index.applicable(family, codes, self.subject)
+            return rule_index.applicable(family, codes, self.context)
         except NotApplicable:
             pass
         except Unavailable as reason:
@@ -175,10 +175,10 @@ class _RuleRun:
         return []
 
     def _findings(self, rule: Rule) -> list[Finding]:
-        path = self.subject.source.path
+        path = self.context.source.path
         findings: list[Finding] = []
         try:
-            for finding in rule.check(self.subject):
+            for finding in rule.check(self.context):
                 findings.append(self._with_data(_bounded(finding)))
                 if len(findings) >= MAX_FINDINGS:
                     break
@@ -195,24 +195,24 @@ class _RuleRun:
         """A finding with the places of its numbers in data files."""
         if finding.node is None:
             return finding
-        places = self.subject.data_places(finding.node)
+        places = self.context.data_places(finding.node)
         return finding._replace(data=places) if places else finding
 
     def _with_consistent_fixes(self, findings: list[Finding]) -> list[Finding]:
         """Findings with the fixes on which all uses of a macro agree."""
         if not any(finding.fix for finding in findings):
             return findings
-        reading = self.subject.reading
+        reading = self.context.reading
         if reading.xacro is None or reading.document is None:
             return findings
         from urdfkit.lint.fix_consistency import without_inconsistent_fixes
 
-        return without_inconsistent_fixes(findings, self.subject.uses)
+        return without_inconsistent_fixes(findings, self.context.uses)
 
     def _of_what_is_loaded(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:
         """A finding, which is no error in a visual that no target loads."""
         severity = finding.severity or rule.severity_for(targets)[0]
-        if severity is not Severity.ERROR or self.subject.loads_visuals:
+        if severity is not Severity.ERROR or self.context.loads_visuals:
             return finding
         if not _is_of_visual(finding.node):
             return finding
@@ -224,7 +224,7 @@ class _RuleRun:
         What one of them has no severity for stays as it is, and so does a finding that the rule
         gives a severity of its own, unless all of them take what it is about.
         """
-        given = self.subject.given_facts
+        given = self.context.given_facts
         told = {one.name: one.severities.get(rule.code) for one in given}
         severity = finding.severity or rule.severity_for(targets)[0]
         each = {name: Severity(one) if one else severity for name, one in told.items()}
@@ -259,7 +259,7 @@ class _RuleRun:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
         diagnostics, superseded = _without_consequences(diagnostics, self._asked)
-        targets = self.subject.targets if "targets" in vars(self.subject) else None
+        targets = self.context.targets if "targets" in vars(self.context) else None
         return FileResult(
             diagnostics,
             tuple(self.skipped),

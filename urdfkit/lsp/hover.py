@@ -134,7 +134,7 @@ def _link(robot: OpenRobot, link: Link) -> Iterator[str]:
         if shapes:
             yield f"- {role}: {', '.join(shapes[:MAX_SHOWN])}"
     if robot.document is not None:
-        for joint in robot.subject.tree.parents.get(link.name, ())[:1]:
+        for joint in robot.context.tree.parents.get(link.name, ())[:1]:
             parent = joint.parent.value if joint.parent else ""
             kind, name = _kind(joint), _code(joint.name)
             yield f"- child of `{_code(parent)}` by the {kind} joint `{name}`"

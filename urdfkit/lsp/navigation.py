@@ -82,7 +82,7 @@ def _launched(robot: OpenRobot, page: Page, offset: int) -> str | None:
     """Of the files that a launch file names around a place, the one named most closely."""
     around = [
         file
-        for file in robot.subject.launch.files
+        for file in robot.context.launch.files
         if file.exists
         and file.span.source.path == page.source.path
         and file.span.start <= offset <= file.span.end

@@ -32,7 +32,7 @@ class OpenRobot:
         self.path = entry.file
         self.resolver = resolver
         arguments = {**config.arguments, **entry.arguments}
-        self.subject = Context(resolver.given(entry.file), resolver, arguments, trust=config.trust)
+        self.context = Context(resolver.given(entry.file), resolver, arguments, trust=config.trust)
         if before is not None and before.document is None:
             before = before.before
         self.before: OpenRobot | None = before if self.document is None else None
@@ -41,20 +41,20 @@ class OpenRobot:
     @cached_property
     def document(self) -> Document | None:
         """Expanded; None while it cannot be read."""
-        return self.subject.reading.document
+        return self.context.reading.document
 
     @property
     def model(self) -> RobotModel | None:
         """The robot; while it cannot be read, what it was before."""
         if self.document is not None:
-            return self.subject.model
+            return self.context.model
         return self.before.model if self.before else None
 
     @cached_property
     def sources(self) -> dict[str, Source]:
         """Its texts by real path."""
-        xacro = self.subject.reading.xacro
-        sources = xacro.sources if xacro else (self.subject.source,)
+        xacro = self.context.reading.xacro
+        sources = xacro.sources if xacro else (self.context.source,)
         return {os.path.realpath(source.path): source for source in sources}
 
     @cached_property
@@ -63,7 +63,7 @@ class OpenRobot:
         pages = [Page(source) for source in self.sources.values()]
         before = self.before.sources if self.before else {}
         pages += [Page(self.source(path)) for path in before if path not in self.sources]
-        srdf = self.subject.srdf if self.document else None
+        srdf = self.context.srdf if self.document else None
         if srdf is not None:
             pages.append(Page(self.source(srdf.path)))
         return NameIndex(pages, self.document)
@@ -106,11 +106,11 @@ class OpenRobot:
     @cached_property
     def traced(self) -> Xacro | None:
         """The xacro expanded once more, with the origin of every value; None of a plain URDF."""
-        if self.document is None or self.subject.reading.xacro is None:
+        if self.document is None or self.context.reading.xacro is None:
             return None
-        subject = self.subject
+        context = self.context
         return expand(
-            subject.source, self.resolver, subject.arguments, trust=subject.trust, traced=True
+            context.source, self.resolver, context.arguments, trust=context.trust, traced=True
         )
 
     def expanded(self, source: Source, start: int, name: str) -> list[Attribute]:

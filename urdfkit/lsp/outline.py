@@ -72,7 +72,7 @@ def _definition(node: TagNode) -> OutlineEntry:
 
 def _tree(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
     """The links and joints that a file makes, each below its parent."""
-    model, tree = robot.subject.model, robot.subject.tree
+    model, tree = robot.context.model, robot.context.tree
     tops: list[OutlineEntry] = []
     seen: set[str] = set()
     names = [*(link.name for link in tree.roots), *model.links_by_name]  # the rest are loops

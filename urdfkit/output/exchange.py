@@ -43,8 +43,8 @@ def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options:
         resolver, path = Resolver(robot.packages), robot.document.sources[0].path
         text = ElementTree.tostring(_written(robot.root))
     else:
-        subject = robot if isinstance(robot, Context) else read(robot)
-        resolver, path, text = subject.resolver, subject.source.path, subject.text
+        context = robot if isinstance(robot, Context) else read(robot)
+        resolver, path, text = context.resolver, context.source.path, context.text
 
     def found(fname: str) -> str:
         return resolver.locate(fname, path).path or fname

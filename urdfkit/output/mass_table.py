@@ -64,18 +64,18 @@ class MassTable(Record):
     axes: Rotation | None
 
 
-def mass_properties(subject: Context, pose: Mapping[str, float] | None = None) -> MassTable:
+def mass_properties(context: Context, pose: Mapping[str, float] | None = None) -> MassTable:
     """The table.
 
     Args:
-        subject: the robot.
+        context: the robot.
         pose: positions of joints in rad or m, for the whole; the others are at 0.
     """
-    links = subject.model.links_by_name.values()
-    found = composite_body(subject.tree, frames(subject.tree, pose or {}))
+    links = context.model.links_by_name.values()
+    found = composite_body(context.tree, frames(context.tree, pose or {}))
     body = found.properties
     moments, axes = principal_axes(body.tensor) if body else (None, None)
-    rows = [_row(subject, link) for link in links if _has_geometry_or_mass(link)]
+    rows = [_row(context, link) for link in links if _has_geometry_or_mass(link)]
     return MassTable(tuple(rows), found, moments, axes)
 
 
@@ -83,11 +83,11 @@ def _has_geometry_or_mass(link: Link) -> bool:
     return bool(link.inertial or link.collisions or link.visuals)
 
 
-def _row(subject: Context, link: Link) -> MassRow:
+def _row(context: Context, link: Link) -> MassRow:
     properties = properties_of(link, Transform())
     moments, axes = principal_axes(properties.tensor)
     try:
-        found = shape_mass(link, "auto", subject.measures)
+        found = shape_mass(link, "auto", context.measures)
     except ImportError:
         found = WITHOUT_MESHES
     if isinstance(found, str):

@@ -128,7 +128,7 @@ class Overview(Record):
     skipped: tuple[str, ...]
 
 
-def summarise(subject: Context, pose: Mapping[str, float] | None = None) -> Overview:
+def summarise(context: Context, pose: Mapping[str, float] | None = None) -> Overview:
     """The page.
 
     >>> from urdfkit.lint.loading import read
@@ -137,24 +137,24 @@ def summarise(subject: Context, pose: Mapping[str, float] | None = None) -> Over
     (5.2, ['shoulder', 'elbow'])
 
     Args:
-        subject: the robot.
+        context: the robot.
         pose: positions of joints in rad or m; the others are at 0.
     """
-    model, given = subject.model, dict(pose or {})
-    placed = frames(subject.tree, given)
-    shapes, skipped = _shapes(subject, placed)
+    model, given = context.model, dict(pose or {})
+    placed = frames(context.tree, given)
+    shapes, skipped = _shapes(context, placed)
     return Overview(
         model.name,
-        subject.source.path,
-        subject.reading.xacro is not None,
-        subject.targets.names,
-        subject.targets.evidence,
-        structure(subject.tree),
-        Weight(_masses(model), composite_body(subject.tree, placed)),
+        context.source.path,
+        context.reading.xacro is not None,
+        context.targets.names,
+        context.targets.evidence,
+        structure(context.tree),
+        Weight(_masses(model), composite_body(context.tree, placed)),
         shapes,
-        reach(subject.tree),
+        reach(context.tree),
         tuple(sensors(model)),
-        tuple((use.filename, use.name) for use in subject.plugins),
+        tuple((use.filename, use.name) for use in context.plugins),
         given,
         skipped,
     )
@@ -212,21 +212,21 @@ def _masses(model: RobotModel) -> dict[str, float]:
     return dict(sorted(masses.items(), key=lambda item: -item[1]))
 
 
-def _shapes(subject: Context, placed: Mapping[str, Transform]) -> tuple[Shapes, tuple[str, ...]]:
-    model = subject.model
-    found = {mesh.located.path: mesh.facts for mesh in subject.files.meshes if mesh.located.path}
+def _shapes(context: Context, placed: Mapping[str, Transform]) -> tuple[Shapes, tuple[str, ...]]:
+    model = context.model
+    found = {mesh.located.path: mesh.facts for mesh in context.files.meshes if mesh.located.path}
     usable = [facts for facts in found.values() if facts and not facts.defect]
     missing = [
         mesh.at.value
-        for mesh in subject.files.meshes
+        for mesh in context.files.meshes
         if mesh.facts is None or mesh.facts.defect is not None
     ]
     skipped: tuple[str, ...] = ()
     try:
-        triangles: dict[str, int] | None = _triangles(subject)
+        triangles: dict[str, int] | None = _triangles(context)
     except ImportError:
         triangles, skipped = None, (f"triangles: {WITHOUT_MESHES}",)
-    extent = extent_of(subject, placed)
+    extent = extent_of(context, placed)
     return Shapes(
         _kinds(body for link in model.links for body in link.visuals),
         _kinds(body for link in model.links for body in link.collisions),
@@ -244,22 +244,22 @@ def _kinds(bodies: Iterable[Body]) -> dict[str, int]:
     return dict(Counter(body.shape.kind for body in bodies if body.shape))
 
 
-def _triangles(subject: Context) -> dict[str, int]:
+def _triangles(context: Context) -> dict[str, int]:
     """Triangles of the meshes of visuals and collisions, each as often as it is used.
 
     Raises:
         ImportError: a library that reads meshes is not installed.
     """
     roles: tuple[tuple[str, Iterable[Body]], ...] = (
-        ("visual", (body for link in subject.model.links for body in link.visuals)),
-        ("collision", (body for link in subject.model.links for body in link.collisions)),
+        ("visual", (body for link in context.model.links for body in link.visuals)),
+        ("collision", (body for link in context.model.links for body in link.collisions)),
     )
     return {
-        role: sum(_count(subject, body.shape) for body in bodies if body.shape)
+        role: sum(_count(context, body.shape) for body in bodies if body.shape)
         for role, bodies in roles
     }
 
 
-def _count(subject: Context, shape: Shape) -> int:
-    mesh = subject.meshes.mesh(shape) if shape.filename else None
+def _count(context: Context, shape: Shape) -> int:
+    mesh = context.meshes.mesh(shape) if shape.filename else None
     return sum(len(part.faces) for part in mesh.parts) if mesh else 0

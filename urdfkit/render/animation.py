@@ -76,7 +76,7 @@ def orbit(scene: Scene, camera: Camera, frames: int = FRAMES) -> list[Shot]:
 
 def sweep(
     scene: Scene,
-    subject: Context,
+    context: Context,
     joint: str,
     given: dict[str, float] | None = None,
     frames: int = FRAMES,
@@ -87,7 +87,7 @@ def sweep(
 
     Args:
         scene: the robot.
-        subject: its description.
+        context: its description.
         joint: name of the joint.
         given: positions of the others, in rad or m.
         frames: how many images.
@@ -98,7 +98,7 @@ def sweep(
     Raises:
         AnimationError: there is no such joint, or it does not move by itself.
     """
-    known = subject.model.joints_by_name
+    known = context.model.joints_by_name
     if joint not in known:
         raise AnimationError(f"no joint '{joint}'{did_you_mean(joint, list(known))}")
     one = known[joint]
@@ -114,7 +114,7 @@ def sweep(
         else:
             position = ends[0] + (ends[1] - ends[0]) * (1 - cos(2 * pi * part)) / 2
         positions = {**(given or {}), joint: position}
-        yield scene._replace(frames=kinematics.frames(subject.tree, positions)), positions
+        yield scene._replace(frames=kinematics.frames(context.tree, positions)), positions
 
 
 def animated(

@@ -26,11 +26,11 @@ class Overlap(NamedTuple):
     is_held: bool
 
 
-def overlaps(subject: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
+def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
     """The pairs of links that overlap.
 
     Args:
-        subject: the robot.
+        context: the robot.
         given: positions of joints, in rad or m; the others are at 0.
 
     Raises:
@@ -43,11 +43,11 @@ def overlaps(subject: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
         from urdfkit.physics.collision.pair_queries import Examiner
     except ImportError as error:
         raise MissingLibrary("contacts need coal: pip install 'urdfkit[dynamics]'") from error
-    moving = chain(subject.tree)
-    bodies, _ = solids(subject.model, subject.meshes)
+    moving = chain(context.tree)
+    bodies, _ = solids(context.model, context.meshes)
     known = set(moving.links)
     examiner = Examiner(moving, (form(body) for body in bodies if body.link in known))
-    adjacency = Adjacency(subject.tree)
+    adjacency = Adjacency(context.tree)
     pairs = list(moving.pairs(examiner.links))
     row = moving.row({axis.joint: given.get(axis.joint, 0.0) for axis in moving.axes})
     seen = examiner.query(pairs, 0.0).at(row[None], count=True)

@@ -21,17 +21,17 @@ QUIET: Colour = (0.80, 0.82, 0.85, 1.0)
 MAX_CODES = 4
 
 
-def marked(scene: Scene, subject: Context, diagnostics: Sequence[Diagnostic]) -> Scene:
+def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) -> Scene:
     """A scene in which the links with errors are red and those with warnings orange.
 
     Findings that concern no link, such as those about a macro, have no place in it.
 
     Args:
         scene: the robot.
-        subject: its description.
+        context: its description.
         diagnostics: of a check of it.
     """
-    found = by_link(subject, diagnostics)
+    found = by_link(context, diagnostics)
     items = tuple(
         item if item.material.overlay else _painted(item, found.get(item.link, ()))
         for item in scene.items
@@ -44,9 +44,9 @@ def marked(scene: Scene, subject: Context, diagnostics: Sequence[Diagnostic]) ->
     return scene._replace(items=items, labels=(*scene.labels, *labels))
 
 
-def by_link(subject: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:
+def by_link(context: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:
     """The errors and warnings that concern each link, the worst first."""
-    places = ElementLookup(subject.model)
+    places = ElementLookup(context.model)
     found: dict[str, list[Diagnostic]] = {}
     for diagnostic in sorted(diagnostics, key=lambda one: (one.severity.rank, one.code)):
         if diagnostic.severity in COLOURS:

@@ -52,7 +52,7 @@ class NoSuchLayer(UrdfkitError):
 
 def explained(
     scene: Scene,
-    subject: Context,
+    context: Context,
     layers: Sequence[str],
     given: Mapping[str, float] | None = None,
 ) -> Scene:
@@ -60,7 +60,7 @@ def explained(
 
     Args:
         scene: the robot.
-        subject: its description.
+        context: its description.
         layers: names of `LAYERS`.
         given: positions of joints, as for the scene.
 
@@ -83,7 +83,7 @@ def explained(
                 or f"; there are visual, collision, {', '.join(LAYERS)}"
             )
             raise NoSuchLayer(f"unknown layer '{layer}'{hint}")
-        drawn = list(LAYERS[layer](scene, subject, size or 1.0, given or {}))
+        drawn = list(LAYERS[layer](scene, context, size or 1.0, given or {}))
         items += (thing for thing in drawn if isinstance(thing, SceneItem))
         labels += (thing for thing in drawn if isinstance(thing, Label))
         if not drawn:
@@ -98,7 +98,7 @@ def explained(
 Drawn = Iterator["SceneItem | Label"]
 
 
-def _frames(scene: Scene, _subject: Context, size: float, _given: Mapping[str, float]) -> Drawn:
+def _frames(scene: Scene, _context: Context, size: float, _given: Mapping[str, float]) -> Drawn:
     """x, y and z of every link in red, green and blue."""
     arrow = _arrow(FRAME * size)
     for name in scene.frames:
@@ -106,7 +106,7 @@ def _frames(scene: Scene, _subject: Context, size: float, _given: Mapping[str, f
             yield _sign(name, "frames", arrow, Transform(transposed(basis(axis))), colour)
 
 
-def _names(scene: Scene, subject: Context, _size: float, _given: Mapping[str, float]) -> Drawn:
+def _names(scene: Scene, context: Context, _size: float, _given: Mapping[str, float]) -> Drawn:
     """The name of every link, at the middle of what it shows."""
     for name in scene.frames:
         yield Label(name, name, middle(scene, name))
@@ -124,11 +124,11 @@ def middle(scene: Scene, link: str) -> Vector:
     return (x, y, z)
 
 
-def _joints(scene: Scene, subject: Context, size: float, given: Mapping[str, float]) -> Drawn:
+def _joints(scene: Scene, context: Context, size: float, given: Mapping[str, float]) -> Drawn:
     """The axis of every joint that moves, its range, and where in it the joint is."""
-    at = positions(subject.tree, given)
-    for joint in subject.model.joints_by_name.values():
-        ends = subject.tree.ends(joint)
+    at = positions(context.tree, given)
+    for joint in context.model.joints_by_name.values():
+        ends = context.tree.ends(joint)
         if ends is None or ends[1] not in scene.frames or joint.name not in at:
             continue
         here = joint.origin @ Transform(transposed(basis(direction(joint))))
@@ -160,19 +160,19 @@ def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: flo
     yield _sign(parent, "joints", ball, here @ Transform(position=(0.0, 0.0, now)), NOW)
 
 
-def _masses(scene: Scene, subject: Context, size: float, _given: Mapping[str, float]) -> Drawn:
+def _masses(scene: Scene, context: Context, size: float, _given: Mapping[str, float]) -> Drawn:
     """A ball at the centre of mass of each link, as large as its mass, and one of the robot."""
-    total = sum(link.mass for link in _with_mass(scene, subject))
+    total = sum(link.mass for link in _with_mass(scene, context))
     if total <= 0:
         return
-    for link in _with_mass(scene, subject):
+    for link in _with_mass(scene, context):
         assert link.inertial is not None
         radius = BALL * size * 2.2 * (link.mass / total) ** (1 / 3)
         ball = primitives.sphere(max(radius, BALL * size * 0.35))
         yield _sign(
             link.name, "mass", ball, Transform(position=link.inertial.origin.position), MASS
         )
-    found = composite_body(subject.tree, scene.frames)
+    found = composite_body(context.tree, scene.frames)
     if found.properties:
         center = found.properties.center
         ball = primitives.sphere(BALL * size * 1.3)
@@ -180,20 +180,20 @@ def _masses(scene: Scene, subject: Context, size: float, _given: Mapping[str, fl
         yield Label(f"{found.mass:.4g} kg", found.root, center)
 
 
-def _with_mass(scene: Scene, subject: Context) -> list[Link]:
-    links = subject.model.links_by_name.values()
+def _with_mass(scene: Scene, context: Context) -> list[Link]:
+    links = context.model.links_by_name.values()
     return [link for link in links if link.name in scene.frames and link.mass > 0]
 
 
-def _boxes(scene: Scene, subject: Context, size: float, _given: Mapping[str, float]) -> Drawn:
+def _boxes(scene: Scene, context: Context, size: float, _given: Mapping[str, float]) -> Drawn:
     """The box of even density that has the mass and the inertia of each link, as Gazebo shows.
 
     One larger than the robot, or of a light link than half of it, hides what there is to see, and
     is written in words.
     """
-    total = sum(link.mass for link in _with_mass(scene, subject))
+    total = sum(link.mass for link in _with_mass(scene, context))
     large: list[Label] = []
-    for link in _with_mass(scene, subject):
+    for link in _with_mass(scene, context):
         inertial = link.inertial
         assert inertial is not None
         if inertial.tensor is None:
@@ -213,14 +213,14 @@ def _boxes(scene: Scene, subject: Context, size: float, _given: Mapping[str, flo
         yield last._replace(text=f"and of {len(large) - _MOST} more, too large to be drawn")
 
 
-def _contacts(scene: Scene, subject: Context, size: float, given: Mapping[str, float]) -> Drawn:
+def _contacts(scene: Scene, context: Context, size: float, given: Mapping[str, float]) -> Drawn:
     """The collision shapes of links that overlap, and how deep; red if no joint holds them."""
     shapes: dict[str, list[SceneItem]] = {}
-    for item in build(subject, given, ("collision",)).items:
+    for item in build(context, given, ("collision",)).items:
         shapes.setdefault(item.link, []).append(item)
-    root = subject.tree.roots[0].name
+    root = context.tree.roots[0].name
     colours: dict[str, Colour] = {}
-    for pair in overlaps(subject, given):
+    for pair in overlaps(context, given):
         colour = NEIGHBOURS if pair.is_held else CLASH
         for link in (pair.first, pair.second):
             colours[link] = CLASH if colours.get(link) == CLASH else colour

@@ -44,17 +44,17 @@ class ModelMaterials:
     the link's Gazebo material counts.
 
     Args:
-        subject: the description.
+        context: the description.
         see_through: whether collisions show what is in them.
     """
 
-    def __init__(self, subject: Context, *, see_through: bool = True) -> None:
-        self._subject = subject
+    def __init__(self, context: Context, *, see_through: bool = True) -> None:
+        self._context = context
         self._collision = COLLISION if see_through else SurfaceMaterial((*COLLISION.rgba[:3], 1.0))
-        self._colours = Colours(subject.model)
+        self._colours = Colours(context.model)
         self._gazebo = {
             block.get("reference"): material.text.strip()
-            for block in subject.model.gazebo
+            for block in context.model.gazebo
             if (material := block.child("material"))
         }
 
@@ -86,7 +86,7 @@ class ModelMaterials:
         """What a ``<material>`` says; a texture that is missing leaves the colour."""
         texture = None
         if material.texture is not None:
-            texture = self._subject.files.find(material.texture)
+            texture = self._context.files.find(material.texture)
         if material.rgba is None:
             return SurfaceMaterial(PLAIN.rgba if texture is None else (1.0, 1.0, 1.0, 1.0), texture)
         return SurfaceMaterial(_colour(material.rgba.value), texture)

@@ -123,7 +123,7 @@ class Scene(NamedTuple):
 
 @np.errstate(over="ignore", invalid="ignore")  # of sizes that no robot has
 def build(
-    subject: Context,
+    context: Context,
     positions: Mapping[str, float] | None = None,
     roles: tuple[str, ...] = ("visual",),
 ) -> Scene:
@@ -132,40 +132,40 @@ def build(
     Links that no root leads to are left out: they are nowhere.
 
     Args:
-        subject: the description.
+        context: the description.
         positions: of joints, in rad or m; the others are at 0.
         roles: of ``visual`` and ``collision``, what to show.
 
     Raises:
         Unavailable: the description cannot be read.
     """
-    frames = kinematics.frames(subject.tree, positions or {})
-    materials = ModelMaterials(subject, see_through="visual" in roles)
+    frames = kinematics.frames(context.tree, positions or {})
+    materials = ModelMaterials(context, see_through="visual" in roles)
     items: list[SceneItem] = []
     absent: list[tuple[Link, str, Body, str]] = []
-    for link in subject.model.links_by_name.values():
+    for link in context.model.links_by_name.values():
         if link.name not in frames or not _is_near(frames[link.name]):
             continue
         for role in roles:
             for body in link.visuals if role == "visual" else link.collisions:
-                every = map(_sound, _items(subject, materials, link.name, role, body))
+                every = map(_sound, _items(context, materials, link.name, role, body))
                 found = [item for item in every if item]
                 items += found
                 if not found and body.shape and body.shape.kind == "mesh":
-                    reason = subject.meshes.reason(body.shape) or "its triangles are nowhere"
+                    reason = context.meshes.reason(body.shape) or "its triangles are nowhere"
                     absent.append((link, role, body, reason))
-    roots = {subject.tree.root_of[item.link] for item in items}
+    roots = {context.tree.root_of[item.link] for item in items}
     note = f"{len(roots)} roots are drawn in one place: no joint says how they stand to one another"
     scene = Scene(tuple(items), frames, notes=(note,) if len(roots) > 1 else ())
-    return _with_placeholders(scene, subject, absent) if absent else scene
+    return _with_placeholders(scene, context, absent) if absent else scene
 
 
 def _with_placeholders(
-    scene: Scene, subject: Context, absent: list[tuple[Link, str, Body, str]]
+    scene: Scene, context: Context, absent: list[tuple[Link, str, Body, str]]
 ) -> Scene:
     """A box for each body whose mesh is missing; of each its link, role and the reason."""
     least = PLACEHOLDER_SIZE * _reach(scene)
-    boxes = (_placeholder(subject, link, role, body, least) for link, role, body, _ in absent)
+    boxes = (_placeholder(context, link, role, body, least) for link, role, body, _ in absent)
     missing = (
         MissingMesh(link.name, role, _filename(body.shape), reason)
         for link, role, body, reason in absent
@@ -174,14 +174,14 @@ def _with_placeholders(
 
 
 def _items(
-    subject: Context, materials: ModelMaterials, link: str, role: str, body: Body
+    context: Context, materials: ModelMaterials, link: str, role: str, body: Body
 ) -> Iterator[SceneItem]:
     """What one visual or collision shows; nothing if its mesh is not to be had."""
     shape = body.shape
     if shape is None or not _is_near(body.origin):
         return
     if shape.kind == "mesh":
-        mesh = subject.meshes.mesh(shape)
+        mesh = context.meshes.mesh(shape)
         if mesh is None:
             return
         label = os.path.basename(_filename(shape))
@@ -256,13 +256,13 @@ def _primitive(shape: Shape) -> primitives.Triangles | None:
     return None
 
 
-def _placeholder(subject: Context, link: Link, role: str, body: Body, least: float) -> SceneItem:
+def _placeholder(context: Context, link: Link, role: str, body: Body, least: float) -> SceneItem:
     """A marked box where a mesh should be.
 
     It is as large as another shape or mesh of the link; else it reaches to the joints
     of its child links.
     """
-    size, frame = _target_bounds(subject, link, body, least)
+    size, frame = _target_bounds(context, link, body, least)
     edges = np.array(size, dtype=np.float32)
     vertices, faces, _, uv = primitives.box(*size)
     assert uv is not None
@@ -274,7 +274,7 @@ def _placeholder(subject: Context, link: Link, role: str, body: Body, least: flo
 
 
 def _target_bounds(
-    subject: Context, link: Link, body: Body, least: float
+    context: Context, link: Link, body: Body, least: float
 ) -> tuple[Vector, Transform]:
     """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""
     bodies = (*link.collisions, *link.visuals)
@@ -283,12 +283,12 @@ def _target_bounds(
     if known := next((half for half in halves if half and max(half) > SPECK * least), None):
         x, y, z = known
         return (2 * x, 2 * y, 2 * z), body.origin
-    extents = (_extent(subject, other) for other in bodies)
+    extents = (_extent(context, other) for other in bodies)
     if around := next((ends for ends in extents if ends), None):
         lowest, highest = around
         edges = highest - lowest
     else:
-        joints = [joint.origin.position for joint in subject.tree.children[link.name]]
+        joints = [joint.origin.position for joint in context.tree.children[link.name]]
         ends = np.array([(0.0, 0.0, 0.0), *joints])
         lowest, highest = ends.min(axis=0), ends.max(axis=0)
         edges = np.maximum(highest - lowest, least)
@@ -296,11 +296,11 @@ def _target_bounds(
     return (x, y, z), Transform(position=(a, b, c))
 
 
-def _extent(subject: Context, body: Body) -> tuple[Floats, Floats] | None:
+def _extent(context: Context, body: Body) -> tuple[Floats, Floats] | None:
     """The least and the greatest coordinates of a mesh in its link; None if it is not to be had."""
     if body.shape is None or body.shape.kind != "mesh":
         return None
-    vertices = subject.meshes.vertices(body.shape)
+    vertices = context.meshes.vertices(body.shape)
     if vertices is None:
         return None
     lowest, highest = bounds(placed(vertices.astype(np.float32), body.origin))

@@ -110,8 +110,8 @@ def check_model(model: Model, options: Options, resolver: Resolver) -> ModelRow:
 
 def _row(model: Model, options: Options, resolver: Resolver) -> ModelRow:
     try:
-        report, subjects = check_robots(options, model.path, resolver)
-        robots = [subject for subject in subjects if not is_launch(subject.source.path)]
+        report, contexts = check_robots(options, model.path, resolver)
+        robots = [context for context in contexts if not is_launch(context.source.path)]
         row = _measured(model, robots[0]) if robots else ModelRow(model.name, "ok")
     except UrdfkitError as error:
         status = "memory" if isinstance(error, NotEnoughMemory) else "unreadable"
@@ -130,26 +130,26 @@ def _row(model: Model, options: Options, resolver: Resolver) -> ModelRow:
     )
 
 
-def _measured(model: Model, subject: Context) -> ModelRow:
+def _measured(model: Model, context: Context) -> ModelRow:
     """The facts of a robot; of one that cannot be read, why."""
     try:
-        text, robot = subject.text, subject.model
+        text, robot = context.text, context.model
     except Unavailable as reason:
-        digest = hashlib.sha256(subject.source.data).hexdigest()
+        digest = hashlib.sha256(context.source.data).hexdigest()
         return ModelRow(model.name, "unreadable", str(reason), digest)
-    x, y, z = _size(subject)
+    x, y, z = _size(context)
     return ModelRow(
         model.name,
         "ok",
-        hash=_digest(text, subject.files.paths),
+        hash=_digest(text, context.files.paths),
         robot=robot.name,
         links=len(robot.links),
         joints=len(robot.joints),
         dof=robot.degrees_of_freedom,
         visuals=sum(len(link.visuals) for link in robot.links),
         collisions=sum(len(link.collisions) for link in robot.links),
-        meshes=len(subject.files.paths),
-        missing=sum(mesh.located.path is None for mesh in subject.files.meshes),
+        meshes=len(context.files.paths),
+        missing=sum(mesh.located.path is None for mesh in context.files.meshes),
         mass=robot.mass,
         size_x=x,
         size_y=y,
@@ -157,16 +157,16 @@ def _measured(model: Model, subject: Context) -> ModelRow:
     )
 
 
-def _size(subject: Context) -> tuple[float | None, float | None, float | None]:
+def _size(context: Context) -> tuple[float | None, float | None, float | None]:
     """The edges of the box around all shapes in the zero configuration, along the root's axes.
 
     Meshes count by their measures, which are cached, so that no triangle is read.
     """
     low, high = [float("inf")] * 3, [float("-inf")] * 3
-    for name, frame in frames(subject.tree, {}).items():
-        link = subject.model.links_by_name[name]
+    for name, frame in frames(context.tree, {}).items():
+        link = context.model.links_by_name[name]
         for body in (*link.visuals, *link.collisions):
-            part = primitive(body) or subject.mesh_solid(body)
+            part = primitive(body) or context.mesh_solid(body)
             if part is None:
                 continue
             for axis, row in enumerate(frame.rotation):

@@ -19,7 +19,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check
-from urdfkit.lint.loading import subject_of
+from urdfkit.lint.loading import context_of
 from urdfkit.lint.report import Report
 from urdfkit.lint.rule_index import matching
 from urdfkit.output.comparison.differences import Tolerances, differences
@@ -90,10 +90,10 @@ class Description:
         Raises:
             AssertionError: it cannot be read; with what is wrong with it.
         """
-        return self.subject.model
+        return self.context.model
 
     @cached_property
-    def subject(self) -> Context:
+    def context(self) -> Context:
         """The robot, with all that can be computed of it.
 
         Raises:
@@ -101,10 +101,10 @@ class Description:
         """
         resolver = Resolver(dict(self.config.packages))
         source, trust = Source.read(self.path), self.config.trust
-        subject = subject_of(source, resolver, self.arguments, trust=trust, cache=True)
-        if subject.reading.document is None:
+        context = context_of(source, resolver, self.arguments, trust=trust, cache=True)
+        if context.reading.document is None:
             raise AssertionError(_text(self._why_unreadable()))
-        return subject
+        return context
 
     @cached_property
     def dynamics(self) -> Dynamics:
@@ -126,7 +126,7 @@ class Description:
             AssertionError: it cannot be read; with what is wrong with it.
             Unavailable: a library that measures meshes is not installed.
         """
-        return tuple(self.subject.measured.uses)
+        return tuple(self.context.measured.uses)
 
     def _why_unreadable(self) -> Report:
         """Whatever rules the project selects."""
@@ -254,8 +254,8 @@ def assert_no_self_collision(
         UrdfkitError: coal is not installed.
     """
     __tracebackhide__ = True
-    matrix = description.subject.collisions.matrix(samples=samples, seed=seed, begin=begin)
-    srdf = description.subject.srdf
+    matrix = description.context.collisions.matrix(samples=samples, seed=seed, begin=begin)
+    srdf = description.context.srdf
     passed = {frozenset(pair) for pair in allowed}
     found = []
     for pair in matrix.colliding:

@@ -79,13 +79,13 @@ def read(file: str, options: Options, known: Iterable[str] = ()) -> ViewerState:
     """
     before = {path: file_version(path) for path in (file, *known)}
     reported = describe(file, options, quick=True)
-    subject = reported.subject
+    context = reported.context
     document, drawings, scene = rendered(reported, has_images=False)
-    files = files_of(subject, reported.diagnostics) | {file}
+    files = files_of(context, reported.diagnostics) | {file}
     if scene is not None:
-        files |= _images(subject)
+        files |= _images(context)
     versions = {path: before[path] if path in before else file_version(path) for path in files}
-    return ViewerState(document, drawings, scene, _declared(subject), versions, reported)
+    return ViewerState(document, drawings, scene, _declared(context), versions, reported)
 
 
 def completed(state: ViewerState) -> ViewerState:
@@ -97,39 +97,39 @@ def completed(state: ViewerState) -> ViewerState:
     return state._replace(document=document, drawings=drawings, reported=reported, is_whole=True)
 
 
-def files_of(subject: Context, diagnostics: Iterable[Diagnostic]) -> set[str]:
+def files_of(context: Context, diagnostics: Iterable[Diagnostic]) -> set[str]:
     """Every file that a robot is made from, those included that are missing."""
-    found = {subject.source.path}
-    xacro = subject.reading.xacro
+    found = {context.source.path}
+    xacro = context.reading.xacro
     if xacro is not None:
         found |= {source.path for source in xacro.sources} | set(xacro.data_files)
-    if subject.reading.document is not None:
-        for mesh in subject.files.meshes:
+    if context.reading.document is not None:
+        for mesh in context.files.meshes:
             at = mesh.located
             found.add(at.path or os.path.join(at.directory or os.curdir, at.relative))
     return found | {one.span.source.path for one in diagnostics}
 
 
-def _images(subject: Context) -> set[str]:
+def _images(context: Context) -> set[str]:
     """The files that the appearance of a robot needs besides its meshes, such as images."""
     found: set[str] = set()
-    for body in (body for link in subject.model.links for body in link.visuals):
+    for body in (body for link in context.model.links for body in link.visuals):
         if body.material and body.material.texture is not None:
-            found.add(subject.files.find(body.material.texture) or "")
-        mesh = subject.meshes.mesh(body.shape) if body.shape and body.shape.kind == "mesh" else None
+            found.add(context.files.find(body.material.texture) or "")
+        mesh = context.meshes.mesh(body.shape) if body.shape and body.shape.kind == "mesh" else None
         found.update(mesh.files if mesh else ())
     return found - {""}
 
 
-def _declared(subject: Context) -> dict[str, str]:
+def _declared(context: Context) -> dict[str, str]:
     """The arguments of a xacro, each with the value that was given, or its default as written."""
-    xacro = subject.reading.xacro
+    xacro = context.reading.xacro
     if xacro is None:
         return {}
     found: dict[str, str] = {}
     for argument in xacro.arguments:
         found.setdefault(argument.name, argument.attributes.get("default", ""))
-    return found | {name: text for name, text in subject.arguments.items() if name in found}
+    return found | {name: text for name, text in context.arguments.items() if name in found}
 
 
 def file_version(path: str) -> FileVersion:

@@ -27,8 +27,8 @@ FIXED = BAD.replace('velocity="6"', 'velocity="3.14"')
 
 
 @rule(Severity.WARNING, help="write the limit of the drive")
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         if joint.kind != "revolute" or joint.limit is None or joint.limit.velocity is None:
             continue
         velocity = joint.limit.velocity

@@ -75,17 +75,17 @@ def test_joints_move_the_links_as_our_kinematics_does(
     page: Page, robot: Path, tmp_path: Path
 ) -> None:
     page.open(written(robot, tmp_path))
-    subject = read(str(robot))
+    context = read(str(robot))
     random_ = random.Random(str(robot.name))
     given = {
         joint.name: random_.uniform(-2, 2)
-        for joint in subject.model.joints
+        for joint in context.model.joints
         if joint.kind in (*TURNING, "prismatic") and not joint.mimic
     }
     assert given
     for name, position in given.items():
         page.run("urdfkit.move(arguments[0], arguments[1])", name, position)
-    expected = frames(subject.tree, given)
+    expected = frames(context.tree, given)
     script = "return arguments[0].map((name) => urdfkit.frame(name))"
     found = dict(zip(expected, page.run(script, list(expected)), strict=True))
     for name, frame in expected.items():

@@ -23,12 +23,12 @@ GRIPPER = str(MODELS / "good" / "gripper.urdf")
 
 
 def test_a_robot_as_a_whole() -> None:
-    document, subject, _ = describe(GRIPPER)
+    document, context, _ = describe(GRIPPER)
     robot = document["robot"]
     assert (robot["links"], robot["joints"], robot["degrees_of_freedom"]) == (4, 3, 1)
     assert robot["size"] == pytest.approx([0.08, 0.16, 0.105])
-    assert robot["mass"] == pytest.approx(subject.model.mass)
-    assert [link["name"] for link in document["links"]] == [x.name for x in subject.model.links]
+    assert robot["mass"] == pytest.approx(context.model.mass)
+    assert [link["name"] for link in document["links"]] == [x.name for x in context.model.links]
     assert sum(link["share"] for link in document["links"]) == pytest.approx(1)
     follower = document["joints"][2]
     assert follower["mimic"]["joint"] == "left_finger_joint"

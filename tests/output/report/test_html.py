@@ -108,7 +108,7 @@ def test_pictures_are_inside() -> None:
 
 
 def test_a_page_without_numpy_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
-    def missing(subject: object) -> None:
+    def missing(context: object) -> None:
         raise Unavailable(scene.INSTALL)
 
     monkeypatch.setattr(scene, "surfaces", missing)

@@ -29,14 +29,14 @@ ENTRIES = [
 ]
 
 
-def agrees(subject: Context) -> None:
+def agrees(context: Context) -> None:
     """The frames of a few samples are those that `kinematics` computes one by one."""
-    arrays = chain(subject.tree)
+    arrays = chain(context.tree)
     rows = arrays.samples(3, 7, 0)
     frames = arrays.frames(rows, range(len(arrays.links)))
     for sample, row in enumerate(rows):
         given = {axis.joint: float(value) for axis, value in zip(arrays.axes, row, strict=True)}
-        expected = kinematics.frames(subject.tree, given)
+        expected = kinematics.frames(context.tree, given)
         for number, name in enumerate(arrays.links):
             if name in expected:
                 known = matrix(expected[name])

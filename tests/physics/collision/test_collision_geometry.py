@@ -27,8 +27,8 @@ SAME = np.eye(3)
 
 
 def forms(*shapes: str) -> list[CollisionGeometry]:
-    subject = robot(link("a", *shapes))
-    return [form(solid) for solid in solids(subject.model, subject.meshes)[0]]
+    context = robot(link("a", *shapes))
+    return [form(solid) for solid in solids(context.model, context.meshes)[0]]
 
 
 def distance(first: str, second: str, *at: float, limit: float = inf) -> float:

@@ -29,8 +29,8 @@ from urdfkit.physics.collision.contacts import Contacts
 SMALL = box(0.1, 0.1, 0.1)
 
 
-def contacts(subject: Context) -> Contacts:
-    return subject.collisions.contacts
+def contacts(context: Context) -> Contacts:
+    return context.collisions.contacts
 
 
 def depths(*parts: str) -> list[float]:
@@ -144,14 +144,14 @@ def test_it_misses_nothing_that_coal_finds(entry: tuple[Path, dict[str, Any]]) -
     directory, model = entry
     if "expect" not in model or "/fail_" in model["path"]:
         pytest.skip("it does not expand")
-    subject = read(directory / model["path"], arguments=arguments_of(model))
-    unit = subject.targets.applies_units
-    moving = chain(subject.tree)
-    bodies, _ = solids(subject.model, subject.meshes, unit=unit)
+    context = read(directory / model["path"], arguments=arguments_of(model))
+    unit = context.targets.applies_units
+    moving = chain(context.tree)
+    bodies, _ = solids(context.model, context.meshes, unit=unit)
     examiner = Examiner(moving, map(form, bodies))
     pairs = list(moving.pairs(examiner.links))
     seen = examiner.query(pairs, 0.0).at(moving.default[None], count=True)
-    known = {frozenset(pair.names): pair.contact for pair in contacts(subject).pairs}
+    known = {frozenset(pair.names): pair.contact for pair in contacts(context).pairs}
     for pair, one in zip(pairs, seen, strict=True):
         names = frozenset(moving.links[number] for number in pair)
         # Depths between triangles may be too large; so is that of the R2D2's head, a sphere with

@@ -16,8 +16,8 @@ from urdfkit.physics.collision.collision_geometry import form
 from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision, solids
 
 
-def made(subject: Context) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
-    return solids(subject.model, subject.meshes)
+def made(context: Context) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
+    return solids(context.model, context.meshes)
 
 
 @pytest.mark.parametrize(
@@ -131,9 +131,9 @@ DAE = """<?xml version="1.0"?>
 
 def test_the_unit_of_a_collada_file_is_applied_or_not(tmp_path: Path) -> None:
     (tmp_path / "m.dae").write_text(DAE)
-    subject = robot(link("a", mesh(tmp_path / "m.dae")))
-    (applied,), _ = solids(subject.model, subject.meshes, unit=True)
-    (ignored,), _ = solids(subject.model, subject.meshes, unit=False)
+    context = robot(link("a", mesh(tmp_path / "m.dae")))
+    (applied,), _ = solids(context.model, context.meshes, unit=True)
+    (ignored,), _ = solids(context.model, context.meshes, unit=False)
     assert applied.vertices.max() == pytest.approx(0.01)
     assert ignored.vertices.max() == pytest.approx(1)
 

@@ -32,9 +32,9 @@ from urdfkit.physics.collision.geometry_arrays import solids
 from urdfkit.physics.collision.pair_queries import SLACK, Examiner, Pair
 
 
-def examiner(subject: Context) -> Examiner:
-    bodies, _ = solids(subject.model, subject.meshes)
-    return Examiner(chain(subject.tree), map(form, bodies))
+def examiner(context: Context) -> Examiner:
+    bodies, _ = solids(context.model, context.meshes)
+    return Examiner(chain(context.tree), map(form, bodies))
 
 
 def everything(one: Examiner, pair: Pair, rows: Floats) -> Floats:

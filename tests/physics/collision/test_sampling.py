@@ -250,9 +250,9 @@ class Crash(Task):
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
-def pool_of(subject: Context) -> tuple[WorkerPool, Floats]:
-    moving = chain(subject.tree)
-    return WorkerPool(moving, solids(subject.model, subject.meshes)[0], 2), moving.default
+def pool_of(context: Context) -> tuple[WorkerPool, Floats]:
+    moving = chain(context.tree)
+    return WorkerPool(moving, solids(context.model, context.meshes)[0], 2), moving.default
 
 
 def test_a_crash_costs_one_pair() -> None:

@@ -127,13 +127,13 @@ ENTRIES = [
 def test_every_robot_of_the_corpus(entry: tuple[Path, dict[str, Any]]) -> None:
     directory, model = entry
     source = Source.read(directory / model["path"])
-    subject = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
-    if not subject.tree.is_sound:
+    context = Context(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    if not context.tree.is_sound:
         return
-    ours = Dynamics(subject.tree)
+    ours = Dynamics(context.tree)
     free = [name for name in ours.columns if "[" not in name]
     pose = {name: 0.1 * (number % 7) for number, name in enumerate(free)}
-    compare(subject.text, ours, positions(subject.tree, pose))
+    compare(context.text, ours, positions(context.tree, pose))
 
 
 # --- trees drawn at random

@@ -54,13 +54,13 @@ def test_links_without_a_collision_of_their_own(more: str, number: int, tmp_path
 
 def test_the_box_is_written_where_the_visual_is(tmp_path: Path) -> None:
     file = robot(tmp_path, link(SAME, "2 1 1"))
-    subject = read(file)
-    assert edited(subject, propose(subject)).write() == [str(file)]
+    context = read(file)
+    assert edited(context, propose(context)).write() == [str(file)]
     (body,) = read(file).model.links_by_name["a"].collisions
     assert body.shape is not None
     assert body.shape.kind == "box"
     assert body.shape.size == pytest.approx((0.6, 0.2, 0.1))
-    assert body.origin == subject.model.links_by_name["a"].visuals[0].origin
+    assert body.origin == context.model.links_by_name["a"].visuals[0].origin
     assert propose(read(file)) == ()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["m.stl", "r.urdf"]
 
@@ -83,8 +83,8 @@ def test_the_file_of_a_hull_names_a_scale_that_is_the_same_all_over(tmp_path: Pa
 def test_a_hull_becomes_a_file_beside_the_mesh(tmp_path: Path) -> None:
     cone = trimesh.creation.cone(0.2, 0.5)
     file = robot(tmp_path, link(scale="1 1 2"), cone)
-    subject = read(file)
-    found = edited(subject, propose(subject, error=0.02))
+    context = read(file)
+    found = edited(context, propose(context, error=0.02))
     assert not (tmp_path / "m_1_1_2_collision.stl").exists()
     found.write()
     hull = trimesh.load_mesh(tmp_path / "m_1_1_2_collision.stl")
@@ -110,8 +110,8 @@ def test_a_hull_is_named_as_the_mesh_is(reference: str, tmp_path: Path) -> None:
     directory.mkdir()
     (directory / "package.xml").write_text("<package><name>r&amp;d</name></package>")
     file = robot(directory, link().replace("m.stl", reference), shape, "r.xacro")
-    subject = read(file, packages={"r&d": str(directory)})
-    edited(subject, propose(subject, error=0.01)).write()
+    context = read(file, packages={"r&d": str(directory)})
+    edited(context, propose(context, error=0.01)).write()
     assert f'<mesh filename="{reference.removesuffix(".stl")}_collision.stl"/>' in file.read_text()
     (body,) = read(file).model.links_by_name["a"].collisions
     assert body.shape is not None
@@ -125,10 +125,10 @@ def test_pieces_become_several_collisions(tmp_path: Path) -> None:
     edited(read(file), propose(read(file), error=0.05, most=4)).write()
     bodies = read(file).model.links_by_name["a"].collisions
     assert len(bodies) >= 2
-    subject = read(file)
+    context = read(file)
     volume = sum(
         trimesh.Trimesh(mesh.vertices, mesh.faces).volume
-        for mesh in (subject.meshes.mesh(body.shape) for body in bodies if body.shape)
+        for mesh in (context.meshes.mesh(body.shape) for body in bodies if body.shape)
         if mesh
     )
     assert volume == pytest.approx(0.072, rel=0.1)

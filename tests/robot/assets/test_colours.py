@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.massive import subject
+from tests.massive import context
 from urdfkit.robot.assets.colours import Colours
 
 RED = '<color rgba="1 0 0 1"/>'
@@ -26,7 +26,7 @@ def looks(text: str) -> list[tuple[str, tuple[float, ...] | None, str | None]]:
             material.rgba.value if material.rgba else None,
             material.texture.value if material.texture else None,
         )
-        for link, _, material in Colours(subject(text).model).visuals()
+        for link, _, material in Colours(context(text).model).visuals()
     ]
 
 

@@ -34,8 +34,8 @@ def measured(directory: Path, robot: str, **files: bytes) -> MeasuredMeshes:
     for name, data in files.items():
         (directory / name.replace("_", ".")).write_bytes(data)
     source = Source(str(directory / "robot.urdf"), whole_robot(robot).encode())
-    subject = Context(source, Resolver(environment={}))
-    return MeasuredMeshes(subject.model, subject.files, Store(None))
+    context = Context(source, Resolver(environment={}))
+    return MeasuredMeshes(context.model, context.files, Store(None))
 
 
 def mesh_solid(directory: Path, part: str, data: bytes = BLOCK) -> MeshSolid:

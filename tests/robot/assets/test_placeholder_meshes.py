@@ -237,15 +237,15 @@ def test_a_file_that_several_links_name_is_made_once(tmp_path: Path) -> None:
 
 def test_one_mesh_by_its_reference(tmp_path: Path) -> None:
     (tmp_path / "good.stl").write_bytes(binary_stl())
-    subject = read(robot(tmp_path, "good.stl", BOX))
+    context = read(robot(tmp_path, "good.stl", BOX))
     with pytest.raises(SoundMesh, match=r"good\.stl is a good mesh already"):
-        generate(subject, "good.stl")
+        generate(context, "good.stl")
     with pytest.raises(NoSuchMesh, match=r"'god\.stl'; did you mean 'good\.stl'\?"):
-        generate(subject, "god.stl")
-    one = generate(subject, "good.stl", size=(0.1, 0.2, 0.3), force=True)
+        generate(context, "god.stl")
+    one = generate(context, "good.stl", size=(0.1, 0.2, 0.3), force=True)
     assert isinstance(one, GeneratedMesh)
     assert one.mesh.vertices.max(axis=0) == pytest.approx([0.05, 0.1, 0.15])
-    camera = generate(subject, "good.stl", part=PARTS_BY_KEY["camera"], force=True)
+    camera = generate(context, "good.stl", part=PARTS_BY_KEY["camera"], force=True)
     assert isinstance(camera, GeneratedMesh)
     assert camera.reason.startswith("industrial camera")
     assert not isinstance(camera, NotGenerated)
@@ -265,14 +265,14 @@ def test_a_part_for_a_new_file(tmp_path: Path) -> None:
 def test_the_inertia_of_a_real_arm_tells_the_size_of_its_links() -> None:
     """For want of anything else a block stands in, of the extent that mass and moments give."""
     directory = CORPUS / "Universal_Robots_ROS2_Description"
-    subject = read(
+    context = read(
         directory / "urdf" / "ur.urdf.xacro", arguments={"ur_type": "ur5e", "name": "ur"}
     )
     ratios = []
-    for link in subject.model.links:
+    for link in context.model.links:
         for body in link.collisions:
-            true = subject.meshes.vertices(body.shape) if body.shape else None
-            block = target_bounds(subject, link._replace(visuals=()), body)
+            true = context.meshes.vertices(body.shape) if body.shape else None
+            block = target_bounds(context, link._replace(visuals=()), body)
             if true is None or block is None:
                 continue
             ratios += [*(np.ptp(true, axis=0) / block.size)]

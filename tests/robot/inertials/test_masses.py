@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
-from tests.massive import BALL, MESH, inertial, joint, link, masses, part, shape, subject
+from tests.massive import BALL, MESH, context, inertial, joint, link, masses, part, shape
 from urdfkit.lint import engine
 from urdfkit.robot.inertials.link_comparison import by_tensor
 from urdfkit.robot.inertials.masses import unlike
@@ -123,7 +123,7 @@ def test_every_graph_and_every_number(joints: str) -> None:
         + link("c", shape("collision", MESH), inertial(0, (0, 0, 0)))
         + joints
     )
-    report = engine.check(subject(robot).source, select=["INE", "GEO"])
+    report = engine.check(context(robot).source, select=["INE", "GEO"])
     assert report.crashed == ()
 
 

@@ -200,10 +200,10 @@ def test_only_some_links_of_the_mission_can_be_written(tmp_path: Path) -> None:
 
 
 def test_one_link_and_none_of_that_name(tmp_path: Path) -> None:
-    subject = read(MISSION)
-    assert [one.link.name for one in propose(subject, links=["wheel_2"])] == ["wheel_2"]
+    context = read(MISSION)
+    assert [one.link.name for one in propose(context, links=["wheel_2"])] == ["wheel_2"]
     with pytest.raises(UnknownLink, match="no link 'wheel_5'"):
-        propose(subject, links=["wheel_5"])
+        propose(context, links=["wheel_5"])
 
 
 def test_impossible_tensors_are_told_apart(tmp_path: Path) -> None:

@@ -136,7 +136,7 @@ def robots() -> Iterator[object]:
         yield pytest.param(directory / model["path"], model, id=f"{directory.name}/{model['path']}")
 
 
-def subject(path: Path, *arguments: str) -> Context:
+def context(path: Path, *arguments: str) -> Context:
     values = dict(argument.split(":=", 1) for argument in arguments)
     return Context(Source.read(path), Resolver(), values)
 
@@ -145,7 +145,7 @@ def subject(path: Path, *arguments: str) -> Context:
 def test_every_robot_of_the_corpus_is_converted_as_libsdformat_does(
     sdformat, tmp_path, path, model
 ):
-    robot = subject(path, *model["xacro_args"])
+    robot = context(path, *model["xacro_args"])
     if robot.reading.document is None:
         pytest.skip("it does not expand here")
     text = robot.reading.xacro.text() if robot.reading.xacro else robot.source.data.decode()
@@ -232,28 +232,28 @@ CASES = {
 
 @pytest.mark.parametrize("text", CASES.values(), ids=CASES)
 def test_corner_cases_are_converted_as_libsdformat_does(sdformat, tmp_path, text):
-    compare(Conversion(_subject(text).tree, OLD), convert(sdformat, tmp_path, text))
+    compare(Conversion(_context(text).tree, OLD), convert(sdformat, tmp_path, text))
 
 
-def _subject(text: str) -> Context:
+def _context(text: str) -> Context:
     return Context(Source("robot.urdf", text.encode()), Resolver())
 
 
 def test_newer_versions_keep_what_moves_on_a_merged_massless_link():
-    tree = _subject(CASES["a merged massless link loses what moves on it"]).tree
+    tree = _context(CASES["a merged massless link loses what moves on it"]).tree
     assert [link.name for link in Conversion(tree, OLD).links] == ["a"]
     assert [link.name for link in Conversion(tree, NEW).links] == ["a", "c"]
     assert Conversion(tree, OLD).dropped == {"c": "child of 'b', which is merged and has no mass"}
 
 
 def test_newer_versions_keep_a_tiny_mass():
-    tree = _subject(CASES["a millionth of a kilogram counts as nothing"]).tree
+    tree = _context(CASES["a millionth of a kilogram counts as nothing"]).tree
     assert Conversion(tree, OLD).dropped == {"b": "mass 1e-06 kg"}
     assert Conversion(tree, NEW).dropped == {}
 
 
 def test_the_mission_model():
-    conversion = subject(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro").gazebo
+    conversion = context(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro").gazebo
     assert [link.name for link in conversion.links] == [
         "dummy", "wheel_1", "wheel_2", "wheel_3", "wheel_4",
     ]  # fmt: skip
@@ -269,7 +269,7 @@ def test_a_loop_of_fixed_joints_ends():
     body = '<inertial><mass value="1"/></inertial><collision name="of {0}"/>'
     text = "".join(f'<link name="{name}">{body.format(name)}</link>' for name in "abc")
     text += "".join(joint.format(*pair) for pair in ("ab", "bc", "cb"))
-    (link,) = Conversion(_subject(f'<robot name="r">{text}</robot>').tree).links
+    (link,) = Conversion(_context(f'<robot name="r">{text}</robot>').tree).links
     assert [element.get("name") for _, element in link.collisions] == ["of a", "of b", "of c"]
 
 
@@ -285,8 +285,8 @@ def test_fixed_joints_in_a_circle_come_to_an_end(converter: Converter) -> None:
 <joint name="c" type="fixed"><parent link="base_footprint"/><child link="base_link"/></joint>
 <joint name="w" type="continuous"><parent link="omni_base"/><child link="wheel"/></joint>
 </robot>"""
-    subject = Context(Source("rosie.urdf", text), Resolver())
-    assert set(Conversion(subject.tree, converter).dropped) == {"wheel"}
+    context = Context(Source("rosie.urdf", text), Resolver())
+    assert set(Conversion(context.tree, converter).dropped) == {"wheel"}
 
 
 def test_its_work_grows_with_the_robot() -> None:
@@ -302,8 +302,8 @@ def test_its_work_grows_with_the_robot() -> None:
             for n in range(1, links)
         ]
         text = f'<robot name="r">{"".join(made)}</robot>'
-        subject = Context(Source("r.urdf", text.encode()), Resolver({}, environment={}))
-        tree = subject.tree
+        context = Context(Source("r.urdf", text.encode()), Resolver({}, environment={}))
+        tree = context.tree
         return executed_lines(lambda: Conversion(tree))
 
     assert lines(400) < 5 * lines(100)

@@ -11,9 +11,9 @@ from urdfkit.workspace.resolve import Resolver
 
 
 def rolling_of(robot: str, *names: str) -> list[DrivenWheel]:
-    subject = Context(Source("r.urdf", whole_robot(robot).encode()), Resolver(environment={}))
-    joints = subject.model.joints_by_name
-    found = [rolling(joints[f"{name}_joint"], subject.tree) for name in names]
+    context = Context(Source("r.urdf", whole_robot(robot).encode()), Resolver(environment={}))
+    joints = context.model.joints_by_name
+    found = [rolling(joints[f"{name}_joint"], context.tree) for name in names]
     assert None not in found
     return [one for one in found if one]
 

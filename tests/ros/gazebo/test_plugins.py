@@ -15,13 +15,13 @@ from urdfkit.workspace.resolve import Resolver
 DRIVE = "libgazebo_ros_diff_drive.so"
 
 
-def subject(text: str, *targets: str) -> Context:
+def context(text: str, *targets: str) -> Context:
     source = Source("robot.urdf", whole_robot(BASE + text).encode())
     return Context(source, Resolver(environment={}), targets=parse(targets) if targets else None)
 
 
 def only(text: str, *targets: str) -> PluginUse:
-    (use,) = subject(text, *targets).plugins
+    (use,) = context(text, *targets).plugins
     return use
 
 
@@ -116,4 +116,4 @@ def test_what_becomes_of_a_name(kind: str, name: str, expected: str) -> None:
     robot = child("arm") + child("cam", "fixed") + child("ghost", inside="")
     robot += child("hand", parent="ghost") + child("float", "floating")
     robot += block('<link name="extra"/>', "")
-    assert conversion_result(subject(robot).gazebo, kind, name) == expected
+    assert conversion_result(context(robot).gazebo, kind, name) == expected

@@ -65,9 +65,9 @@ ROBOTS = {
 def test_it_is_known_why(name: str) -> None:
     parts, codes = ROBOTS[name]
     source = Source("r.urdf", f'<robot name="r">{parts}</robot>'.encode())
-    subject = Context(source, Resolver())
-    diagnostics = run_rules(subject, sorted(CODES)).diagnostics
-    assert sorted({one.code for one in rejections(diagnostics, subject.gazebo)}) == codes
+    context = Context(source, Resolver())
+    diagnostics = run_rules(context, sorted(CODES)).diagnostics
+    assert sorted({one.code for one in rejections(diagnostics, context.gazebo)}) == codes
 
 
 @pytest.mark.skipif(shutil.which("ign") is None, reason="ign (libsdformat 12) is not installed")

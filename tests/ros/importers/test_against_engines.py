@@ -46,7 +46,7 @@ def compare(robot: Context, name: str, expected: dict[str, Any]) -> None:
 @pytest.mark.parametrize(("path", "arguments"), robots())
 @pytest.mark.parametrize("name", SCRIPTS)
 def test_a_real_robot(name: str, path: Path, arguments: dict[str, str], tmp_path: Path) -> None:
-    robot = next(iter(engine.subjects(Options(arguments=arguments).resolved(), [path])), None)
+    robot = next(iter(engine.contexts(Options(arguments=arguments).resolved(), [path])), None)
     if robot is None:
         pytest.skip("not a whole robot")
     try:

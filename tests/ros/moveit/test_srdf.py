@@ -70,10 +70,10 @@ def test_of_several_the_one_with_the_name_of_the_robot_is_meant(tmp_path, names,
 
 
 def srdf(text: str) -> Srdf:
-    subject = Context(Source("r.urdf", ROBOT.encode()), Resolver(environment={}))
+    context = Context(Source("r.urdf", ROBOT.encode()), Resolver(environment={}))
     document, _ = read_xml(Source("r.srdf", text.encode()))
     assert document is not None
-    return Srdf("r.srdf", document.root, subject.tree)
+    return Srdf("r.srdf", document.root, context.tree)
 
 
 def test_a_way_goes_down_the_tree():
@@ -108,8 +108,8 @@ def test_moveits_own_robots_are_calm(tmp_path: Path, robot: str, semantic: str):
     (tmp_path / "robot.srdf").write_bytes((directory / semantic).read_bytes())
     report = check(copied, select=["SRD"])
     assert report.diagnostics == ()
-    subject = Context(Source.read(copied), Resolver(environment={}))
-    assert subject.srdf is not None
+    context = Context(Source.read(copied), Resolver(environment={}))
+    assert context.srdf is not None
 
 
 def test_an_srdf_of_another_robot_in_the_package_is_not_the_robots(tmp_path):

@@ -21,17 +21,17 @@ FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE003] closed by the gripper -->\n"
 
 
 @rule(Severity.WARNING, needs=(), help="delete the comment")
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     from urdfkit.lint.suppress import apply_suppressions
 
-    hits = apply_suppressions(subject.run.diagnostics, subject.ignores).hits
-    chosen = subject.run.chosen
-    for ignore in subject.ignores:
+    hits = apply_suppressions(context.run.diagnostics, context.ignores).hits
+    chosen = context.run.chosen
+    for ignore in context.ignores:
         codes = [code for code, _ in ignore.codes]
         if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
             place = Location(ignore.span)
             # Of a file that others include, another robot may need it.
-            is_own = ignore.span.source is subject.source
+            is_own = ignore.span.source is context.source
             fix = Fix("delete the comment", remove_spans([ignore.span])) if is_own else None
             named = ", ".join(codes) or "any rule"
             yield Finding(place, f"unused ignore comment: no finding of {named} here", fix=fix)

@@ -21,8 +21,8 @@ GOOD = BAD.replace("TRE999", "TRE003")
 
 
 @rule(Severity.WARNING, needs=(), help="name a rule that exists; 'urdfkit rules' lists them")
-def check(subject: Context) -> Findings:
-    for ignore in subject.ignores:
+def check(context: Context) -> Findings:
+    for ignore in context.ignores:
         for word, span in ignore.codes:
             try:
                 matching(word)

@@ -29,31 +29,31 @@ GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg pre
 
 
 @rule(Severity.WARNING, needs=())
-def check(subject: Context) -> Findings:
-    for one in subject.unchecked:
+def check(context: Context) -> Findings:
+    for one in context.unchecked:
         yield Finding(
-            Location(_top(subject)),
+            Location(_top(context)),
             f"robot not checked with {len(one.values)} of {one.total} values of '{one.name}': "
             f"{', '.join(one.values)}; {one.why}",
             "list the robot's variants in urdfkit.toml, under [[robot]]",
             group_key=one.name,
         )
     # A part of a robot is checked through the file that includes it, which XAC001 names.
-    if subject.reading.document is not None or subject.reading.is_fragment:
+    if context.reading.document is not None or context.reading.is_fragment:
         return
     from urdfkit.lint.unchecked import why_unchecked
 
-    why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
+    why, help = why_unchecked(context.reading, context.source, context.resolver)
     yield Finding(
-        Location(_top(subject)),
+        Location(_top(context)),
         f"robot not checked: {why}",
         help,
         related=tuple(
-            Related(one.span, f"argument '{one.argument}'") for one in subject.reading.lacking
+            Related(one.span, f"argument '{one.argument}'") for one in context.reading.lacking
         ),
     )
 
 
-def _top(subject: Context) -> Span:
-    start = subject.source.data.find(b"<robot")
-    return Span(subject.source, *((start, start + len("<robot")) if start >= 0 else (0, 0)))
+def _top(context: Context) -> Span:
+    start = context.source.data.find(b"<robot")
+    return Span(context.source, *((start, start + len("<robot")) if start >= 0 else (0, 0)))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if collision geometries of two links may overlap."""
     return (
-        sum(bool(link.collisions) for link in subject.model.links) > 1
-        and not subject.is_part
-        and bool(subject.collisions.contacts.pairs)
+        sum(bool(link.collisions) for link in context.model.links) > 1
+        and not context.is_part
+        and bool(context.collisions.contacts.pairs)
     )

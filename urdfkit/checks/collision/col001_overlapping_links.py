@@ -69,9 +69,9 @@ _PART = 0.6
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.COLLISIONS))
-def check(subject: Context) -> Findings:
-    contacts = subject.collisions.contacts
-    colliding = _self_colliding(subject)
+def check(context: Context) -> Findings:
+    contacts = context.collisions.contacts
+    colliding = _self_colliding(context)
     reported = set()
     for pair in contacts.pairs:
         if pair.is_rigid:
@@ -81,17 +81,17 @@ def check(subject: Context) -> Findings:
                 reported.add(pair.names)
             contact, message, help, severity = found
             is_info = severity is Severity.INFO and not pair.is_adjacent
-            if is_info and _collide_in_gazebo(subject, pair.names, colliding):
+            if is_info and _collide_in_gazebo(context, pair.names, colliding):
                 message += ", and <self_collide> makes Gazebo push them apart"
                 help, severity = "turn <self_collide> off, or make one smaller", Severity.WARNING
             small, large = contact.small, contact.large
             yield Finding(
-                subject.model.collision(small.link, small.number),
+                context.model.collision(small.link, small.number),
                 message,
                 help,
                 related=(
                     Related(
-                        subject.model.collision(large.link, large.number).span,
+                        context.model.collision(large.link, large.number).span,
                         f"link '{large.link}'",
                     ),
                 ),
@@ -99,35 +99,35 @@ def check(subject: Context) -> Findings:
                 group_key="overlap",
                 severity=severity,
             )
-    if simulators := [one for one in map(facts_of, subject.given_targets) if one.collides_hulls]:
+    if simulators := [one for one in map(facts_of, context.given_targets) if one.collides_hulls]:
         from urdfkit.physics.collision.hull_overlaps import hull_overlaps  # for few targets
 
         for overlap in hull_overlaps(contacts, _DEEP):
             if (overlap.first.link, overlap.second.link) not in reported:
-                yield from _of_hulls(subject, overlap, simulators)
+                yield from _of_hulls(context, overlap, simulators)
 
 
-def _self_colliding(subject: Context) -> set[str]:
+def _self_colliding(context: Context) -> set[str]:
     """The links that collide with others of their robot in Gazebo; those with a joint never do."""
     found: set[str] = set()
-    for block in subject.model.gazebo:
+    for block in context.model.gazebo:
         flags = (one for one in block.children if one.tag in ("selfCollide", "self_collide"))
         if any(map(is_true, flags)):
             reference = block.get("reference")
-            found.update([reference] if reference else subject.model.links_by_name)
+            found.update([reference] if reference else context.model.links_by_name)
     return found
 
 
-def _collide_in_gazebo(subject: Context, names: tuple[str, str], colliding: set[str]) -> bool:
+def _collide_in_gazebo(context: Context, names: tuple[str, str], colliding: set[str]) -> bool:
     """True if Gazebo pushes two links apart: once links are merged, no joint is between them."""
     if colliding.isdisjoint(names):
         return False
-    first, second = (subject.gazebo.survivor.get(name, "") for name in names)
-    joined = {frozenset((joint.parent, joint.child)) for joint in subject.gazebo.joints}
+    first, second = (context.gazebo.survivor.get(name, "") for name in names)
+    joined = {frozenset((joint.parent, joint.child)) for joint in context.gazebo.joints}
     return bool(first and second) and first != second and {first, second} not in joined
 
 
-def _of_hulls(subject: Context, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:
+def _of_hulls(context: Context, overlap: HullOverlap, simulators: list[TargetFacts]) -> Findings:
     colliding = [
         one
         for one in simulators
@@ -137,7 +137,7 @@ def _of_hulls(subject: Context, overlap: HullOverlap, simulators: list[TargetFac
         return
     names = " and ".join(one.title for one in colliding)
     first, second = (
-        subject.model.collision(one.link, one.number) for one in (overlap.first, overlap.second)
+        context.model.collision(one.link, one.number) for one in (overlap.first, overlap.second)
     )
     yield Finding(
         second,

@@ -51,31 +51,31 @@ _NOTES = 5
     needs=(Need.MODEL, Need.COLLISIONS),
     help="make the outer geometry smaller, or move the inner one to where the part is",
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     contained: dict[str, list[Contact]] = {}
-    for pair in subject.collisions.contacts.pairs:
+    for pair in context.collisions.contacts.pairs:
         if not pair.is_rigid and pair.is_out_of_reach and pair.is_permanent:
             assert pair.contact is not None
-            if _is_point(subject.model, pair.contact.small):
+            if _is_point(context.model, pair.contact.small):
                 continue  # it stands for no shape: GEO001
             contained.setdefault(pair.contact.large.link, []).append(pair.contact)
     for name, contacts in contained.items():
-        if _is_envelope(subject, name):
+        if _is_envelope(context, name):
             continue
         if len(contacts) > 1:
-            yield _several(subject.model, contacts)
+            yield _several(context.model, contacts)
         else:
-            yield _single(subject.model, contacts[0])
+            yield _single(context.model, contacts[0])
 
 
-def _is_envelope(subject: Context, name: str) -> bool:
+def _is_envelope(context: Context, name: str) -> bool:
     """True for a link without an opaque visual that is fixed to one which has a visual."""
-    colours = Colours(subject.model)
+    colours = Colours(context.model)
     if not all(
-        _is_transparent(colours.of(body)) for body in subject.model.links_by_name[name].visuals
+        _is_transparent(colours.of(body)) for body in context.model.links_by_name[name].visuals
     ):
         return False
-    bodies = [[link for link, _ in body.links] for body in rigid_bodies(subject.tree)]
+    bodies = [[link for link, _ in body.links] for body in rigid_bodies(context.tree)]
     return any(
         name in [link.name for link in links]
         and any(link.visuals for link in links if link.name != name)

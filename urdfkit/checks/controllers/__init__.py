@@ -5,10 +5,10 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if a launch file or a plugin names a parameter file."""
-    return bool(subject.parameters) or any(
+    return bool(context.parameters) or any(
         plugin.child("parameters")
-        for block in subject.model.gazebo
+        for block in context.model.gazebo
         for plugin in block.all("plugin")
     )

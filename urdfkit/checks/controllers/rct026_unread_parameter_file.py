@@ -36,21 +36,21 @@ _GENERATED = ("generated", "temp", "tmp")
 
 
 @rule(Severity.ERROR, help="fix the parameter file")
-def check(subject: Context) -> Findings:
-    yield from _missing(subject)
-    for file, span, reason in syntax_errors(subject):
+def check(context: Context) -> Findings:
+    yield from _missing(context)
+    for file, span, reason in syntax_errors(context):
         yield Finding(Location(span), f"invalid YAML: {reason}", related=(file.note,))
-    for file, found in unread_keys(subject):
+    for file, found in unread_keys(context):
         for span, message, help in found:
             yield Finding(Location(span), message, help, related=(file.note,))
 
 
-def _missing(subject: Context) -> Findings:
-    for file in parameter_files(subject):
+def _missing(context: Context) -> Findings:
+    for file in parameter_files(context):
         if file.found is None and file.element:  # LAU003 reports those of launch files
             if os.path.basename(os.path.dirname(file.path)) in _GENERATED:
                 continue  # the launch file writes it first
-            is_here = subject.resolver.packages.searches(file.path, subject.source.path)
+            is_here = context.resolver.packages.searches(file.path, context.source.path)
             suggested = nearest_file(file.path)
             hint = f"; did you mean '{suggested}'?" if suggested else ""
             where = "" if is_here else " on this machine"

@@ -75,17 +75,17 @@ _Problem = tuple[Span, str, str]
 
 
 @rule(Severity.ERROR)
-def check(subject: Context) -> Findings:
-    for file, section in managers(subject):
+def check(context: Context) -> Findings:
+    for file, section in managers(context):
         for span, message, help in _invalid_values(of_manager(), section):
             at = Location(span)
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
-    everywhere = named_sections(subject)
-    for file, found in subject.controllers:
+    everywhere = named_sections(context)
+    for file, found in context.controllers:
         names = {one.name for one in found}
         others = {n: section for n, section in everywhere.items() if n not in names}
         for one in found:
-            if _is_of_workspace(subject, one):
+            if _is_of_workspace(context, one):
                 continue
             known = parameters_of(one.type, one.ros)
             own = everywhere.get(one.name, one.section)
@@ -104,12 +104,12 @@ def check(subject: Context) -> Findings:
                     )
 
 
-def _is_of_workspace(subject: Context, controller: Controller) -> bool:
+def _is_of_workspace(context: Context, controller: Controller) -> bool:
     """True if the sources of its class are in the workspace: the package of the same name."""
-    directory = subject.resolver.packages.known(subject.source.path).get(
+    directory = context.resolver.packages.known(context.source.path).get(
         controller.type.partition("/")[0]
     )
-    found = subject.resolver.directories.find(directory, "CMakeLists.txt") if directory else None
+    found = context.resolver.directories.find(directory, "CMakeLists.txt") if directory else None
     return found is not None
 
 

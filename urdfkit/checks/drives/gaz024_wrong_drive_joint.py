@@ -36,14 +36,14 @@ ENDLESS = 1e4
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
-    for use in subject.plugins:
+def check(context: Context) -> Findings:
+    for use in context.plugins:
         if drive_of(use) is None:
             continue
         first: dict[str, Reference] = {}
         for reference in driven(use):
             at, name = reference.item.at, reference.parameter.name
-            joint = subject.model.joints_by_name.get(reference.name)
+            joint = context.model.joints_by_name.get(reference.name)
             other = first.setdefault(reference.name, reference)
             if other is not reference and other.parameter.name != name:
                 yield Finding(

@@ -24,9 +24,9 @@ GOOD = BAD[: BAD.index('  <plugin name="gz::sim::systems::ApplyJointForce"')] + 
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="let one of them drive it")
-def check(subject: Context) -> Findings:
-    drivers = _controlled(subject)
-    for use in subject.plugins:
+def check(context: Context) -> Findings:
+    drivers = _controlled(context)
+    for use in context.plugins:
         for reference in driven(use):
             title, at = drivers.setdefault(reference.name, (use.title, use.at))
             if at is not use.at:
@@ -37,17 +37,17 @@ def check(subject: Context) -> Findings:
                 )
 
 
-def _controlled(subject: Context) -> dict[str, tuple[str, Element]]:
+def _controlled(context: Context) -> dict[str, tuple[str, Element]]:
     """The joints that ros2_control or gazebo_ros_control commands, each with what does."""
     found: dict[str, tuple[str, Element]] = {}
-    names = " ".join(use.filename for use in subject.plugins)
+    names = " ".join(use.filename for use in context.plugins)
     if "ros2_control" in names:
-        for control in subject.model.ros2_controls:
+        for control in context.model.ros2_controls:
             for joint in control.all("joint"):
                 if joint.child("command_interface"):
                     found[joint.get("name") or ""] = ("<ros2_control>", joint)
     if "gazebo_ros_control" in names:
-        for transmission in subject.model.transmissions:
+        for transmission in context.model.transmissions:
             for joint in transmission.all("joint"):
                 found[joint.get("name") or ""] = ("a <transmission>", transmission)
     return found

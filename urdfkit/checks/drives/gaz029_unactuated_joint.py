@@ -39,13 +39,13 @@ _MOST = 4
     needs=(Need.MODEL, Need.GAZEBO),
     help="add a drive plugin or ros2_control, unless they are intended to turn freely",
 )
-def check(subject: Context) -> Findings:
-    model = subject.model
-    if model.transmissions or model.ros2_controls or not subject.plugins or subject.is_part:
+def check(context: Context) -> Findings:
+    model = context.model
+    if model.transmissions or model.ros2_controls or not context.plugins or context.is_part:
         return
-    if any(use.plugin is None or _moves_joints(use.plugin.id) for use in subject.plugins):
+    if any(use.plugin is None or _moves_joints(use.plugin.id) for use in context.plugins):
         return  # a vendor's plugin may drive them
-    if any(driven(use) for use in subject.plugins):
+    if any(driven(use) for use in context.plugins):
         return
     wheels = [joint for joint in model.joints if joint.kind == "continuous" and not joint.mimic]
     if not wheels:

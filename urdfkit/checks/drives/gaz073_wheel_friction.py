@@ -67,11 +67,11 @@ _ROLLERS = ("mecanum", "omni", "swerve")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
-    driven = dict.fromkeys(_driven(subject))
+def check(context: Context) -> Findings:
+    driven = dict.fromkeys(_driven(context))
     for link in driven:
-        low = [one for one in _friction(subject.model, link) if one.value < LITTLE]
-        given = _friction(subject.model, link)
+        low = [one for one in _friction(context.model, link) if one.value < LITTLE]
+        given = _friction(context.model, link)
         if low and len(low) == len(given):
             yield Finding(
                 low[0],
@@ -80,24 +80,24 @@ def check(subject: Context) -> Findings:
                 "write about 1",
                 weight=-low[0].value,
             )
-    yield from _casters(subject, set(driven))
+    yield from _casters(context, set(driven))
 
 
-def _driven(subject: Context) -> Iterator[str]:
+def _driven(context: Context) -> Iterator[str]:
     """The links of the wheels that drive plugins and drive controllers turn."""
-    for use in subject.plugins:
+    for use in context.plugins:
         if drive_of(use) and not any(one in use.filename for one in _ROLLERS):
-            for wheel in wheels(use, subject.tree):
+            for wheel in wheels(use, context.tree):
                 if wheel.rolling.joint.child:
                     yield wheel.rolling.joint.child.value
-    for _, found in subject.controllers:
+    for _, found in context.controllers:
         for controller in found:
             kind = catalogue().get(controller.type)
             if kind is None or any(one in controller.type.lower() for one in _ROLLERS):
                 continue
             names = (name for measure in kind.measures for side in measure.sides for name in side)
             for written in controller.values(dict.fromkeys(names)):
-                joint = subject.model.joints_by_name.get(written.text)
+                joint = context.model.joints_by_name.get(written.text)
                 if joint is not None and joint.child and joint.kind == "continuous":
                     yield joint.child.value
 
@@ -118,14 +118,14 @@ def _friction(model: RobotModel, link: str) -> list[Placed[float]]:
     return list(found.values())
 
 
-def _casters(subject: Context, driven: set[str]) -> Findings:
+def _casters(context: Context, driven: set[str]) -> Findings:
     """What is fixed to the body, touches the ground next to driven wheels, and does not slide."""
-    standing = stand(subject, meshes=False) if driven and subject.tree.is_sound else None
+    standing = stand(context, meshes=False) if driven and context.tree.is_sound else None
     if standing is None or driven.isdisjoint(standing.links):
         return
-    fixed = {link.name for link, _ in rigid_bodies(subject.tree)[0].links}
+    fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
     for link in standing.links:
-        given = _friction(subject.model, link) if link in fixed else []
+        given = _friction(context.model, link) if link in fixed else []
         if given and min(one.value for one in given) >= MUCH:
             yield Finding(
                 given[0],

@@ -53,18 +53,18 @@ _MEASURED = {
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
-    for use in subject.plugins:
+def check(context: Context) -> Findings:
+    for use in context.plugins:
         if kind := drive_of(use):
-            yield from _of_plugin(use, kind, subject)
-    for file, found in subject.controllers:
+            yield from _of_plugin(use, kind, context)
+    for file, found in context.controllers:
         for controller in found:
-            for finding in _of_controller(controller, subject):
+            for finding in _of_controller(controller, context):
                 yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, kind: Drive, subject: Context) -> Findings:
-    driven = list(wheels(use, subject.tree))
+def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
+    driven = list(wheels(use, context.tree))
     size = "diameter" if kind.diameter else "radius"
     radius = _radius([wheel.rolling for wheel in driven])
     sizes = [2 * one if kind.diameter else one for one in radius]
@@ -94,12 +94,12 @@ def _separations(driven: list[Wheel]) -> list[float]:
     return []
 
 
-def _of_controller(controller: Controller, subject: Context) -> Findings:
+def _of_controller(controller: Controller, context: Context) -> Findings:
     kind = catalogue().get(controller.type)
     for measure in kind.measures if kind else ():
         written = controller.values([measure.parameter])
         value = number(written[0].text) if written else None
-        real = _real(measure, controller, subject)
+        real = _real(measure, controller, context)
         if value is not None and real and _differs(value, real):
             yield Finding(
                 Location(written[0].span),
@@ -120,9 +120,9 @@ def _differs(value: float, real: list[float]) -> bool:
     return all(abs(value - one) > TOLERANCE * one for one in real)
 
 
-def _real(measure: Measure, controller: Controller, subject: Context) -> list[float]:
+def _real(measure: Measure, controller: Controller, context: Context) -> list[float]:
     """What the model says, in m: from the tyres and from the joints. Empty if it says nothing."""
-    sides = [_wheels(controller, names, subject) for names in measure.sides]
+    sides = [_wheels(controller, names, context) for names in measure.sides]
     if not all(sides):
         return []
     if measure.kind == "radius":
@@ -136,10 +136,10 @@ def _real(measure: Measure, controller: Controller, subject: Context) -> list[fl
     return _distances(left, right, left.axis) if left.is_parallel(right) else []
 
 
-def _wheels(controller: Controller, names: tuple[str, ...], subject: Context) -> list[DrivenWheel]:
+def _wheels(controller: Controller, names: tuple[str, ...], context: Context) -> list[DrivenWheel]:
     """The wheels that some parameters name; empty if one of them is unknown."""
-    joints = (subject.model.joints_by_name.get(name.text) for name in controller.values(names))
-    found = [rolling(joint, subject.tree) if joint else None for joint in joints]
+    joints = (context.model.joints_by_name.get(name.text) for name in controller.values(names))
+    found = [rolling(joint, context.tree) if joint else None for joint in joints]
     known = [wheel for wheel in found if wheel]
     return known if len(known) == len(found) else []
 

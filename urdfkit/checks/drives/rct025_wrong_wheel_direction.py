@@ -57,35 +57,35 @@ _PARALLEL = 0.95
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     for explain in (_one_of_four, _of_drives, _opposite):  # the most precise explanation first
-        if found := list(explain(subject)):
+        if found := list(explain(context)):
             yield from found
             return
 
 
-def _of_drives(subject: Context) -> Findings:
+def _of_drives(context: Context) -> Findings:
     """The drive plugins and controllers that take wheels for those of the wrong side."""
-    for use in subject.plugins:
-        yield from _of_plugin(use, subject)
-    for file, found in subject.controllers:
+    for use in context.plugins:
+        yield from _of_plugin(use, context)
+    for file, found in context.controllers:
         for controller in found:
             left, right = controller.values(_LEFT)[:1], controller.values(_RIGHT)[:1]
             if "diff_drive" not in controller.type or not left or not right:
                 continue
-            joints = [subject.model.joints_by_name.get(one.text) for one in (*left, *right)]
-            first, second = (rolling(joint, subject.tree) if joint else None for joint in joints)
+            joints = [context.model.joints_by_name.get(one.text) for one in (*left, *right)]
+            first, second = (rolling(joint, context.tree) if joint else None for joint in joints)
             if first and second and (wrong := wrong_direction(first, second)):
                 message = f"controller '{controller.name}': {wrong[0]}"
                 at = Location(left[0].span)
                 yield Finding(at, message, wrong[1], related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, subject: Context) -> Findings:
+def _of_plugin(use: PluginUse, context: Context) -> Findings:
     kind = drive_of(use)
     if kind is None or kind.steered or use.values("legacyMode"):
         return
-    for left, right in pairs(list(wheels(use, subject.tree))):
+    for left, right in pairs(list(wheels(use, context.tree))):
         if wrong := wrong_direction(left.rolling, right.rolling):
             other = Related(right.reference.item.at.span, "the right joint is named here")
             at, message = left.reference.item.at, f"{use.title}: {wrong[0]}"
@@ -93,9 +93,9 @@ def _of_plugin(use: PluginUse, subject: Context) -> Findings:
             return
 
 
-def _one_of_four(subject: Context) -> Findings:
+def _one_of_four(context: Context) -> Findings:
     """The one of four wheels whose axis is opposite to the others."""
-    found = [(joint, _axle(subject, joint)) for joint in subject.model.joints if _rolls(joint)]
+    found = [(joint, _axle(context, joint)) for joint in context.model.joints if _rolls(joint)]
     axles = [(joint, axle) for joint, axle in found if axle]
     if len(axles) != 4:
         return
@@ -114,13 +114,13 @@ def _one_of_four(subject: Context) -> Findings:
             )
 
 
-def _opposite(subject: Context) -> Findings:
+def _opposite(context: Context) -> Findings:
     """The only pair of wheels, if their axes are opposite."""
-    wheeled = [pair for pair in subject.symmetric_joints if all(map(_rolls, pair))]
+    wheeled = [pair for pair in context.symmetric_joints if all(map(_rolls, pair))]
     if len(wheeled) != 1:
         return
     ((left, right),) = wheeled
-    one, other = _axle(subject, left), _axle(subject, right)
+    one, other = _axle(context, left), _axle(context, right)
     if one and other and dot(one, other) < -_PARALLEL:
         yield Finding(
             _axis(right),
@@ -147,7 +147,7 @@ def _rolls(joint: Joint) -> bool:
     return is_wheel and joint.kind == "continuous" and joint.mimic is None
 
 
-def _axle(subject: Context, joint: Joint) -> Vector | None:
+def _axle(context: Context, joint: Joint) -> Vector | None:
     """The axis of a joint in the frame of the root."""
-    frame = subject.tree.frames.get(joint.child.value) if joint.child else None
+    frame = context.tree.frames.get(joint.child.value) if joint.child else None
     return rotate(frame.rotation, direction(joint)) if frame else None

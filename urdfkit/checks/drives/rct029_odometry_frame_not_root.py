@@ -48,31 +48,31 @@ _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
-def check(subject: Context) -> Findings:
-    for use in subject.plugins:
-        yield from _of_plugin(use, subject)
-    if subject.is_part or len(subject.tree.roots) != 1:
+def check(context: Context) -> Findings:
+    for use in context.plugins:
+        yield from _of_plugin(use, context)
+    if context.is_part or len(context.tree.roots) != 1:
         return
-    for file, found in subject.controllers:
+    for file, found in context.controllers:
         for controller in found:
             if frame := _frame(controller):
-                for finding in _of_controller(controller, frame, subject):
+                for finding in _of_controller(controller, frame, context):
                     yield finding._replace(related=(file.note,))
 
 
-def _of_plugin(use: PluginUse, subject: Context) -> Findings:
+def _of_plugin(use: PluginUse, context: Context) -> Findings:
     frames = _sent_frames(use)
     if frames is None:
         return
     parameter, frame = frames
     written, name = use.values(parameter), use.value(parameter)
-    above = subject.tree.parents.get(name.lstrip("/"), [])
+    above = context.tree.parents.get(name.lstrip("/"), [])
     if len(above) != 1 or above[0].parent is None:
         return
     parent = above[0].parent.value
     if parent == frame.lstrip("/"):
         return
-    roots = subject.tree.roots
+    roots = context.tree.roots
     root = roots[0].name if len(roots) == 1 else parent
     yield Finding(
         written[0].at if written else use.at,
@@ -93,15 +93,15 @@ def _sent_frames(use: PluginUse) -> tuple[str, str] | None:
     return (child, use.value(parent) or "odom") if child and parent and is_sent else None
 
 
-def _of_controller(controller: Controller, frame: Value, subject: Context) -> Findings:
-    root, name = subject.tree.roots[0].name, frame.text.strip("/")
-    links = subject.model.links_by_name
+def _of_controller(controller: Controller, frame: Value, context: Context) -> Findings:
+    root, name = context.tree.roots[0].name, frame.text.strip("/")
+    links = context.model.links_by_name
     if name == root:
         return
     if name not in links:
         message = f"the robot has no link '{name}'{did_you_mean(name, links)}"
     else:
-        above = subject.tree.parents[name][0].parent
+        above = context.tree.parents[name][0].parent
         parent = above.value if above else root
         message = f"'{name}' is a child of '{parent}'; a frame has one parent"
     yield Finding(

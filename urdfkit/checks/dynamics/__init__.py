@@ -6,10 +6,10 @@ from urdfkit.lint.context import Context
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if a joint moves and a link has a mass, or Pinocchio is a target."""
-    model = subject.model
-    if "pinocchio" in subject.given_targets:
+    model = context.model
+    if "pinocchio" in context.given_targets:
         return True
     return any(joint.kind in DEGREES_OF_FREEDOM for joint in model.joints) and any(
         link.mass for link in model.links

@@ -32,15 +32,15 @@ _NAME = r"[\[']([^\]']+)[\]']"
     needs=(Need.MODEL, Need.DYNAMICS),
     help="correct what it complains about; the other findings may say more",
 )
-def check(subject: Context) -> Findings:
-    if "pinocchio" in subject.targets.names and not subject.is_part:
+def check(context: Context) -> Findings:
+    if "pinocchio" in context.targets.names and not context.is_part:
         need_pinocchio()
         from urdfkit.physics.dynamics.pinocchio_reading import opinion
 
-        refusal = opinion(subject.text).refusal
+        refusal = opinion(context.text).refusal
         if refusal:
             reason, _, _ = refusal.partition(".  ")  # what follows is advice
-            yield Finding(_place(subject.model, refusal), f"Pinocchio rejects the robot: {reason}")
+            yield Finding(_place(context.model, refusal), f"Pinocchio rejects the robot: {reason}")
 
 
 def _place(model: RobotModel, refusal: str) -> Element:

@@ -55,16 +55,16 @@ _SAMPLES = 20
     needs=(Need.MODEL,),
     help="raise the effort to what the motor has, or correct the masses (urdfkit statics)",
 )
-def check(subject: Context) -> Findings:
-    overloaded = overloadable(subject.tree)
-    if not overloaded or subject.is_part or subject.masses.consistently_wrong:  # INE010
+def check(context: Context) -> Findings:
+    overloaded = overloadable(context.tree)
+    if not overloaded or context.is_part or context.masses.consistently_wrong:  # INE010
         return
-    if _flies(subject.model):
+    if _flies(context.model):
         return
     from urdfkit.physics.gravity import is_searched
     from urdfkit.physics.gravity_model import GravityModel
 
-    model = GravityModel(subject.tree, weightless=_weightless(subject))
+    model = GravityModel(context.tree, weightless=_weightless(context))
     joints = {joint.name: joint for joint in overloaded}
     loads = _loads(model, tuple((name, effort(joint)) for name, joint in joints.items()))
     for load in loads:
@@ -86,16 +86,16 @@ def _flies(model: RobotModel) -> bool:
     return sum(bool(re.search(_ROTOR, joint.name.lower())) for joint in model.joints) >= _ROTORS
 
 
-def _weightless(subject: Context) -> set[str]:
+def _weightless(context: Context) -> set[str]:
     """Names of the links without gravity; the flag of one holds for all that are merged with it."""
     flagged = {
         block.get("reference")
-        for block in subject.model.gazebo
+        for block in context.model.gazebo
         for tag in block.children
         if (tag.tag == "turnGravityOff" and is_true(tag))
         or (tag.tag == "gravity" and text_of(tag).lower() in ("false", "0"))
     }
-    bodies = [[link.name for link, _ in body.links] for body in rigid_bodies(subject.tree)]
+    bodies = [[link.name for link, _ in body.links] for body in rigid_bodies(context.tree)]
     return {name for names in bodies if not flagged.isdisjoint(names) for name in names}
 
 

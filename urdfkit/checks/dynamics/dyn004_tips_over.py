@@ -60,24 +60,24 @@ _TOLERANCE = 1e-3
     needs=(Need.MODEL, Need.MESHES),
     help="move wheels, casters or heavy parts until it stands (urdfkit statics)",
 )
-def check(subject: Context) -> Findings:
-    if subject.is_part or not subject.tree.is_sound or _is_serial(subject.tree):
+def check(context: Context) -> Findings:
+    if context.is_part or not context.tree.is_sound or _is_serial(context.tree):
         return
-    standing = stand(subject, meshes=False)
-    if not _falls(subject, standing):
+    standing = stand(context, meshes=False)
+    if not _falls(context, standing):
         return
-    meshes = list(_meshes(subject.model))
+    meshes = list(_meshes(context.model))
     if meshes:  # one of them may reach as low
         try:
-            if any(subject.meshes.mesh(shape) is None for shape in meshes):
+            if any(context.meshes.mesh(shape) is None for shape in meshes):
                 return
-            standing = stand(subject)
+            standing = stand(context)
         except ImportError as error:
             raise Unavailable(WITHOUT_MESHES) from error
-    if standing is None or not _falls(subject, standing):
+    if standing is None or not _falls(context, standing):
         return
-    links = subject.model.links_by_name
-    heaviest = max(subject.model.links, key=lambda link: link.mass)
+    links = context.model.links_by_name
+    heaviest = max(context.model.links, key=lambda link: link.mass)
     yield Finding(
         heaviest.inertial.at if heaviest.inertial else heaviest.at,
         f"the robot falls {standing.way}: its centre of mass is {-standing.margin:.3g} m outside "
@@ -91,13 +91,13 @@ def _is_serial(tree: KinematicTree) -> bool:
     return all(len(joints) < 2 for joints in tree.children.values())
 
 
-def _falls(subject: Context, standing: Stability | None) -> bool:
+def _falls(context: Context, standing: Stability | None) -> bool:
     """True if it falls, off several links of which a joint moves one; not what is bolted down."""
     return (
         standing is not None
         and standing.margin <= -_TOLERANCE
         and len(standing.links) > 1
-        and is_freestanding(subject.tree, standing.links)
+        and is_freestanding(context.tree, standing.links)
     )
 
 

@@ -35,11 +35,11 @@ GOOD = BAD.replace("1e-9", "1").replace("1e-11", "0.01")
     needs=(Need.MODEL, Need.DYNAMICS),
     help="give the light link the mass and inertia of the real part, or fix one of the joints",
 )
-def check(subject: Context) -> Findings:
-    light_joints = light(subject.tree)
-    if not light_joints or subject.is_part:
+def check(context: Context) -> Findings:
+    light_joints = light(context.tree)
+    if not light_joints or context.is_part:
         return
-    robot = subject.dynamics  # before the module, which needs the same libraries
+    robot = context.dynamics  # before the module, which needs the same libraries
     from urdfkit.physics.dynamics.conditioning import LARGEST, conditioning
 
     found = conditioning(robot)
@@ -50,6 +50,6 @@ def check(subject: Context) -> Findings:
     ratio = "is singular" if isinf(found.number) else f"has the condition {found.number:.2g}"
     joints = " against ".join(f"'{name}'" for name in found.joints[:2])
     yield Finding(
-        subject.model.joints_by_name[first].at,
+        context.model.joints_by_name[first].at,
         f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves almost no mass",
     )

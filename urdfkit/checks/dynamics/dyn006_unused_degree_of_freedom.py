@@ -22,15 +22,15 @@ GOOD = BAD.replace("continuous", "fixed")
 
 
 @rule(Severity.INFO, help='make it type="fixed", or give the link below it a mass')
-def check(subject: Context) -> Findings:
-    if subject.is_part or not any(link.mass for link in subject.model.links):
+def check(context: Context) -> Findings:
+    if context.is_part or not any(link.mass for link in context.model.links):
         return
-    moved = driven(subject.model)
-    seen = {block.get("reference") for block in subject.model.gazebo if block.child("sensor")}
-    for joint in idle(subject.tree):
+    moved = driven(context.model)
+    seen = {block.get("reference") for block in context.model.gazebo if block.child("sensor")}
+    for joint in idle(context.tree):
         assert joint.child is not None
         child = joint.child.value
-        if joint.name in moved or not seen.isdisjoint(subject.tree.below(child)):
+        if joint.name in moved or not seen.isdisjoint(context.tree.below(child)):
             continue
         yield Finding(
             joint.at,

@@ -14,11 +14,11 @@ from urdfkit.text.editing.edits import insert_before
 _KEEP = "<preserveFixedJoint>true</preserveFixedJoint>"
 
 
-def merged_force_sensors(subject: Context) -> Findings:
+def merged_force_sensors(context: Context) -> Findings:
     """The fixed joints whose forces are measured, but which are not simulated."""
-    kept = {joint.joint.name for joint in subject.gazebo.joints}
-    for name, at, who in _measuring(subject.model):
-        joint = subject.model.joints_by_name.get(name)
+    kept = {joint.joint.name for joint in context.gazebo.joints}
+    for name, at, who in _measuring(context.model):
+        joint = context.model.joints_by_name.get(name)
         if joint is not None and joint.kind == "fixed" and name not in kept:
             yield Finding(
                 at,
@@ -26,7 +26,7 @@ def merged_force_sensors(subject: Context) -> Findings:
                 f"add {_KEEP} to the <gazebo reference> of the joint",
                 Fix("keep the joint in Gazebo", insert_before(at, (_KEEP,))),
                 group_key="merged",
-                severity=Severity.ERROR if _is_read(subject.model, name, at) else None,
+                severity=Severity.ERROR if _is_read(context.model, name, at) else None,
             )
 
 

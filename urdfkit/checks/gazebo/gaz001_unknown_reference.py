@@ -24,8 +24,8 @@ FIXED = GOOD = BAD.replace("whel", "wheel")
 
 
 @rule(Severity.ERROR, help="name a link or a joint of this robot", reports_missing=True)
-def check(subject: Context) -> Findings:
-    model = subject.model
+def check(context: Context) -> Findings:
+    model = context.model
     known = {**model.links_by_name, **model.joints_by_name}
     suggester = Suggester(known)
     parts = (one for block in model.gazebo for one in (*block.all("link"), *block.all("joint")))
@@ -34,7 +34,7 @@ def check(subject: Context) -> Findings:
         reference = block.attributes.get("reference")
         if reference is None or not reference.value or reference.value in known:
             continue
-        if subject.is_part:  # the file that includes it has the link
+        if context.is_part:  # the file that includes it has the link
             return
         if not block.children:
             continue
@@ -49,9 +49,9 @@ def check(subject: Context) -> Findings:
             )
         else:
             yield _unknown(reference, suggester.suggested(reference.value), lost)
-    if subject.is_part or not any(block.all("joint") for block in model.gazebo):
+    if context.is_part or not any(block.all("joint") for block in model.gazebo):
         return
-    for joint, end, into in subject.gazebo.lost_joint_ends():
+    for joint, end, into in context.gazebo.lost_joint_ends():
         if not into:
             yield Finding(
                 end,

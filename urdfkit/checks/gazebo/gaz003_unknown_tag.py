@@ -44,10 +44,10 @@ _TYPO = 0.8
 
 
 @rule(Severity.WARNING, help="remove it, or write a tag of Gazebo's URDF extensions")
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     known = {*extensions(), *(tag for kind in ("link", "joint", "model") for tag in copied(kind))}
     unknown: dict[str, list[Element]] = {}
-    for block in subject.model.gazebo:
+    for block in context.model.gazebo:
         for child in block.children:
             if child.tag not in known and ":" not in child.tag:  # prefixes are for other programs
                 unknown.setdefault(child.tag, []).append(child)
@@ -58,7 +58,7 @@ def check(subject: Context) -> Findings:
             yield from (_misspelt(element, right) for element in elements)
         else:
             yield _unknown(tag, elements)
-    yield from _in_sensors(subject.model)
+    yield from _in_sensors(context.model)
 
 
 def _unknown(tag: str, elements: list[Element]) -> Finding:

@@ -55,21 +55,21 @@ _COPIED = ("gravity", "self_collide", "kinematic", "enable_wind", "must_be_base_
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     handled = extensions()
-    for block in subject.model.gazebo:
+    for block in context.model.gazebo:
         for child in block.children:
             text = text_of(child)
             if extension := handled.get(child.tag):
-                if extension.type != "bool" or _is_read(subject.model, block, extension):
+                if extension.type != "bool" or _is_read(context.model, block, extension):
                     yield from _handled(child, extension, text)
             elif child.tag in _COPIED and text.lower() not in ("true", "false", "1", "0"):
                 message = (
                     f"<{child.tag}> is {quoted(text)}, must be true or false: {REJECTED_BY_GZ}"
                 )
                 yield Finding(child, message, "write true or false")
-    yield from invalid_in_plugins(subject.plugins)
-    yield from invalid_in_sensors(subject)
+    yield from invalid_in_plugins(context.plugins)
+    yield from invalid_in_sensors(context)
 
 
 def _is_read(model: RobotModel, block: Element, extension: Extension) -> bool:

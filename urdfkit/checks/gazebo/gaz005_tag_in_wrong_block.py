@@ -41,8 +41,8 @@ _NAMED = 4
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    model = subject.model
+def check(context: Context) -> Findings:
+    model = context.model
     handled = extensions()
     owners = _owners(handled)
     for block in model.gazebo:
@@ -51,11 +51,11 @@ def check(subject: Context) -> Findings:
         if not name:
             yield from _without_reference(model, block, owners)
         elif is_link != (joint is not None):  # neither: GAZ001, both: NAM003
-            yield from _of_other_kind(subject, block, handled, joint)
+            yield from _of_other_kind(context, block, handled, joint)
 
 
 def _of_other_kind(
-    subject: Context, block: Element, handled: Mapping[str, Extension], joint: Joint | None
+    context: Context, block: Element, handled: Mapping[str, Extension], joint: Joint | None
 ) -> Findings:
     """The tags of joints in the block of a link, and those of links in the block of a joint."""
     name, kind = block.get("reference") or "", "joint" if joint else "link"
@@ -63,7 +63,7 @@ def _of_other_kind(
         extension = handled.get(child.tag)
         if extension and extension.on in ("link", "joint") and extension.on != kind:
             message = f"<{child.tag}> is for a {extension.on}, but '{name}' is a {kind} (ignored)"
-            other = _other(subject, name, kind)
+            other = _other(context, name, kind)
             help = f'move it into <gazebo reference="{other.name if other else "..."}">'
             fix = _moved(block, child, other) if other else None
             yield Finding(child, message, help, fix, group_key=child.tag)
@@ -105,11 +105,11 @@ def _without_reference(model: RobotModel, block: Element, owners: Mapping[str, s
     )
 
 
-def _other(subject: Context, name: str, kind: str) -> Link | Joint | None:
+def _other(context: Context, name: str, kind: str) -> Link | Joint | None:
     """The joint above a link, if there is one alone; the link below a joint."""
-    model = subject.model
+    model = context.model
     if kind == "link":
-        above = subject.tree.parents.get(name, [])
+        above = context.tree.parents.get(name, [])
         return above[0] if len(above) == 1 else None
     below = model.joints_by_name[name].child
     return model.links_by_name.get(below.value) if below else None

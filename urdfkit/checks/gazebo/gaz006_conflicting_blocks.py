@@ -29,17 +29,17 @@ _SCALARS = ("float", "int", "bool", "string", "vector3")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="keep one of the two")
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     handled = extensions()
     first: dict[tuple[str, str], Element] = {}
-    for block in subject.model.gazebo:
+    for block in context.model.gazebo:
         reference = block.get("reference") or ""
         for child in block.children:
             if child.tag not in handled or handled[child.tag].type not in _SCALARS:
                 continue
             owner = reference
             if child.tag in _OF_THE_BODY:
-                owner = subject.gazebo.survivor.get(reference, reference)
+                owner = context.gazebo.survivor.get(reference, reference)
             other = first.setdefault((owner, child.tag), child)
             if _value(other) != _value(child):
                 yield Finding(child, _message(other, child, owner), related=(_note(other),))

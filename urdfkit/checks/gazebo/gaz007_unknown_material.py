@@ -32,14 +32,14 @@ FIXED = GOOD = BAD.replace("Orange", "Gazebo/Orange")
     Severity.WARNING,
     help="use one of Gazebo's materials, or give the colour in the URDF's <material>",
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     known = materials()
     # By their last words: all begin with "Gazebo/", which would make them alike.
     bare = {name.rpartition("/")[2]: name for name in known if not known[name].internal}
     suggester = Suggester(bare)
-    is_fortress = subject.targets.any_of(("gz-fortress",))
-    is_gz = subject.targets.any_of(("gz-harmonic", "gz-jetty"))
-    for block in subject.model.gazebo:
+    is_fortress = context.targets.any_of(("gz-fortress",))
+    is_gz = context.targets.any_of(("gz-harmonic", "gz-jetty"))
+    for block in context.model.gazebo:
         for child in block.all("material") if block.get("reference") else ():
             name = child.get("value") or child.text.strip()
             if name in known:

@@ -44,35 +44,35 @@ FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
-    for use in subject.plugins:
-        yield from _missing(subject, use)
+def check(context: Context) -> Findings:
+    for use in context.plugins:
+        yield from _missing(context, use)
         if use.plugin and use.plugin.node and use.name:
             yield from _invalid_node_name(use)
-    for sensor in sensors(subject.model):
+    for sensor in sensors(context.model):
         if not sensor.name.strip():
             kind = f" of type '{sensor.type}'" if sensor.type else ""
             message = f"sensor{kind} on '{sensor.reference}' has no name: {REJECTED}"
             yield Finding(sensor.at, message, 'add name="...", unique in the link')
-    yield from _duplicate_plugins(subject)
-    yield from _duplicate_sensors(subject)
+    yield from _duplicate_plugins(context)
+    yield from _duplicate_sensors(context)
 
 
-def _missing(subject: Context, use: PluginUse) -> Findings:
+def _missing(context: Context, use: PluginUse) -> Findings:
     for attribute in ("name", "filename"):
         if (use.at.get(attribute) or "").strip():
             continue
         other = use.filename if attribute == "name" else use.name and f"'{use.name}'"
         who = f"plugin {other}" if other else "<plugin>"
         help = f'add {attribute}="..."' + (" with the library" if attribute == "filename" else "")
-        fix = _named(subject, use) if attribute == "name" else None
+        fix = _named(context, use) if attribute == "name" else None
         yield Finding(use.at, f"{who} has no {attribute}: {REJECTED}", help, fix)
 
 
-def _duplicate_plugins(subject: Context) -> Findings:
+def _duplicate_plugins(context: Context) -> Findings:
     """The ROS nodes of one name in one namespace."""
     first: dict[tuple[str, str], PluginUse] = {}
-    for use in subject.plugins:
+    for use in context.plugins:
         if use.plugin is None or not use.plugin.node or not use.name:
             continue
         namespaces = use.values("ros/namespace")
@@ -88,12 +88,12 @@ def _duplicate_plugins(subject: Context) -> Findings:
             )
 
 
-def _duplicate_sensors(subject: Context) -> Findings:
+def _duplicate_sensors(context: Context) -> Findings:
     first: dict[tuple[str, str], Sensor] = {}
-    for sensor in sensors(subject.model):
+    for sensor in sensors(context.model):
         if not sensor.name or not sensor.reference:
             continue
-        link = subject.gazebo.survivor.get(sensor.reference, sensor.reference)
+        link = context.gazebo.survivor.get(sensor.reference, sensor.reference)
         other = first.setdefault((link, sensor.name), sensor)
         if other is not sensor:
             merged = f" (merged into '{link}')" if link != sensor.reference else ""
@@ -105,10 +105,10 @@ def _duplicate_sensors(subject: Context) -> Findings:
             )
 
 
-def _named(subject: Context, use: PluginUse) -> Fix | None:
+def _named(context: Context, use: PluginUse) -> Fix | None:
     """Name a plugin without a name after its library, if no other plugin has that name."""
     name = use.filename.removeprefix("lib").removesuffix(".so")
-    taken = {other.name for other in subject.plugins}
+    taken = {other.name for other in context.plugins}
     if "name" in use.at.attributes or not re.fullmatch(r"[a-z]\w*", name) or name in taken:
         return None
     source, _, end = use.at.tag_at.name_span

@@ -51,16 +51,16 @@ _ELSEWHERE = ("odom", "map", "world", "earth", "utm")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
-def check(subject: Context) -> Findings:
-    yield from _missing(subject)
-    if not subject.is_part:
-        yield from _unknown(subject)
+def check(context: Context) -> Findings:
+    yield from _missing(context)
+    if not context.is_part:
+        yield from _unknown(context)
 
 
-def _unknown(subject: Context) -> Findings:
-    known = subject.model.links_by_name
+def _unknown(context: Context) -> Findings:
+    known = context.model.links_by_name
     suggester = Suggester(known)
-    for who, at, name in _frames(subject):
+    for who, at, name in _frames(context):
         bare = name.strip("/").rpartition("/")[2]
         if not bare or is_expression(name):
             continue
@@ -79,10 +79,10 @@ def _unknown(subject: Context) -> Findings:
             )
 
 
-def _frames(subject: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
+def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
     """Each frame that is named: by whom, where, its name."""
-    spaced = {link.rpartition("/")[2] for link in subject.model.links_by_name if "/" in link}
-    for use in subject.plugins:
+    spaced = {link.rpartition("/")[2] for link in context.model.links_by_name if "/" in link}
+    for use in context.plugins:
         for item in use.items:
             parameter = use.plugin.parameters.get(item.path) if use.plugin else None
             if parameter is None or parameter.type != "frame" or item.text in parameter.words:
@@ -92,25 +92,25 @@ def _frames(subject: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
             is_far = _is_of_the_world(item.path) or _is_of_the_world(item.text)
             if not is_far or (item.text.startswith("/") and not _is_of_ros1(use)):
                 yield use.title, item.at, item.text
-    for sensor in sensors(subject.model):
+    for sensor in sensors(context.model):
         for tag in _TAGS:
             for element in sensor.at.all(tag):
                 yield sensor.who, element, element.text.strip()
 
 
-def _missing(subject: Context) -> Findings:
+def _missing(context: Context) -> Findings:
     """One finding for all sensors: usually all of them lack it."""
-    targets = subject.targets
+    targets = context.targets
     if targets.names and not targets.any_of(_READ):
         return
     readers = [tags for target, tags in _READ.items() if targets.any_of((target,))]
-    without = [one for one in sensors(subject.model) if _has_no_frame(one, readers)]
+    without = [one for one in sensors(context.model) if _has_no_frame(one, readers)]
     if not without:
         return
     first = without[0]
     tags = _given(first)
     lack = f"has only <{tags[0]}> as its frame" if tags else "has no <gz_frame_id>"
-    is_for_ros = any(one.any_of(("ros1", "ros2")) for one in (targets, subject.inferred_targets))
+    is_for_ros = any(one.any_of(("ros1", "ros2")) for one in (targets, context.inferred_targets))
     readers_for_ros = targets.among(_READ) if is_for_ros else ()
     yield Finding(
         first.at,

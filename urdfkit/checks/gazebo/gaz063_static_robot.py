@@ -20,12 +20,12 @@ GOOD = BAD.replace("true", "false")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), help="remove the tag")
-def check(subject: Context) -> Findings:
-    if not subject.plugins:
+def check(context: Context) -> Findings:
+    if not context.plugins:
         return  # a model that is only displayed
-    moving = [joint.name for joint in subject.model.joints if joint.kind in DEGREES_OF_FREEDOM]
+    moving = [joint.name for joint in context.model.joints if joint.kind in DEGREES_OF_FREEDOM]
     who = f"joint '{moving[0]}'" if len(moving) == 1 else f"{len(moving)} joints"
-    for block in subject.model.gazebo:
+    for block in context.model.gazebo:
         for element in block.all("static"):
             if moving and is_true(element):
                 yield Finding(element, f"the model is static in Gazebo: {who} cannot move")

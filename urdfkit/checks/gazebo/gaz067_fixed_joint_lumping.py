@@ -72,26 +72,26 @@ _MERGED = "_fixed_joint_lump__"
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
-    yield from merged_force_sensors(subject)
-    yield from _flags(subject)
-    yield from _kept_joints(subject)
-    yield from _added_joints(subject)
-    yield from _lost_on_shapes(subject)
+def check(context: Context) -> Findings:
+    yield from merged_force_sensors(context)
+    yield from _flags(context)
+    yield from _kept_joints(context)
+    yield from _added_joints(context)
+    yield from _lost_on_shapes(context)
 
 
-def _flags(subject: Context) -> Findings:
+def _flags(context: Context) -> Findings:
     flags = [
         (block.get("reference") or "", tag)
-        for block in subject.model.gazebo
+        for block in context.model.gazebo
         for tag in block.children
         if tag.tag in _DEFAULTS and text_of(tag).lower() not in _DEFAULTS[tag.tag]
     ]
     names = {(name, tag.tag) for name, tag in flags}
     for name, tag in flags:
-        into = subject.gazebo.merged.get(name)
+        into = context.gazebo.merged.get(name)
         flagged = {one for one, other in names if other == tag.tag}
-        if into and _reaches(subject, into, tag.tag, flagged):
+        if into and _reaches(context, into, tag.tag, flagged):
             yield Finding(
                 tag,
                 f"<{tag.tag}> of '{name}' also applies to '{into}', the link it is merged into",
@@ -100,21 +100,21 @@ def _flags(subject: Context) -> Findings:
             )
 
 
-def _reaches(subject: Context, top: str, tag: str, flagged: set[str]) -> bool:
+def _reaches(context: Context, top: str, tag: str, flagged: set[str]) -> bool:
     """True if a flag matters to a link of the merged body that does not have it itself."""
-    (simulated,) = (one for one in subject.gazebo.links if one.name == top)
+    (simulated,) = (one for one in context.gazebo.links if one.name == top)
     others = [link for link, _ in simulated.body.links if link.name not in flagged]
     if tag in ("selfCollide", "self_collide"):
         return any(link.collisions for link in others)
     return any(link.mass for link in others)
 
 
-def _kept_joints(subject: Context) -> Findings:
-    joints = subject.model.joints_by_name
-    massless = {body.top.name for body in subject.gazebo.massless}
+def _kept_joints(context: Context) -> Findings:
+    joints = context.model.joints_by_name
+    massless = {body.top.name for body in context.gazebo.massless}
     tags = [
         (joint, tag)
-        for block in subject.model.gazebo
+        for block in context.model.gazebo
         if (joint := joints.get(block.get("reference") or "")) and joint.kind == "fixed"
         for tag in block.children
         if tag.tag in KEEPING_TAGS and is_true(tag)
@@ -139,9 +139,9 @@ def _kept_joints(subject: Context) -> Findings:
             )
 
 
-def _added_joints(subject: Context) -> Findings:
-    fatal = subject.targets.among(GZ)
-    for joint, end, into in subject.gazebo.lost_joint_ends():
+def _added_joints(context: Context) -> Findings:
+    fatal = context.targets.among(GZ)
+    for joint, end, into in context.gazebo.lost_joint_ends():
         name = end.text.strip()
         if into:
             yield Finding(
@@ -154,13 +154,13 @@ def _added_joints(subject: Context) -> Findings:
             )
 
 
-def _lost_on_shapes(subject: Context) -> Findings:
-    for simulated in subject.gazebo.links:
+def _lost_on_shapes(context: Context) -> Findings:
+    for simulated in context.gazebo.links:
         for kind in ("collision", "visual"):
             shapes = simulated.collisions if kind == "collision" else simulated.visuals
             for name, shape in shapes:
                 link = (shape.parent and shape.parent.get("name")) or ""
-                tags = _tags(subject.model, link, _TAGS[kind])
+                tags = _tags(context.model, link, _TAGS[kind])
                 if tags and not _gets_tags(name, link, kind, is_merged=link != simulated.name):
                     yield _lost(shape, link, simulated.name, tags)
 

@@ -35,9 +35,9 @@ _COMMON = {
 _MAX_WORDS = 7
 
 
-def invalid_in_sensors(subject: Context) -> Findings:
+def invalid_in_sensors(context: Context) -> Findings:
     """The values of sensors that are not of their type or range."""
-    for sensor in sensors(subject.model):
+    for sensor in sensors(context.model):
         for at, name, text, setting in _settings(sensor):
             if problem := _problem(name, setting, text):
                 shown = f"attribute {name}" if isinstance(at, Attribute) else f"<{name}>"
@@ -45,15 +45,15 @@ def invalid_in_sensors(subject: Context) -> Findings:
                     at,
                     f"{sensor.who}: {shown} is {quoted(text)}, {problem[0]}",
                     problem[1],
-                    severity=_severity(subject, problem[0]),
+                    severity=_severity(context, problem[0]),
                 )
-        yield from _lidar(sensor, subject)
+        yield from _lidar(sensor, context)
         yield from _clip(sensor)
 
 
-def _severity(subject: Context, problem: str) -> Severity | None:
+def _severity(context: Context, problem: str) -> Severity | None:
     """A warning for what gz-sim rejects, if the robot is for Gazebo Classic, with its defaults."""
-    is_for_classic = subject.targets.any_of(CLASSIC) and not subject.targets.any_of(GZ)
+    is_for_classic = context.targets.any_of(CLASSIC) and not context.targets.any_of(GZ)
     return Severity.WARNING if is_for_classic and REJECTED_BY_GZ in problem else None
 
 
@@ -117,7 +117,7 @@ def _number_problem(name: str, setting: Setting, text: str) -> tuple[str, str] |
     return None
 
 
-def _lidar(sensor: Sensor, subject: Context) -> Findings:
+def _lidar(sensor: Sensor, context: Context) -> Findings:
     block = sensor.at.child(sensor.lidar) if sensor.lidar else None
     if block is None:
         return
@@ -129,7 +129,7 @@ def _lidar(sensor: Sensor, subject: Context) -> Findings:
         message = f"{sensor.who}: minimum range is {nearest.value:g} m, must be >= 0"
         yield Finding(nearest, message, "write 0 or more")
     yield from _swapped(sensor, f"{block.tag}/range", ("min", "max"), "range", "m")
-    targets = subject.targets
+    targets = context.targets
     if sensor.type == "ray" and targets.any_of(CLASSIC) and not targets.any_of(GZ):
         return  # rays of Gazebo Classic may sweep backwards
     for way in ("horizontal", "vertical"):

@@ -5,6 +5,6 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if a ``<gazebo>`` element holds a plugin."""
-    return bool(subject.plugins)
+    return bool(context.plugins)

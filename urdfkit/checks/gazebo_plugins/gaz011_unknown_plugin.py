@@ -39,9 +39,9 @@ FIXED = GOOD = BAD.replace("mvoe", "move")
     needs=(Need.MODEL, Need.GAZEBO),
     help="if it is a vendor's, add its package to your dependencies",
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     reported: set[str] = set()
-    for use in subject.plugins:
+    for use in context.plugins:
         if use.known:
             yield from _unknown_class(use)
         elif not use.filename:

@@ -43,14 +43,14 @@ _NONE = "no successor is known"
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
     migrates=True,
 )
-def check(subject: Context) -> Findings:
-    targets = [name for name in subject.targets.names if name in GENERATIONS]
+def check(context: Context) -> Findings:
+    targets = [name for name in context.targets.names if name in GENERATIONS]
     is_reported = False
-    for use in subject.plugins:
+    for use in context.plugins:
         present = [plugin for plugin in use.known if not plugin.removed]
         if not targets or not present or any(_runs(use, name) for name in targets):
             continue
-        if subject.targets.evidence and _is_of_another_family(use, subject.targets):
+        if context.targets.evidence and _is_of_another_family(use, context.targets):
             continue  # the robot itself is for two simulators
         found = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
         wanted = " or ".join(TITLES[target] for target in targets)
@@ -61,9 +61,9 @@ def check(subject: Context) -> Findings:
             _successor(use, targets[0]),
             _fix(use) if targets[0] == "gz-fortress" else None,
         )
-    is_given = len({GENERATIONS[name][0] for name in targets}) == 1 and not subject.targets.evidence
+    is_given = len({GENERATIONS[name][0] for name in targets}) == 1 and not context.targets.evidence
     if not is_reported and not is_given:
-        yield from _mixed(subject.plugins)
+        yield from _mixed(context.plugins)
 
 
 def _mixed(plugins: tuple[PluginUse, ...]) -> Findings:

@@ -55,9 +55,9 @@ _CAMERAS = ("depth", "wide_angle_camera")
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
-    known = {*subject.model.links_by_name, *subject.model.joints_by_name}
-    for use in subject.plugins:
+def check(context: Context) -> Findings:
+    known = {*context.model.links_by_name, *context.model.joints_by_name}
+    for use in context.plugins:
         reference = use.block.get("reference")
         if use.place == "link" and reference not in known:
             continue  # GAZ001: the whole block is ignored

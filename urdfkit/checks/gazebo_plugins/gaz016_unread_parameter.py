@@ -43,9 +43,9 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it", migrates=True)
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     foreign: dict[tuple[PluginUse, bool], list[UnreadParameter]] = {}
-    found_unread = [(use, one) for use in subject.plugins for one in unread(use)]
+    found_unread = [(use, one) for use in context.plugins for one in unread(use)]
     for use, found in found_unread:
         if found.other is not None and use.plugin is not None:
             is_renamed = bool(_new_name(use, use.plugin, found.item))

@@ -27,14 +27,14 @@ GOOD = BAD.replace("    <topic", "    <bodyName>arm</bodyName>\n    <topic")
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
-    for use in subject.plugins:
-        found = list(_missing(use, use.plugin, subject)) if use.plugin else []
+def check(context: Context) -> Findings:
+    for use in context.plugins:
+        found = list(_missing(use, use.plugin, context)) if use.plugin else []
         if found and not _is_of_another(use):
             yield from found
 
 
-def _missing(use: PluginUse, plugin: Plugin, subject: Context) -> Findings:
+def _missing(use: PluginUse, plugin: Plugin, context: Context) -> Findings:
     given = {item.path for item in use.items if item.text or _is_of_argument(item.at)}
     blocks = {item.path for item in use.items}
     for parameter in plugin.parameters.values():
@@ -44,8 +44,8 @@ def _missing(use: PluginUse, plugin: Plugin, subject: Context) -> Findings:
         if parameter.required and (not block or block in blocks):
             yield _finding(use, parameter, "")
         elif plugin.missing and parameter.type == "joint" and parameter.default:
-            known = subject.model.joints_by_name
-            if parameter.default not in known and not subject.is_part:
+            known = context.model.joints_by_name
+            if parameter.default not in known and not context.is_part:
                 yield _finding(use, parameter, parameter.default)
     if plugin.any_of and given.isdisjoint(plugin.any_of):
         wanted = " or ".join(f"<{name}>" for name in plugin.any_of)

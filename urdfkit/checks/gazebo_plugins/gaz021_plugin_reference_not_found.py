@@ -46,22 +46,22 @@ _STATES = "gazebo_ros_joint_state_publisher@classic-ros2"
     help="name a link or joint of this robot",
     reports_missing=True,
 )
-def check(subject: Context) -> Findings:
-    conversion = subject.gazebo
+def check(context: Context) -> Findings:
+    conversion = context.gazebo
     suggesters = {
-        "link": Suggester(subject.model.links_by_name),
-        "joint": Suggester(subject.model.joints_by_name),
+        "link": Suggester(context.model.links_by_name),
+        "joint": Suggester(context.model.joints_by_name),
     }
-    for use in subject.plugins:
+    for use in context.plugins:
         for reference in use.references():
             result = conversion_result(conversion, reference.kind, reference.name)
             is_world = reference.kind == "link" and reference.name == "world"
-            if result == "unknown" and not is_world and not subject.is_part:
+            if result == "unknown" and not is_world and not context.is_part:
                 yield _unknown(use, reference, suggesters[reference.kind])
             elif result == "merged" and not _is_rewritten(use, reference):
-                yield _merged(subject, use, reference)
-            elif result == "dropped" and not subject.is_part:
-                yield _dropped(subject, use, reference)
+                yield _merged(context, use, reference)
+            elif result == "dropped" and not context.is_part:
+                yield _dropped(context, use, reference)
 
 
 def _unknown(use: PluginUse, reference: Reference, suggester: Suggester) -> Finding:
@@ -83,11 +83,11 @@ def _is_rewritten(use: PluginUse, reference: Reference) -> bool:
     return use.plugin is not None and use.plugin.id == _STATES
 
 
-def _merged(subject: Context, use: PluginUse, reference: Reference) -> Finding:
-    joint = _fixed_joint(subject, reference)
+def _merged(context: Context, use: PluginUse, reference: Reference) -> Finding:
+    joint = _fixed_joint(context, reference)
     child = joint.child.value if joint and joint.child else reference.name
-    survivor = subject.gazebo.survivor.get(child, "")
-    can_keep = joint is not None and subject.model.links_by_name[child].mass > 0
+    survivor = context.gazebo.survivor.get(child, "")
+    can_keep = joint is not None and context.model.links_by_name[child].mass > 0
     help = f"name '{survivor}'" if reference.kind == "link" else "make it a joint that moves"
     if joint and can_keep:
         help += f", or keep joint '{joint.name}' with <preserveFixedJoint>"
@@ -101,10 +101,10 @@ def _merged(subject: Context, use: PluginUse, reference: Reference) -> Finding:
     )
 
 
-def _fixed_joint(subject: Context, reference: Reference) -> Joint | None:
+def _fixed_joint(context: Context, reference: Reference) -> Joint | None:
     if reference.kind == "joint":
-        return subject.model.joints_by_name[reference.name]
-    above = subject.tree.parents[reference.name]
+        return context.model.joints_by_name[reference.name]
+    above = context.tree.parents[reference.name]
     return above[0] if len(above) == 1 else None
 
 
@@ -119,12 +119,12 @@ def _kept(use: PluginUse, joint: Joint) -> Fix | None:
     return Fix(f"keep joint '{joint.name}' in Gazebo", insert_before(use.block, lines))
 
 
-def _dropped(subject: Context, use: PluginUse, reference: Reference) -> Finding:
+def _dropped(context: Context, use: PluginUse, reference: Reference) -> Finding:
     link = reference.name
     if reference.kind == "joint":
-        child = subject.model.joints_by_name[reference.name].child
+        child = context.model.joints_by_name[reference.name].child
         link = child.value if child else link
-    reason = subject.gazebo.dropped[link]
+    reason = context.gazebo.dropped[link]
     return Finding(
         reference.item.at,
         f"{use.title} refers to {reference.kind} '{reference.name}', which Gazebo drops "

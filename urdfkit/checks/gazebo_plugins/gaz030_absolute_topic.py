@@ -22,8 +22,8 @@ GOOD = BAD.replace("/cmd_vel<", "cmd_vel<")
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO))
-def check(subject: Context) -> Findings:
-    for use in subject.plugins:
+def check(context: Context) -> Findings:
+    for use in context.plugins:
         if use.plugin is None or use.plugin.generation not in ("classic-ros1", "classic-ros2"):
             continue  # in gz-sim a topic is absolute in any case
         for item in use.items:

@@ -5,6 +5,6 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if a ``<gazebo>`` element holds a sensor."""
-    return any(part.tag == "sensor" for block in subject.model.gazebo for part in block.walk())
+    return any(part.tag == "sensor" for block in context.model.gazebo for part in block.walk())

@@ -57,14 +57,14 @@ _ON_JOINTS = {"force_torque"}
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
     migrates=True,
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     known = types()
-    for sensor in sensors(subject.model):
+    for sensor in sensors(context.model):
         if kind := known.get(sensor.type):
-            yield from _not_in_target(sensor, kind, subject.targets)
-            yield from _of_wrong_element(subject, sensor)
+            yield from _not_in_target(sensor, kind, context.targets)
+            yield from _of_wrong_element(context, sensor)
         elif not _brings_its_type(sensor, known):
-            yield _unknown(sensor, known, subject.targets)
+            yield _unknown(sensor, known, context.targets)
         for inner in written(sensor):
             if inner.holds_type_as_attribute and "type" not in inner.at.attributes:
                 yield _noise_without_type(sensor, inner.at)
@@ -95,14 +95,14 @@ def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findin
     )
 
 
-def _of_wrong_element(subject: Context, sensor: Sensor) -> Findings:
-    is_link = sensor.reference in subject.model.links_by_name
-    is_joint = sensor.reference in subject.model.joints_by_name
+def _of_wrong_element(context: Context, sensor: Sensor) -> Findings:
+    is_link = sensor.reference in context.model.links_by_name
+    is_joint = sensor.reference in context.model.joints_by_name
     if is_joint in (is_link, sensor.type in _ON_JOINTS):
         return
     who = f"{sensor.who} of type '{sensor.type}'"
     if is_link:
-        above = subject.tree.parents.get(sensor.reference, [])
+        above = context.tree.parents.get(sensor.reference, [])
         help = f'write reference="{above[0].name}"' if above else "name a joint"
         message = f"{who} is on link '{sensor.reference}', but must be on a joint"
         yield Finding(sensor.at, message, help)

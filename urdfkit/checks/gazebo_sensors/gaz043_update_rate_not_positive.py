@@ -28,8 +28,8 @@ _HEAVY = ("camera", "depth", "lidar", "ray")
 
 
 @rule(Severity.WARNING, help="give the rate of the real sensor in Hz")
-def check(subject: Context) -> Findings:
-    for sensor in sensors(subject.model):
+def check(context: Context) -> Findings:
+    for sensor in sensors(context.model):
         is_heavy = bool(sensor.lidar) or any(word in sensor.type for word in _HEAVY)
         if is_heavy and sensor.find("update_rate") is None:
             message = (

@@ -24,8 +24,8 @@ FIXED = BAD.replace(">3.1415926<", ">3.12414<")
 
 
 @rule(Severity.INFO, help="end one step before the full circle")
-def check(subject: Context) -> Findings:
-    for sensor in sensors(subject.model):
+def check(context: Context) -> Findings:
+    for sensor in sensors(context.model):
         scan = f"{sensor.lidar}/scan/horizontal"
         first, last = sensor.number(f"{scan}/min_angle"), sensor.number(f"{scan}/max_angle")
         samples = sensor.number(f"{scan}/samples")

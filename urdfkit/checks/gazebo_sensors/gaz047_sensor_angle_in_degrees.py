@@ -34,8 +34,8 @@ _ANGLES = (
 
 
 @rule(Severity.WARNING, help="write the angle in radians")
-def check(subject: Context) -> Findings:
-    for sensor in sensors(subject.model):
+def check(context: Context) -> Findings:
+    for sensor in sensors(context.model):
         for path in _ANGLES:
             angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
             if angle is not None and abs(angle.value) > 2 * pi + 1e-3:

@@ -29,9 +29,9 @@ GOOD = BAD.replace("<min>0.05</min>", "<min>0.2</min>")
 
 
 @rule(Severity.WARNING, help="raise the minimum range, or make the collision shape smaller")
-def check(subject: Context) -> Findings:
-    for sensor in sensors(subject.model):
-        link = subject.model.links_by_name.get(sensor.reference)
+def check(context: Context) -> Findings:
+    for sensor in sensors(context.model):
+        link = context.model.links_by_name.get(sensor.reference)
         least = sensor.number(f"{sensor.lidar}/range/min") if sensor.lidar else None
         if link is None or least is None or sensor.type.startswith("gpu") or sensor.find("pose"):
             continue

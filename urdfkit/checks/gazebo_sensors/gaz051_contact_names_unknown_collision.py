@@ -35,17 +35,17 @@ FIXED = GOOD = BAD.replace("base_colision", "base_collision")
     needs=(Need.MODEL, Need.GAZEBO),
     help="name the collision as Gazebo does; 'urdfkit gazebo' lists the names",
 )
-def check(subject: Context) -> Findings:
-    for sensor in sensors(subject.model):
+def check(context: Context) -> Findings:
+    for sensor in sensors(context.model):
         if sensor.type == "contact" and sensor.find("contact/collision") is None:
             message = f"{sensor.who}: no <collision> in <contact>, so it detects no contact"
             yield Finding(sensor.at, message, "add <contact> with a <collision> of its link")
         for contact in sensor.at.all("contact"):
             named = contact.child("collision")
-            link = subject.gazebo.survivor.get(sensor.reference)
+            link = context.gazebo.survivor.get(sensor.reference)
             if named is None or link is None:
                 continue
-            simulated = next(one for one in subject.gazebo.links if one.name == link)
+            simulated = next(one for one in context.gazebo.links if one.name == link)
             known = dict(simulated.collisions)
             name = named.text.strip()
             if name in known or name == "__default__":

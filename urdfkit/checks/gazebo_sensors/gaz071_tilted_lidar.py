@@ -48,12 +48,12 @@ GOOD = BAD.replace("0 0.3 0", "0 0 0.3")
 
 
 @rule(Severity.WARNING, help="level the <origin> of its joint, or the <pose> of the sensor")
-def check(subject: Context) -> Findings:
-    if not subject.tree.is_sound or not _rolls(subject.tree):
+def check(context: Context) -> Findings:
+    if not context.tree.is_sound or not _rolls(context.tree):
         return
-    fixed = {link.name for link, _ in rigid_bodies(subject.tree)[0].links}
-    for sensor in sensors(subject.model):
-        frame = frame_of(sensor, subject.tree) if sensor.reference in fixed else None
+    fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
+    for sensor in sensors(context.model):
+        frame = frame_of(sensor, context.tree) if sensor.reference in fixed else None
         if frame is not None and planar_scan(sensor) and tilt(frame) > ADJUSTED:
             yield _finding(sensor, frame)
 

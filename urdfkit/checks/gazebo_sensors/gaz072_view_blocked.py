@@ -53,70 +53,70 @@ GOOD = BAD.replace("0 0 0.05", "0 0 0.25")
 
 
 @rule(Severity.WARNING, help="raise or turn the sensor, or scan the angles that are free")
-def check(subject: Context) -> Findings:
-    if not subject.tree.is_sound:
+def check(context: Context) -> Findings:
+    if not context.tree.is_sound:
         return
-    for sensor in sensors(subject.model):
-        frame = frame_of(sensor, subject.tree)
+    for sensor in sensors(context.model):
+        frame = frame_of(sensor, context.tree)
         if frame is None:
             continue
         if scan := planar_scan(sensor):
-            yield from _of_lidar(subject, sensor, frame, scan)
+            yield from _of_lidar(context, sensor, frame, scan)
         elif is_camera(sensor):
-            yield from _of_camera(subject, sensor, frame)
+            yield from _of_camera(context, sensor, frame)
 
 
-def _of_lidar(subject: Context, sensor: Sensor, frame: Transform, scan: Scan) -> Findings:
+def _of_lidar(context: Context, sensor: Sensor, frame: Transform, scan: Scan) -> Findings:
     sees_inside = not sensor.type.startswith("gpu")
     directions = scan.directions
     blocked: dict[str, set[int]] = {}
-    for name, body, at in _bodies(subject, frame, visuals=not sees_inside):
+    for name, body, at in _bodies(context, frame, visuals=not sees_inside):
         if name == sensor.reference and sees_inside:
             continue  # GAZ050
         shape = shape_of(body, at)
         found: set[int] = set()
         if shape is not None:
             found = set(beams_on(shape, scan, directions, sees_inside=sees_inside))
-        elif (box := _box(subject, body, at)) and _crosses(box):
+        elif (box := _box(context, body, at)) and _crosses(box):
             ends = {"low": scan.low, "high": scan.high}
-            found = _on_mesh(subject, body, at, directions, **ends, both_sides=sees_inside)
+            found = _on_mesh(context, body, at, directions, **ends, both_sides=sees_inside)
         if found:
             blocked.setdefault(name, set()).update(found)
     part = len(set().union(*blocked.values())) / scan.samples
     if part >= SOME:
         yield _finding(
-            subject,
+            context,
             sensor,
             f"{sensor.who}: {100 * part:.0f} % of its beams end at the robot itself",
             blocked,
         )._replace(severity=None if part >= MANY else Severity.INFO)
 
 
-def _of_camera(subject: Context, sensor: Sensor, frame: Transform) -> Findings:
+def _of_camera(context: Context, sensor: Sensor, frame: Transform) -> Findings:
     rays = image_rays(sensor)
     clip = sensor.number("camera/clip/near")
     low = clip.value if clip else _CLIP
     blocked: dict[str, set[int]] = {}
-    for name, body, at in _bodies(subject, frame, visuals=True):
+    for name, body, at in _bodies(context, frame, visuals=True):
         own = shape_of(body, at)
-        shape = own or _box(subject, body, at)
+        shape = own or _box(context, body, at)
         met = [interval(shape, ray) for ray in rays] if shape else []
         if own is None and any(one and one[0] <= NEAR and one[1] >= low for one in met):
-            found = _on_mesh(subject, body, at, rays, low=low, high=NEAR, both_sides=False)
+            found = _on_mesh(context, body, at, rays, low=low, high=NEAR, both_sides=False)
         else:
             found = {i for i, one in enumerate(met) if own and one and low <= one[0] <= NEAR}
         if found:
             blocked.setdefault(name, set()).update(found)
     if rays and len(set().union(*blocked.values())) >= ALL * len(rays):
         message = f"{sensor.who} sees nothing but the robot itself"
-        yield _finding(subject, sensor, message, blocked)
+        yield _finding(context, sensor, message, blocked)
 
 
 def _finding(
-    subject: Context, sensor: Sensor, message: str, blocked: dict[str, set[int]]
+    context: Context, sensor: Sensor, message: str, blocked: dict[str, set[int]]
 ) -> Finding:
     worst = sorted(blocked, key=lambda name: -len(blocked[name]))[:3]
-    links = subject.model.links_by_name
+    links = context.model.links_by_name
     return Finding(
         sensor.at,
         f"{message}: at {', '.join(worst)}",
@@ -125,19 +125,19 @@ def _finding(
 
 
 def _bodies(
-    subject: Context, frame: Transform, *, visuals: bool
+    context: Context, frame: Transform, *, visuals: bool
 ) -> Iterator[tuple[str, Body, Transform]]:
     """The shapes of all links, each with the frame of its link in that of the sensor."""
     inverse = frame.inverse
-    for name, link in subject.model.links_by_name.items():
-        if name in subject.tree.frames:
+    for name, link in context.model.links_by_name.items():
+        if name in context.tree.frames:
             for body in link.visuals if visuals else link.collisions:
-                yield name, body, inverse @ subject.tree.frames[name]
+                yield name, body, inverse @ context.tree.frames[name]
 
 
-def _box(subject: Context, body: Body, at: Transform) -> Primitive | None:
+def _box(context: Context, body: Body, at: Transform) -> Primitive | None:
     """The box around a mesh in the frame of a sensor; None if it was not measured."""
-    measures = subject.measures(body.shape) if body.shape and body.shape.filename else ""
+    measures = context.measures(body.shape) if body.shape and body.shape.filename else ""
     if body.shape is None or isinstance(measures, str):
         return None
     ends = zip(measures.low, measures.high, body.shape.scale, strict=True)
@@ -156,7 +156,7 @@ def _crosses(box: Primitive) -> bool:
 
 
 def _on_mesh(
-    subject: Context,
+    context: Context,
     body: Body,
     at: Transform,
     directions: list[Vector],
@@ -169,7 +169,7 @@ def _on_mesh(
     from urdfkit.mesh.ray_casting import rays_that_meet  # with numpy: few robots get here
 
     assert body.shape is not None
-    mesh, vertices = subject.meshes.mesh(body.shape), subject.meshes.vertices(body.shape)
+    mesh, vertices = context.meshes.mesh(body.shape), context.meshes.vertices(body.shape)
     if mesh is None or vertices is None:
         return set()
     return rays_that_meet(

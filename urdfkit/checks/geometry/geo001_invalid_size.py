@@ -35,15 +35,15 @@ FIXED = GOOD = BAD.replace("-0.2", "0.2")
 
 
 @rule(Severity.ERROR, help="write a positive size in m")
-def check(subject: Context) -> Findings:
-    for link, body, shape in shaped(subject.model):
+def check(context: Context) -> Findings:
+    for link, body, shape in shaped(context.model):
         who = f"link '{link.name}': the <{shape.kind}> in its {body.at.tag} has"
         for attribute, values in sizes(shape):
             message = f"{who} {attribute.name} {_numbers(values)} m"
             if min(values) < 0:
                 yield Finding(attribute, message, fix=_fix(attribute))
             elif min(values) == 0:
-                fatal = subject.targets.that("rejects_empty_shapes")
+                fatal = context.targets.that("rejects_empty_shapes")
                 help = "remove the whole <visual> or <collision>"
                 severity = Severity.ERROR if fatal else Severity.INFO
                 yield Finding(attribute, message, help, severity=severity, targets=fatal)

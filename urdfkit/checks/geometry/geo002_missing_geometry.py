@@ -40,28 +40,28 @@ _HEAVY = 1e-3
     help="add a <collision> with a simple shape if the link can collide",
     reports_missing=True,
 )
-def check(subject: Context) -> Findings:
-    links = subject.model.links
+def check(context: Context) -> Findings:
+    links = context.model.links
     if any(link.visuals or link.collisions for link in links):
-        yield from _without_collision(subject)
-        yield from _without_visual(subject)
-        yield from _without_both(subject)
-    elif not subject.is_part:
+        yield from _without_collision(context)
+        yield from _without_visual(context)
+        yield from _without_both(context)
+    elif not context.is_part:
         message = "the link has neither visual nor collision"
         if len(links) > 1:
             message = f"none of the {len(links)} links has a visual or a collision"
         help = "give the links visuals and collisions"
-        yield Finding(subject.model.root, message, help, severity=Severity.INFO)
+        yield Finding(context.model.root, message, help, severity=Severity.INFO)
 
 
-def _without_collision(subject: Context) -> Findings:
-    links = [link for link in subject.model.links if link.visuals]
-    if len(links) > 1 and not any(link.collisions for link in subject.model.links):
+def _without_collision(context: Context) -> Findings:
+    links = [link for link in context.model.links if link.visuals]
+    if len(links) > 1 and not any(link.collisions for link in context.model.links):
         message = f"none of the {len(links)} links with a visual has a collision"
-        yield Finding(subject.model.root, message)
+        yield Finding(context.model.root, message)
         return
     bare = [link for link in links if not link.collisions]
-    needed = _needed(subject) if bare else ()
+    needed = _needed(context) if bare else ()
     for link in bare:
         supports = link.name in needed
         yield Finding(
@@ -74,8 +74,8 @@ def _without_collision(subject: Context) -> Findings:
         )
 
 
-def _without_visual(subject: Context) -> Findings:
-    for link in subject.model.links:
+def _without_visual(context: Context) -> Findings:
+    for link in context.model.links:
         if link.collisions and not link.visuals:
             yield Finding(
                 link.collisions[0].at,
@@ -86,11 +86,11 @@ def _without_visual(subject: Context) -> Findings:
             )
 
 
-def _without_both(subject: Context) -> Findings:
-    if not any(link.collisions for link in subject.model.links) or subject.is_part:
+def _without_both(context: Context) -> Findings:
+    if not any(link.collisions for link in context.model.links) or context.is_part:
         return
-    for body in rigid_bodies(subject.tree):
-        if body.joint and body.mass > _HEAVY and _is_bare_end(body, subject):
+    for body in rigid_bodies(context.tree):
+        if body.joint and body.mass > _HEAVY and _is_bare_end(body, context):
             yield Finding(
                 body.top.at,
                 f"link '{body.top.name}' of {body.mass:g} kg moves and has neither visual nor "
@@ -100,28 +100,28 @@ def _without_both(subject: Context) -> Findings:
             )
 
 
-def _is_bare_end(body: RigidBody, subject: Context) -> bool:
+def _is_bare_end(body: RigidBody, context: Context) -> bool:
     links = [link for link, _ in body.links]
-    children = sum(len(subject.tree.children[link.name]) for link in links)
+    children = sum(len(context.tree.children[link.name]) for link in links)
     return children == len(links) - 1 and not any(link.visuals or link.collisions for link in links)
 
 
-def _needed(subject: Context) -> tuple[str, ...]:
+def _needed(context: Context) -> tuple[str, ...]:
     """The links whose visuals a robot on wheels stands on, if it falls over on its collisions.
 
     None where its meshes cannot be read.
     """
-    wheeled = any(joint.kind == "continuous" for joint in subject.model.joints)
-    if not wheeled or subject.is_part or not subject.tree.is_sound:
+    wheeled = any(joint.kind == "continuous" for joint in context.model.joints)
+    if not wheeled or context.is_part or not context.tree.is_sound:
         return ()
-    links = subject.model.links_by_name
+    links = context.model.links_by_name
     try:
-        seen = stand(subject, visuals=True)
-        if seen is None or seen.tips or not is_freestanding(subject.tree, seen.links):
+        seen = stand(context, visuals=True)
+        if seen is None or seen.tips or not is_freestanding(context.tree, seen.links):
             return ()
         touching = [name for name in seen.links if links[name].collisions]
-        found = stand(subject, contacts=touching)
-        return () if _holds(found) or _lacks_meshes(subject) else seen.links
+        found = stand(context, contacts=touching)
+        return () if _holds(found) or _lacks_meshes(context) else seen.links
     except ImportError:
         return ()
 
@@ -130,10 +130,10 @@ def _holds(found: Stability | None) -> bool:
     return found is not None and not found.tips
 
 
-def _lacks_meshes(subject: Context) -> bool:
+def _lacks_meshes(context: Context) -> bool:
     """True if a collision may reach the ground in a mesh that cannot be read."""
     return any(
-        body.shape and body.shape.filename and subject.meshes.mesh(body.shape) is None
-        for link in subject.model.links
+        body.shape and body.shape.filename and context.meshes.mesh(body.shape) is None
+        for link in context.model.links
         for body in link.collisions
     )

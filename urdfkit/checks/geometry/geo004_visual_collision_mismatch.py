@@ -56,16 +56,16 @@ _NEAR = 1.08
 
 
 @rule(Severity.WARNING, help="compare both in RViz, and correct the one that is wrong")
-def check(subject: Context) -> Findings:
-    model, files = subject.model, subject.files
-    pairs = VisualCollisionPairs(model, subject.mesh_solid, files.has_ambiguous_axes)
+def check(context: Context) -> Findings:
+    model, files = context.model, context.files
+    pairs = VisualCollisionPairs(model, context.mesh_solid, files.has_ambiguous_axes)
     for one in pairs.mismatches.get(Mismatch.APART, ()):
         yield _apart(one)
     for one in pairs.mismatches.get(Mismatch.SIZE, ()):
         yield _of_size(one, pairs.span)
     for one in pairs.mismatches.get(Mismatch.ROTATION, ()):
         yield _rotated(one)
-    yield from _diameters(subject)
+    yield from _diameters(context)
 
 
 def _apart(one: VisualCollisionPair) -> Finding:
@@ -133,8 +133,8 @@ def _rotated(one: VisualCollisionPair) -> Finding:
     )
 
 
-def _diameters(subject: Context) -> Findings:
-    for link in subject.model.links:
+def _diameters(context: Context) -> Findings:
+    for link in context.model.links:
         if len(link.visuals) != 1 or len(link.collisions) != 1:
             continue
         visual, collision = link.visuals[0], link.collisions[0]

@@ -32,27 +32,27 @@ _TOLERANCE = 0.4
 
 
 @rule(Severity.INFO, help="give both the same colour")
-def check(subject: Context) -> Findings:
-    names = [name for name in subject.targets.names if name in GAZEBO]
+def check(context: Context) -> Findings:
+    names = [name for name in context.targets.names if name in GAZEBO]
     if names == ["gz-fortress"]:
         return  # which has no material scripts
     in_gz = bool(names) and not any(name.startswith("classic") for name in names)
-    colours = Colours(subject.model)
+    colours = Colours(context.model)
     materials: dict[str, list[Material]] = {}
     for link, _, material in colours.visuals():
         materials.setdefault(link.name, []).append(material)
-    for name, element in _gazebo_materials(subject).items():
+    for name, element in _gazebo_materials(context).items():
         rgb = _color(element, in_gz=in_gz)
         seen = [one for one in materials.get(name, ()) if one.rgba and not one.texture]
         if rgb and seen and not any(_alike(element, rgb, material) for material in seen):
             yield _finding(name, element, rgb, seen[0])
 
 
-def _gazebo_materials(subject: Context) -> dict[str, Element]:
+def _gazebo_materials(context: Context) -> dict[str, Element]:
     """The element that gives each link its Gazebo material: the last one."""
     return {
         block.get("reference") or "": child
-        for block in subject.model.gazebo
+        for block in context.model.gazebo
         for child in block.all("material")
     }
 

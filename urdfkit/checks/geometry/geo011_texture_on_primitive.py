@@ -28,9 +28,9 @@ GOOD = BAD.replace(_TEXTURE, '<color rgba="0 0 1 1"/>')
     Severity.INFO,
     help="use a mesh with texture coordinates, and give the material a <color> for the others",
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     reported: set[Element | Attribute] = set()
-    for link, body, material in Colours(subject.model).visuals():
+    for link, body, material in Colours(context.model).visuals():
         texture, kind = material.texture, body.shape.kind if body.shape else ""
         if texture and kind in SIZES and texture.at not in reported:
             reported.add(texture.at)

@@ -7,11 +7,11 @@ from collections.abc import Collection
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True where the document deviates from the grammar."""
-    return bool(subject.deviations)
+    return bool(context.deviations)
 
 
-def codes(subject: Context) -> Collection[str]:
+def codes(context: Context) -> Collection[str]:
     """The rules that report the deviations."""
-    return subject.deviations
+    return context.deviations

@@ -45,10 +45,10 @@ _SHOWN = 5
 @rule(
     Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     misplaced: list[Element] = []
     unknown: list[tuple[Element, str]] = []
-    for element, _, needed, suggested in subject.deviations.get("URD001", ()):
+    for element, _, needed, suggested in context.deviations.get("URD001", ()):
         if not suggested and places_of(element.tag):
             misplaced.append(element)
         elif needed:
@@ -56,7 +56,7 @@ def check(subject: Context) -> Findings:
         else:
             unknown.append((element, suggested))
     tags = {element.tag for element, suggested in unknown if not suggested}
-    readers = readers_of(tags, subject.source.path, subject.resolver) if tags else {}
+    readers = readers_of(tags, context.source.path, context.resolver) if tags else {}
     for element, suggested in unknown:
         yield _unknown(element, suggested, readers.get(element.tag))
     yield from _misplaced(misplaced)

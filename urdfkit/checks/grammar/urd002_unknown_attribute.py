@@ -35,9 +35,9 @@ _SHOWN = 5
 @rule(
     Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     foreign: dict[tuple[str, bool], list[Attribute]] = {}
-    for element, attribute, _, suggested in subject.deviations.get("URD002", ()):
+    for element, attribute, _, suggested in context.deviations.get("URD002", ()):
         assert attribute is not None
         if suggested:
             yield _mistake(element, attribute, suggested)

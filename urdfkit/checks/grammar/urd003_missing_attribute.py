@@ -33,11 +33,11 @@ FIXED = GOOD = BAD.replace("radus", "radius")
 
 
 @rule(Severity.ERROR, help="add the attribute")
-def check(subject: Context) -> Findings:
-    for element, attribute, missing, suggested in subject.deviations.get("URD003", ()):
+def check(context: Context) -> Findings:
+    for element, attribute, missing, suggested in context.deviations.get("URD003", ()):
         message = f"{owner(element)}: <{element.tag}> has no '{missing}'"
         if attribute is None and element.parent is None:
-            if not subject.is_part:
+            if not context.is_part:
                 fix = _named_for_file(element)
                 yield Finding(element, "<robot> has no name", 'write <robot name="...">', fix)
             continue
@@ -46,7 +46,7 @@ def check(subject: Context) -> Findings:
             continue
         if attribute is None:
             is_material = element.tag == "material"
-            is_unneeded = is_material and subject.targets.all_are("reads_unnamed_materials")
+            is_unneeded = is_material and context.targets.all_are("reads_unnamed_materials")
             severity = Severity.WARNING if is_unneeded else None
             key = f"{missing} of {element.tag}"
             yield Finding(element, message, group_key=key, severity=severity)

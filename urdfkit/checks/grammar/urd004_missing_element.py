@@ -27,31 +27,31 @@ GOOD = link_xml("base", inertial_xml("2", "0.01 0.01 0.02"))
 
 
 @rule(Severity.ERROR, help="add the element")
-def check(subject: Context) -> Findings:
-    for element, _, missing, _ in subject.deviations.get("URD004", ()):
+def check(context: Context) -> Findings:
+    for element, _, missing, _ in context.deviations.get("URD004", ()):
         who = owner(element)
         if not missing:
-            yield _without_shape(subject, element, who)
+            yield _without_shape(context, element, who)
             continue
-        if _calls_macro(subject, element):
+        if _calls_macro(context, element):
             continue  # without the prefix: XAC002
         inside = "" if who.startswith(element.tag) else f": <{element.tag}>"
         yield Finding(element, f"{who}{inside} has no <{missing}>", f"add <{missing}>")
 
 
-def _calls_macro(subject: Context, element: Element) -> bool:
+def _calls_macro(context: Context, element: Element) -> bool:
     """True if a child has the name of a macro, which may make what is missing."""
-    xacro = subject.reading.xacro
+    xacro = context.reading.xacro
     macros = {macro.name for macro in xacro.macros} if xacro else set()
     return any(child.tag in macros for child in element.children)
 
 
-def _without_shape(subject: Context, element: Element, who: str) -> Finding:
+def _without_shape(context: Context, element: Element, who: str) -> Finding:
     """A geometry without a shape, or what comes first in it."""
     message, severity = f"{who}: <geometry> has no shape", Severity.ERROR
     if has_element("geometry", element.tag):
         message = f"{who}: <geometry> begins with <{element.tag}>, which only Bullet reads"
-        severity = Severity.ERROR if subject.targets.names else Severity.INFO
+        severity = Severity.ERROR if context.targets.names else Severity.INFO
     elif element.tag != "geometry":
         message = f"{who}: <geometry> begins with <{element.tag}>, which is not a shape"
     help = f"let its first element be one of {', '.join(SHAPES)}"

@@ -36,8 +36,8 @@ FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.0
     Severity.ERROR,
     help="write the required count of numbers, with decimal points, separated by spaces",
 )
-def check(subject: Context) -> Findings:
-    for element, attribute, kind, _ in subject.deviations.get("URD005", ()):
+def check(context: Context) -> Findings:
+    for element, attribute, kind, _ in context.deviations.get("URD005", ()):
         assert attribute is not None
         if "|" in kind:
             yield _of_words(attribute, kind.split("|"))

@@ -33,10 +33,10 @@ FIXED = GOOD = link_xml("base", collision_xml('<box size="0.4 0.3 0.1"/>', _ORIG
 
 
 @rule(Severity.WARNING, help="remove one of them")
-def check(subject: Context) -> Findings:
-    rejecting = [one for one in subject.given_facts if one.rejects_repeated]
+def check(context: Context) -> Findings:
+    rejecting = [one for one in context.given_facts if one.rejects_repeated]
     names = " and ".join(one.title for one in rejecting)
-    for element, *_ in subject.deviations.get("URD007", ()):
+    for element, *_ in context.deviations.get("URD007", ()):
         assert element.parent is not None
         first = _first(element, element.parent)
         is_rejected = bool(rejecting) and _is_read_by_mujoco(element, first)

@@ -27,9 +27,9 @@ FIXED = GOOD.replace('"wheel"/>', '"wheel">\n</link>')
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    misplaced = [element for element, *_ in subject.deviations.get("URD008", ())]
-    fixes = _fixes(subject, misplaced)
+def check(context: Context) -> Findings:
+    misplaced = [element for element, *_ in context.deviations.get("URD008", ())]
+    fixes = _fixes(context, misplaced)
     for element in misplaced:
         assert element.parent is not None
         if element.parent.tag == "mujoco":
@@ -44,7 +44,7 @@ def check(subject: Context) -> Findings:
         )
 
 
-def _fixes(subject: Context, misplaced: list[Element]) -> dict[Element, Fix]:
+def _fixes(context: Context, misplaced: list[Element]) -> dict[Element, Fix]:
     """The move of all tags of one link or joint at once, for each of those tags."""
     groups: dict[Element, list[Element]] = {}
     for element in misplaced:
@@ -53,7 +53,7 @@ def _fixes(subject: Context, misplaced: list[Element]) -> dict[Element, Fix]:
             groups.setdefault(owner, []).append(element)
     fixes: dict[Element, Fix] = {}
     for owner, elements in groups.items():
-        if fix := _moved(subject, owner, elements):
+        if fix := _moved(context, owner, elements):
             fixes |= dict.fromkeys(elements, fix)
     return fixes
 
@@ -64,12 +64,12 @@ def _is_for(element: Element, owner: Element) -> bool:
     return extension is not None and extension.on in (owner.tag, "both")
 
 
-def _moved(subject: Context, owner: Element, elements: list[Element]) -> Fix | None:
+def _moved(context: Context, owner: Element, elements: list[Element]) -> Fix | None:
     """Into the block that there is for the owner, else into a new one behind it."""
     name = owner.attributes.get("name")
     if name is None or name.written_in is not None:
         return None
-    blocks = [one for one in subject.model.gazebo if one.get("reference") == name.value]
+    blocks = [one for one in context.model.gazebo if one.get("reference") == name.value]
     if any(block.child(element.tag) for block in blocks for element in elements):
         return None  # one of two values would win
     removals = remove_elements(elements)

@@ -32,13 +32,13 @@ FIXED = BAD.replace("2.3", "1.0")
 
 
 @rule(Severity.ERROR)
-def check(subject: Context) -> Findings:
-    version = version_of(subject.document.root)
-    for element, attribute, _, since in subject.deviations.get("URD011", ()):
+def check(context: Context) -> Findings:
+    version = version_of(context.document.root)
+    for element, attribute, _, since in context.deviations.get("URD011", ()):
         if not since:
             assert attribute is not None
             yield _declared(attribute, version)
-        elif element.tag != "capsule" or not subject.targets.all_are("reads_capsules"):
+        elif element.tag != "capsule" or not context.targets.all_are("reads_capsules"):
             what = f"<{element.tag}>" if attribute is None else attribute.name
             yield Finding(
                 attribute or element,

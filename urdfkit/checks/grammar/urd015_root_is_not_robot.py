@@ -29,11 +29,11 @@ FIXED = GOOD = BAD.replace("Robot", "robot")
 
 
 @rule(Severity.ERROR, help="check the file that holds the <robot>")
-def check(subject: Context) -> Findings:
-    xacro = subject.reading.xacro
+def check(context: Context) -> Findings:
+    xacro = context.reading.xacro
     if xacro is not None and xacro.is_library:
         return
-    for element, *_ in subject.deviations.get("URD015", ()):
+    for element, *_ in context.deviations.get("URD015", ()):
         edits = rename_element(element, "robot") if nearest(element.tag, ["robot"]) else None
         yield Finding(
             element,

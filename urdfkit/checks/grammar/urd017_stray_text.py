@@ -28,13 +28,13 @@ _SHOWN = 40
 
 
 @rule(Severity.WARNING, help="write the value as an attribute, or remove it")
-def check(subject: Context) -> Findings:
-    for deviation in subject.deviations.get("URD017", ()):
+def check(context: Context) -> Findings:
+    for deviation in context.deviations.get("URD017", ()):
         element = deviation.element
         text = element.text.strip().split("\n")[0].rstrip()
         shown = text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
         message = f"{owner(element)}: URDF parsers ignore the text '{shown}' in <{element.tag}>"
-        place = _place(element, text.encode(), subject.document.sources)
+        place = _place(element, text.encode(), context.document.sources)
         is_comment = text.startswith(("#", "//"))
         yield Finding(place, message, severity=Severity.INFO if is_comment else None)
 

@@ -28,9 +28,9 @@ GOOD = BAD.replace('"0"/>\n    <inertia ixx="0.001"', '"0.5"/>\n    <inertia ixx
 
 
 @rule(Severity.ERROR, help="write the mass of the link in kg")
-def check(subject: Context) -> Findings:
-    masses = subject.masses
-    for link in subject.model.links:
+def check(context: Context) -> Findings:
+    masses = context.masses
+    for link in context.model.links:
         mass = link.inertial.mass if link.inertial else None
         if mass is None:
             continue
@@ -38,7 +38,7 @@ def check(subject: Context) -> Findings:
         if mass.value < 0:
             yield Finding(mass, f"link '{link.name}' has a mass of {mass.value:g} kg")
         elif mass.value == 0 and masses.total > 0 and body and body.joint and body.mass <= 0:
-            if _is_between_axes(link, subject):
+            if _is_between_axes(link, context):
                 continue
             joint = body.joint
             yield Finding(
@@ -49,7 +49,7 @@ def check(subject: Context) -> Findings:
             )
 
 
-def _is_between_axes(link: Link, subject: Context) -> bool:
+def _is_between_axes(link: Link, context: Context) -> bool:
     """True for a link without shape and inertia between two moving joints, such as in a ball joint.
 
     Only simulators need its mass.
@@ -57,5 +57,5 @@ def _is_between_axes(link: Link, subject: Context) -> bool:
     tensor = link.inertial.tensor if link.inertial else None
     if link.visuals or link.collisions or (tensor and any(tensor.value)):
         return False
-    carries = any(map(can_move, subject.tree.children[link.name]))
-    return carries and not subject.targets.that("simulates")
+    carries = any(map(can_move, context.tree.children[link.name]))
+    return carries and not context.targets.that("simulates")

@@ -43,26 +43,26 @@ FIXED = GOOD = BAD.replace('"0.15"', '"0.015"')
     help="take the tensor about the centre of mass from the CAD program, or compute it",
     computes_fix=True,
 )
-def check(subject: Context) -> Findings:
-    masses = subject.masses
+def check(context: Context) -> Findings:
+    masses = context.masses
     for defect in (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY):
         links = masses.defects.get(defect, ())
         for finding in together((one, _finding(one, masses)) for one in links):
-            is_balanced = defect is InertiaDefect.TRIANGLE_INEQUALITY and _is_balanced(subject)
+            is_balanced = defect is InertiaDefect.TRIANGLE_INEQUALITY and _is_balanced(context)
             yield finding._replace(severity=Severity.WARNING) if is_balanced else finding
-    exact = tuple(one.name for one in subject.given_facts if one.rejects_rounding)
-    if exact and not subject.mujoco.balances_inertia:
+    exact = tuple(one.name for one in context.given_facts if one.rejects_rounding)
+    if exact and not context.mujoco.balances_inertia:
         for one in masses.inertias:
             low, middle, high = one.moments
             if not one.breaks_triangle and high > (low + middle) * (1 + _LEAST_EXCESS):
                 yield _finding(one, masses)._replace(targets=exact)
 
 
-def _is_balanced(subject: Context) -> bool:
+def _is_balanced(context: Context) -> bool:
     """True if only MuJoCo, which is as strict, reads the tensors, and it corrects them."""
-    given = subject.given_facts
+    given = context.given_facts
     is_exact = bool(given) and all(one.rejects_rounding for one in given)
-    return is_exact and subject.mujoco.balances_inertia
+    return is_exact and context.mujoco.balances_inertia
 
 
 def _finding(one: LinkInertia, masses: Masses) -> Finding:

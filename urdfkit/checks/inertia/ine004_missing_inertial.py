@@ -53,27 +53,27 @@ _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
     reports_missing=True,
 )
-def check(subject: Context) -> Findings:
-    strict = [one for one in subject.given_facts if one.rejects_massless or one.density]
-    if strict and not subject.is_part and not subject.mujoco.least_mass:
+def check(context: Context) -> Findings:
+    strict = [one for one in context.given_facts if one.rejects_massless or one.density]
+    if strict and not context.is_part and not context.mujoco.least_mass:
         for target in strict:
-            yield from _in_target(subject, target)
-    if not strict or len(strict) < len(subject.given_targets):
-        yield from _in_gazebo(subject)
+            yield from _in_target(context, target)
+    if not strict or len(strict) < len(context.given_targets):
+        yield from _in_gazebo(context)
 
 
-def _in_gazebo(subject: Context) -> Findings:
-    if subject.masses.total == 0:
-        yield from _without_any_mass(subject)
-    elif not subject.is_part:  # what a part lacks, the whole may have
-        yield from _without_mass(subject)
-    yield from _of_tiny_mass(subject)
-    yield from _on_massless_frames(subject)
+def _in_gazebo(context: Context) -> Findings:
+    if context.masses.total == 0:
+        yield from _without_any_mass(context)
+    elif not context.is_part:  # what a part lacks, the whole may have
+        yield from _without_mass(context)
+    yield from _of_tiny_mass(context)
+    yield from _on_massless_frames(context)
 
 
-def _in_target(subject: Context, target: TargetFacts) -> Findings:
+def _in_target(context: Context, target: TargetFacts) -> Findings:
     """What joints move without a mass, and what they move with one that nobody wrote."""
-    for body in subject.masses.bodies:
+    for body in context.masses.bodies:
         if body.joint is None:
             continue
         moved = f"moved by the {body.joint.kind} joint '{body.joint.name}'"
@@ -90,7 +90,7 @@ def _in_target(subject: Context, target: TargetFacts) -> Findings:
         elif (
             target.rejects_massless
             and body.mass <= 0
-            and not (inertial and inertial.mass and subject.masses.total > 0)
+            and not (inertial and inertial.mass and context.masses.total > 0)
         ):
             yield Finding(
                 body.top.at,
@@ -102,13 +102,13 @@ def _in_target(subject: Context, target: TargetFacts) -> Findings:
             )
 
 
-def _without_any_mass(subject: Context) -> Findings:
-    links = subject.model.links
-    if links and not subject.is_part:
+def _without_any_mass(context: Context) -> Findings:
+    links = context.model.links
+    if links and not context.is_part:
         count = f"none of the {len(links)} links has a mass"
-        gazebo = subject.targets.among(GAZEBO)
+        gazebo = context.targets.among(GAZEBO)
         yield Finding(
-            subject.model.root,
+            context.model.root,
             "the link has no mass" if len(links) == 1 else count,
             "for a simulation, give every moving link an <inertial>",
             severity=Severity.ERROR if gazebo else Severity.INFO,
@@ -116,22 +116,22 @@ def _without_any_mass(subject: Context) -> Findings:
         )
 
 
-def _without_mass(subject: Context) -> Findings:
-    if subject.masses.total < 0:
+def _without_mass(context: Context) -> Findings:
+    if context.masses.total < 0:
         return
-    for body in subject.gazebo.massless:
+    for body in context.gazebo.massless:
         zero = body.top.inertial is not None and body.top.inertial.mass is not None
         reported = body.joint is not None and zero  # INE001
-        if not reported and (body.joint or subject.targets.any_of(GAZEBO)):
-            finding = _finding(body, subject)
+        if not reported and (body.joint or context.targets.any_of(GAZEBO)):
+            finding = _finding(body, context)
             if finding:
                 yield finding
 
 
-def _finding(body: RigidBody, subject: Context) -> Finding | None:
+def _finding(body: RigidBody, context: Context) -> Finding | None:
     """None where only frames without shape and mass are dropped."""
-    name, links = body.top.name, subject.model.links_by_name
-    dropped = subject.tree.below(name)
+    name, links = body.top.name, context.model.links_by_name
+    dropped = context.tree.below(name)
     if not any(links[n].visuals or links[n].collisions or links[n].mass for n in dropped):
         return None
     children = [f"'{n}'" for n in dropped if n not in {link.name for link, _ in body.links}]
@@ -149,9 +149,9 @@ def _finding(body: RigidBody, subject: Context) -> Finding | None:
     )
 
 
-def _of_tiny_mass(subject: Context) -> Findings:
-    old = subject.targets.among(_OLD_GAZEBO)
-    for body in subject.masses.bodies:
+def _of_tiny_mass(context: Context) -> Findings:
+    old = context.targets.among(_OLD_GAZEBO)
+    for body in context.masses.bodies:
         if body.joint is None or not 0 < body.mass <= NO_MASS:
             continue
         link = body.top
@@ -166,9 +166,9 @@ def _of_tiny_mass(subject: Context) -> Findings:
         )
 
 
-def _on_massless_frames(subject: Context) -> Findings:
-    old = subject.targets.among(_OLD_GAZEBO)
-    for body in Conversion(subject.tree, OLD).stranded:
+def _on_massless_frames(context: Context) -> Findings:
+    old = context.targets.among(_OLD_GAZEBO)
+    for body in Conversion(context.tree, OLD).stranded:
         joint = body.joint
         assert joint is not None
         assert joint.parent is not None

@@ -54,9 +54,9 @@ MIN_DENSITY = 1.0
     help="compute the tensor from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
-def check(subject: Context) -> Findings:
-    yield from together(_zero(subject))
-    thin = sorted(_thin(subject), key=lambda finding: -finding.weight)
+def check(context: Context) -> Findings:
+    yield from together(_zero(context))
+    thin = sorted(_thin(context), key=lambda finding: -finding.weight)
     if thin:
         worst, *others = thin
         yield worst._replace(
@@ -66,9 +66,9 @@ def check(subject: Context) -> Findings:
         )
 
 
-def _zero(subject: Context) -> Iterator[tuple[LinkInertia, Finding]]:
-    masses = subject.masses
-    is_rejected = any(one.least_moment for one in subject.given_facts)
+def _zero(context: Context) -> Iterator[tuple[LinkInertia, Finding]]:
+    masses = context.masses
+    is_rejected = any(one.least_moment for one in context.given_facts)
     for body in masses.without_inertia:
         assert body.joint is not None
         for link, _ in body.links:
@@ -98,9 +98,9 @@ def _finding(one: LinkInertia, joint: Joint) -> Finding:
     )
 
 
-def _thin(subject: Context) -> Findings:
-    masses = subject.masses
-    rejected = list(_rejected(subject))
+def _thin(context: Context) -> Findings:
+    masses = context.masses
+    rejected = list(_rejected(context))
     yield from rejected
     if rejected:
         return
@@ -119,19 +119,19 @@ def _thin(subject: Context) -> Findings:
             )
 
 
-def _rejected(subject: Context) -> Findings:
+def _rejected(context: Context) -> Findings:
     """The tensors that a target rejects, of links that joints move or not."""
-    targets = [one for one in subject.given_facts if one.least_moment]
-    if not targets or subject.mujoco.least_moment:
+    targets = [one for one in context.given_facts if one.least_moment]
+    if not targets or context.mujoco.least_moment:
         return
     least = max(one.least_moment for one in targets)
     names = " and ".join(one.title for one in targets)
-    for link in subject.model.links:
+    for link in context.model.links:
         tensor = link.inertial.tensor if link.inertial else None
         if tensor is None or not any(tensor.value):
             continue
         low, middle, high = principal_moments(tensor.value)
-        one = subject.masses.by_name.get(link.name)
+        one = context.masses.by_name.get(link.name)
         if low < least and not (one and one.is_indefinite):
             yield Finding(
                 tensor,

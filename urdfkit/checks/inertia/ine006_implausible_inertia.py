@@ -72,8 +72,8 @@ _SHARE = 0.1
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
-def check(subject: Context) -> Findings:
-    masses = subject.masses
+def check(context: Context) -> Findings:
+    masses = context.masses
     too_large = masses.defects.get(InertiaDefect.TOO_LARGE, ())
     # One value for all small links, below which no moment goes, is one decision.
     found = ((one, _too_large(one, masses)) for one in too_large)

@@ -29,8 +29,8 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
-def check(subject: Context) -> Findings:
-    masses = subject.masses
+def check(context: Context) -> Findings:
+    masses = context.masses
     for one in masses.defects.get(InertiaDefect.UNLIKE_SHAPE, ()):
         assert one.expected is not None
         diagnosis = of_unlike_shape(one, masses)

@@ -31,8 +31,8 @@ FILES = {"arm.stl": PLATE}
     Severity.WARNING,
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
-def check(subject: Context) -> Findings:
-    links = subject.masses.defects.get(InertiaDefect.PLACEHOLDER, ())
+def check(context: Context) -> Findings:
+    links = context.masses.defects.get(InertiaDefect.PLACEHOLDER, ())
     yield from together((one, _finding(one)) for one in links)
 
 

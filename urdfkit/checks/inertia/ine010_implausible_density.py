@@ -44,9 +44,9 @@ _ROOM = 1.0
 
 
 @rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)
-def check(subject: Context) -> Findings:
-    found = [(one, _finding(one)) for one in subject.masses.defects.get(InertiaDefect.DENSITY, ())]
-    if subject.masses.consistently_wrong:
+def check(context: Context) -> Findings:
+    found = [(one, _finding(one)) for one in context.masses.defects.get(InertiaDefect.DENSITY, ())]
+    if context.masses.consistently_wrong:
         yield _of_the_robot(found)
     else:
         yield from together(found)

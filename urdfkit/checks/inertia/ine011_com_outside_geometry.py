@@ -29,8 +29,8 @@ BAD = GOOD.replace("<mass", '<origin xyz="-0.4 0 0"/>\n    <mass')
 
 
 @rule(Severity.WARNING, help="write the <origin> of the <inertial> in the link's own frame, in m")
-def check(subject: Context) -> Findings:
-    for one in subject.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ()):
+def check(context: Context) -> Findings:
+    for one in context.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ()):
         distance = center_is_outside(one)
         assert distance is not None
         mistake = center_mistake(one)

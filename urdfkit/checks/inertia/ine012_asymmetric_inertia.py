@@ -23,8 +23,8 @@ BAD = '"0.15"'.join(GOOD.rsplit('"0.015"', 1))
 
 
 @rule(Severity.WARNING, help="compare the two, and give both the right value")
-def check(subject: Context) -> Findings:
-    for left, right in subject.masses.asymmetric_pairs:
+def check(context: Context) -> Findings:
+    for left, right in context.masses.asymmetric_pairs:
         yield _of_mass(left, right) if unlike(left, right) == "mass" else _of_inertia(left, right)
 
 

@@ -32,9 +32,9 @@ GOOD = BAD.replace('"0.005"', '"1"').replace('"1e-6"', '"0.001"')
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
     options={"ratio": 1000.0},
 )
-def check(subject: Context) -> Findings:
-    bound = check.option(subject, "ratio")
-    for body, load in subject.masses.overloaded(bound):
+def check(context: Context) -> Findings:
+    bound = check.option(context, "ratio")
+    for body, load in context.masses.overloaded(bound):
         link = body.top
         mass = link.inertial.mass if link.inertial else None
         yield Finding(

@@ -29,9 +29,9 @@ GOOD = BAD.replace('"1"', '"0"')
     help="remove the <inertial>, or write the mass of the part",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
-def check(subject: Context) -> Findings:
-    masses = subject.masses
-    for link in subject.model.links:
+def check(context: Context) -> Findings:
+    masses = context.masses
+    for link in context.model.links:
         inertial, body = link.inertial, masses.body_of.get(link.name)
         if inertial is None or inertial.mass is None or inertial.tensor is None:
             continue

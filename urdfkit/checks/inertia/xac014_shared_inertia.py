@@ -73,12 +73,12 @@ FIXED = """\
 
 
 @rule(Severity.WARNING, computes_fix=True)
-def check(subject: Context) -> Findings:
-    for tag, links in subject.masses.shared_by_macro.items():
+def check(context: Context) -> Findings:
+    for tag, links in context.masses.shared_by_macro.items():
         from urdfkit.robot.inertials.macro_fixes import computing
 
-        yield _by_macro(links, tag)._replace(fix=computing(subject, links, tag))
-    for group in subject.masses.copies:
+        yield _by_macro(links, tag)._replace(fix=computing(context, links, tag))
+    for group in context.masses.copies:
         yield _copied(sorted(group, key=lambda one: -one.mass))
 
 

@@ -29,12 +29,12 @@ _SIMILAR = 0.75
 
 
 @rule(Severity.ERROR, help=f"use one of {', '.join(JOINT_TYPES)}")
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         kind = joint.at.attributes.get("type")
         if kind is None or kind.value in JOINT_TYPES or is_expression(kind.value):
             continue
-        if kind.value == "spherical" and subject.targets.all_are("reads_ball_joints"):
+        if kind.value == "spherical" and context.targets.all_are("reads_ball_joints"):
             continue
         suggested = nearest(kind.value.strip(), JOINT_TYPES, _SIMILAR)
         yield Finding(

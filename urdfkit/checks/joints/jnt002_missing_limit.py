@@ -27,10 +27,10 @@ GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')
 
 
 @rule(Severity.ERROR)
-def check(subject: Context) -> Findings:
-    yield from _unequal(subject.model)
-    lacking = list(_lacking(subject.model))
-    if lacking and not subject.targets.all_are("ignores_limits"):
+def check(context: Context) -> Findings:
+    yield from _unequal(context.model)
+    lacking = list(_lacking(context.model))
+    if lacking and not context.targets.all_are("ignores_limits"):
         yield from lacking
 
 

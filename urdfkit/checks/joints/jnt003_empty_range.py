@@ -33,8 +33,8 @@ _FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))
 
 
 @rule(Severity.ERROR)
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         ends = bounds(joint)
         if joint.limit and ends and ends[0] > ends[1]:
             yield _inverted(joint, joint.limit, ends)

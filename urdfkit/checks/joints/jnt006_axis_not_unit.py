@@ -48,8 +48,8 @@ _MIN_NOISE = 1e-9
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         at = joint.at.child("axis")
         if at is None or joint.kind not in (*MOVING, "planar"):
             continue

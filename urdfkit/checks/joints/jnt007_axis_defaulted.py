@@ -21,8 +21,8 @@ _DOES = {"prismatic": "moves along", "planar": "moves in the plane across"}
 
 
 @rule(Severity.INFO, help="write the axis, also if it is x")
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         if joint.kind in (*MOVING, "planar") and joint.at.child("axis") is None:
             does = _DOES.get(joint.kind, "turns about")
             yield Finding(

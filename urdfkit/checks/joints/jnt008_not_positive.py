@@ -52,10 +52,10 @@ _HELP = {
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     """One finding for each limit: exporters write the same number for every joint."""
-    joints = [joint for joint in subject.model.joints if joint.kind in MOVING]
-    active = driven(subject.model)
+    joints = [joint for joint in context.model.joints if joint.kind in MOVING]
+    active = driven(context.model)
     for key in _HELP:
         limits = limits_of(joints, key)
         zero = [
@@ -69,7 +69,7 @@ def check(subject: Context) -> Findings:
         negative = [(joint, limit) for joint, limit in limits if limit.value < 0]
         if negative:
             yield _finding(negative, key, f"{negative[0][1].value:g}", Severity.ERROR)
-    for joint in subject.model.joints:
+    for joint in context.model.joints:
         yield from _of_dynamics(joint)
 
 

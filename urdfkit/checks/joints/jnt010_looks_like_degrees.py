@@ -69,10 +69,10 @@ _SLOW = 10.0
 
 
 @rule(Severity.WARNING, help="write it in radians, or radians per second")
-def check(subject: Context) -> Findings:
-    yield from _limits(subject.model)
-    yield from _rotations(subject.document.root)
-    yield from _speeds(subject.model)
+def check(context: Context) -> Findings:
+    yield from _limits(context.model)
+    yield from _rotations(context.document.root)
+    yield from _speeds(context.model)
 
 
 def _limits(model: RobotModel) -> Findings:

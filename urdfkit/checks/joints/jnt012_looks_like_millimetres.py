@@ -54,10 +54,10 @@ _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "fiel
 
 
 @rule(Severity.WARNING, help="divide by 1000: lengths are metres")
-def check(subject: Context) -> Findings:
-    yield from _origins(subject.model)
-    yield from _limits(subject.model)
-    yield from _shapes(subject.model)
+def check(context: Context) -> Findings:
+    yield from _origins(context.model)
+    yield from _limits(context.model)
+    yield from _shapes(context.model)
 
 
 def _origins(model: RobotModel) -> Findings:

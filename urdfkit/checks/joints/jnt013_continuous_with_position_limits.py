@@ -33,8 +33,8 @@ _TURN = 2 * pi - 0.01
 
 
 @rule(Severity.WARNING, help="remove lower and upper, or make the joint revolute")
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         if joint.kind != "continuous" or joint.limit is None:
             continue
         written = [
@@ -43,7 +43,7 @@ def check(subject: Context) -> Findings:
             if name in ("lower", "upper")
         ]
         if written:
-            is_harmless = not _narrows(joint.limit) and "drake" not in subject.given_targets
+            is_harmless = not _narrows(joint.limit) and "drake" not in context.given_targets
             values = " and ".join(f'{attribute.name}="{attribute.value}"' for attribute in written)
             yield Finding(
                 written[0],

@@ -66,9 +66,9 @@ class _Soft(Record):
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     """One finding for all soft limits with one defect: mostly every joint has the same margin."""
-    soft = list(_soft_limits(subject.model))
+    soft = list(_soft_limits(context.model))
     if outside := [one for one in soft if one.is_outside and not one.is_empty]:
         lower, upper = outside[0].hard
         reason = f"{outside[0].shown} exceed the limits [{lower:g}, {upper:g}]"
@@ -78,7 +78,7 @@ def check(subject: Context) -> Findings:
         why = f" (missing: {', '.join(missing)})" if missing else ""
         reason = f"{empty[0].shown}{why} leave no range within the limits"
         yield _finding(empty, reason, "write both soft limits, within the limits")
-    for joint in subject.model.joints:
+    for joint in context.model.joints:
         yield from _calibration(joint)
 
 

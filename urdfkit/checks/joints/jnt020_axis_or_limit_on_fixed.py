@@ -20,8 +20,8 @@ FIXED = GOOD = BAD.replace('  <axis xyz="0 1 0"/>\n', "")
 
 
 @rule(Severity.INFO)
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         if joint.kind != "fixed":
             continue
         axis, limit = joint.at.child("axis"), joint.limit

@@ -28,8 +28,8 @@ GOOD = link_xml("base")
     help="remove it if the robot is to move freely, or use prismatic and revolute joints",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         if joint.kind in ("floating", "planar") and joint.type:
             yield Finding(
                 joint.type,

@@ -27,10 +27,10 @@ _MARGIN = 0.01
     Severity.INFO,
     help="set an initial position, or rotate its origin so that 0 is within the limits",
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     """One finding for all: the legs of a quadruped are alike."""
     found: list[tuple[Joint, Limit]] = []
-    for joint in subject.model.joints:
+    for joint in context.model.joints:
         ends = bounds(joint)
         if joint.limit is None or ends is None or joint.mimic:
             continue

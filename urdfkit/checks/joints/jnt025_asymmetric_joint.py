@@ -51,8 +51,8 @@ _RANGE_TOLERANCE = 0.05
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    for first, second in subject.symmetric_joints:
+def check(context: Context) -> Findings:
+    for first, second in context.symmetric_joints:
         if differences := list(_differences(first, second)):
             yield Finding(
                 second.limit.at if second.limit and first.kind == second.kind else second.at,
@@ -63,7 +63,7 @@ def check(subject: Context) -> Findings:
                 confidence=Confidence.INFERRED,
                 group_key="counterparts",
             )
-    for one, other, reason in misplaced(subject):
+    for one, other, reason in misplaced(context):
         yield Finding(
             other.at.child("origin") or other.at,
             f"joint '{other.name}' {reason}",
@@ -71,7 +71,7 @@ def check(subject: Context) -> Findings:
             related=(Related(one.at.span, f"counterpart '{one.name}'"),),
             confidence=Confidence.INFERRED,
         )
-    yield from _axes(subject)
+    yield from _axes(context)
 
 
 def _differences(first: Joint, second: Joint) -> Iterator[str]:
@@ -120,10 +120,10 @@ def _same(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
     return abs(ours[0] - theirs[0]) <= allowed and abs(ours[1] - theirs[1]) <= allowed
 
 
-def _axes(subject: Context) -> Findings:
+def _axes(context: Context) -> Findings:
     """Joints that turn about another axis than their counterparts."""
-    frames = subject.tree.frames
-    for left, right in subject.symmetric_joints:
+    frames = context.tree.frames
+    for left, right in context.symmetric_joints:
         if left.kind not in TURNING or right.kind not in TURNING:
             continue
         one, other = (frames.get(joint.child.value) for joint in (left, right) if joint.child)

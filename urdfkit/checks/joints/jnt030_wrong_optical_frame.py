@@ -50,8 +50,8 @@ _FRAME_IDS = ("frameName", "frame_name", "gz_frame_id", "frame_id", "ignition_fr
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         if joint.kind != "fixed" or joint.parent is None or joint.child is None:
             continue
         camera, optical = joint.parent.value, joint.child.value
@@ -61,11 +61,11 @@ def check(subject: Context) -> Findings:
             or any(word.startswith(_ELSEWHERE) for word in optical.lower().split("_"))
             or not _is_square(rotation)
             or _is_near(rotation, _OPTICAL)
-            or _is_near(_from_mount(subject, camera, rotation), _OPTICAL)
+            or _is_near(_from_mount(context, camera, rotation), _OPTICAL)
         ):
             continue
         is_upside_down = _is_near(rotation, _OPTICAL_DOWN)
-        if is_upside_down and _is_z_down(subject, camera):
+        if is_upside_down and _is_z_down(context, camera):
             continue
         where = "forward, but upside down," if is_upside_down else _forward(rotation)
         yield Finding(
@@ -73,30 +73,30 @@ def check(subject: Context) -> Findings:
             f"joint '{joint.name}': '{optical}' looks {where} from '{camera}'; an optical frame "
             "looks forward, its x to the right",
             'write rpy="-1.5707963 0 -1.5707963"',
-            None if _has_sensor(subject, optical) else _fix(joint),
+            None if _has_sensor(context, optical) else _fix(joint),
             confidence=Confidence.INFERRED,
         )
-    if subject.model.gazebo:
-        yield from _of_gazebo(subject)
+    if context.model.gazebo:
+        yield from _of_gazebo(context)
 
 
-def _from_mount(subject: Context, camera: str, rotation: Rotation) -> Rotation:
+def _from_mount(context: Context, camera: str, rotation: Rotation) -> Rotation:
     """The rotation of an optical frame from what the frame of its camera is fixed to."""
-    for joint in subject.tree.parents.get(camera, ()):
+    for joint in context.tree.parents.get(camera, ()):
         if joint.kind == "fixed":
             return multiply(joint.origin.rotation, rotation)
     return rotation
 
 
-def _of_gazebo(subject: Context) -> Findings:
+def _of_gazebo(context: Context) -> Findings:
     from urdfkit.ros.gazebo.sensors import sensors
 
-    for sensor in sensors(subject.model):
+    for sensor in sensors(context.model):
         if "camera" not in sensor.type and sensor.type not in ("depth", "rgbd"):
             continue
         link = sensor.reference
         if "optical" in link:
-            if _looks_aside(subject, link) and not _is_rotated(sensor.find("pose")):
+            if _looks_aside(context, link) and not _is_rotated(sensor.find("pose")):
                 yield Finding(
                     sensor.at,
                     f"{sensor.who} looks along x of '{link}', to the robot's right",
@@ -117,9 +117,9 @@ def _of_gazebo(subject: Context) -> Findings:
                     )
 
 
-def _looks_aside(subject: Context, optical: str) -> bool:
+def _looks_aside(context: Context, optical: str) -> bool:
     """True if z of an optical frame points forward, so that x does not."""
-    joints = subject.tree.parents.get(optical, ())
+    joints = context.tree.parents.get(optical, ())
     return any(rotate(joint.origin.rotation, (0.0, 0.0, 1.0))[0] > 0.99 for joint in joints)
 
 
@@ -128,18 +128,18 @@ def _is_rotated(pose: Element | None) -> bool:
     return values is not None and any(abs(angle) > 1e-6 for angle in values[3:])
 
 
-def _is_z_down(subject: Context, camera: str) -> bool:
+def _is_z_down(context: Context, camera: str) -> bool:
     """True if z of a camera's frame points down: it is mounted so, or all frames may be."""
-    frame = subject.tree.frames.get(camera)
+    frame = context.tree.frames.get(camera)
     if frame is not None and frame.rotation[2][2] < 0:
         return True
-    words = {word for name in subject.model.links_by_name for word in name.lower().split("_")}
+    words = {word for name in context.model.links_by_name for word in name.lower().split("_")}
     return any(word.rstrip("0123456789") in _UNDER_WATER for word in words)
 
 
-def _has_sensor(subject: Context, link: str) -> bool:
+def _has_sensor(context: Context, link: str) -> bool:
     """True if a sensor of Gazebo is on a link: it looks along x, and would be rotated away."""
-    blocks = (block for block in subject.model.gazebo if block.get("reference") == link)
+    blocks = (block for block in context.model.gazebo if block.get("reference") == link)
     return any(block.child("sensor") for block in blocks)
 
 

@@ -45,11 +45,11 @@ _ROUND, _FLAT = 0.94, 0.75
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    links = subject.model.links_by_name
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    links = context.model.links_by_name
+    for joint in context.model.joints:
         if link := links.get(joint.child.value) if joint.child else None:
-            yield from _across(joint, link, subject.mesh_solid)
+            yield from _across(joint, link, context.mesh_solid)
             yield from _limited(joint, link)
 
 

@@ -37,12 +37,12 @@ _HELD = ("fixed", "revolute", "continuous")
     Severity.WARNING,
     help="check the decimal point; the origin is measured from the parent link, in m",
 )
-def check(subject: Context) -> Findings:
-    far = list(_far(subject))
-    bodies = rigid_bodies(subject.tree) if far else ()
+def check(context: Context) -> Findings:
+    far = list(_far(context))
+    bodies = rigid_bodies(context.tree) if far else ()
     body_of = {link.name: body for body in bodies for link, _ in body.links}
     for joint, parent, child, (gap, longest) in far:
-        if not _is_bridged(subject, parent, child, body_of):
+        if not _is_bridged(context, parent, child, body_of):
             yield Finding(
                 joint.at.child("origin") or joint.at,
                 f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
@@ -51,30 +51,30 @@ def check(subject: Context) -> Findings:
             )
 
 
-def _far(subject: Context) -> Iterator[tuple[Joint, Link, Link, tuple[float, float]]]:
+def _far(context: Context) -> Iterator[tuple[Joint, Link, Link, tuple[float, float]]]:
     """The joints whose links are far from each other, with parent, child, gap and longest edge."""
-    links = subject.model.links_by_name
-    for joint in subject.model.joints:
+    links = context.model.links_by_name
+    for joint in context.model.joints:
         if max(map(abs, joint.origin.position)) < _LEAST or joint.kind not in _HELD:
             continue
         ends = (joint.parent, joint.child)
         parent, child = (links.get(end.value) if end else None for end in ends)
         if parent is None or child is None:
             continue
-        if gap := _gap(subject, parent, child, joint.origin):
+        if gap := _gap(context, parent, child, joint.origin):
             yield joint, parent, child, gap
 
 
-def _gap(subject: Context, here: Link, there: Link, frame: Transform) -> tuple[float, float] | None:
+def _gap(context: Context, here: Link, there: Link, frame: Transform) -> tuple[float, float] | None:
     """The gap between two links and the length of the longer one, in m; None if there is none.
 
     Args:
-        subject: the robot.
+        context: the robot.
         here: one link.
         there: the other one.
         frame: of the other one in that of the first.
     """
-    first, second = (_solid(subject, link) for link in (here, there))
+    first, second = (_solid(context, link) for link in (here, there))
     if first is None or second is None:
         return None
     one, other = first.bounds, second.bounds.moved(frame)
@@ -84,20 +84,20 @@ def _gap(subject: Context, here: Link, there: Link, frame: Transform) -> tuple[f
 
 
 def _is_bridged(
-    subject: Context, parent: Link, child: Link, body_of: Mapping[str, RigidBody]
+    context: Context, parent: Link, child: Link, body_of: Mapping[str, RigidBody]
 ) -> bool:
     """True if a link that is merged with one of two links is near the other, or may be.
 
     Args:
-        subject: the robot.
+        context: the robot.
         parent: one of the links.
         child: the other one.
         body_of: the links that are merged with each link, by its name.
     """
-    frames = subject.tree.frames
+    frames = context.tree.frames
     if not {parent.name, child.name} <= frames.keys():
         return False
-    below = set(subject.tree.below(child.name))
+    below = set(context.tree.below(child.name))
     for end, other in ((parent, child), (child, parent)):
         for link, _ in body_of[end.name].links:
             is_on_this_side = (link.name in below) == (end is child)
@@ -108,10 +108,10 @@ def _is_bridged(
             ):
                 continue
             frame = frames[link.name].inverse @ frames[other.name]
-            if _gap(subject, link, other, frame) is None:
+            if _gap(context, link, other, frame) is None:
                 return True
     return False
 
 
-def _solid(subject: Context, link: Link) -> LinkSolid | None:
-    return solid(link.visuals, subject.mesh_solid) or solid(link.collisions, subject.mesh_solid)
+def _solid(context: Context, link: Link) -> LinkSolid | None:
+    return solid(link.visuals, context.mesh_solid) or solid(link.collisions, context.mesh_solid)

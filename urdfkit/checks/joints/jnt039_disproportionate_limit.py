@@ -39,8 +39,8 @@ _OTHERS = 3
 
 
 @rule(Severity.WARNING, help="check the unit (N·m or N, rad/s or m/s) and the decimal point")
-def check(subject: Context) -> Findings:
-    joints = [joint for joint in subject.model.joints if joint.kind in MOVING and joint.limit]
+def check(context: Context) -> Findings:
+    joints = [joint for joint in context.model.joints if joint.kind in MOVING and joint.limit]
     for kind in MOVING:  # wheels are other motors than arms
         alike = [joint for joint in joints if joint.kind == kind]
         for of, times in _TIMES.items():

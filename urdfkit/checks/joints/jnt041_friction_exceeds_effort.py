@@ -36,8 +36,8 @@ _SLOW = 0.05
 
 
 @rule(Severity.WARNING, help="write friction in N·m (N for a slide), damping in N·m·s/rad (N·s/m)")
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         dynamics = joint.at.child("dynamics")
         most = effort(joint)
         if dynamics and most and joint.kind in MOVING and not joint.mimic:

@@ -33,16 +33,16 @@ class _Pair(Record):
         return max(map(abs, self.off))
 
 
-def misplaced(subject: Context) -> Iterator[tuple[Joint, Joint, str]]:
+def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     """Counterparts that are not mirror images: the right one, the misplaced one, and the reason."""
     reported = set()
-    for one, other, reason in _on_one_link(subject.model):
+    for one, other, reason in _on_one_link(context.model):
         reported |= {one.name, other.name}
         yield one, other, f"{_at(other)} {reason} its counterpart '{one.name}' {_at(one)}"
-    for pair in _asymmetric(list(_pairs(subject))):
+    for pair in _asymmetric(list(_pairs(context))):
         if pair.right.name in reported:
             continue
-        if _is_left_misplaced(subject.model, pair.left, pair.right):
+        if _is_left_misplaced(context.model, pair.left, pair.right):
             x, y, z = pair.off
             swapped = _Pair(pair.right, pair.left, (-x, y, -z))
             yield swapped.left, swapped.right, _shift(swapped)
@@ -98,9 +98,9 @@ def _is_equal(one: Vector, other: Vector) -> bool:
     return all(abs(a - b) < _NEAR for a, b in zip(one, other, strict=True))
 
 
-def _pairs(subject: Context) -> Iterator[_Pair]:
-    frames = subject.tree.frames
-    for left, right in subject.symmetric_joints:
+def _pairs(context: Context) -> Iterator[_Pair]:
+    frames = context.tree.frames
+    for left, right in context.symmetric_joints:
         here, there = (frames.get(joint.child.value) for joint in (left, right) if joint.child)
         if here and there and abs(here.position[1] - there.position[1]) > _OFFSET:
             (x, y, z), (a, b, c) = here.position, there.position

@@ -6,6 +6,6 @@ from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True for a launch file."""
-    return is_launch(subject.source.path)
+    return is_launch(context.source.path)

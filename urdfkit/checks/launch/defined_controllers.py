@@ -7,17 +7,17 @@ from urdfkit.lint.rules import Context
 from urdfkit.ros.controllers import Controller, read
 
 
-def defined_controllers(subject: Context) -> dict[str, Controller]:
+def defined_controllers(context: Context) -> dict[str, Controller]:
     """The controllers in the parameter files of a launch file and of its robots, by name."""
     found: dict[str, Controller] = {}
-    for file in subject.launch.parameters:
+    for file in context.launch.parameters:
         try:
-            source = subject.resolver.read(file.path)
+            source = context.resolver.read(file.path)
         except UnreadableFile:
             continue
         found |= {one.name: one for one in read(source)}
-    for description in subject.launch.descriptions:
-        robot = subject.other_robot(description.path, description.arguments)
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is not None:
             found |= {one.name: one for _, several in robot.controllers for one in several}
     return found

@@ -18,5 +18,5 @@ GOOD = "<launch/>"
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="fix the file; the parser stopped here")
-def check(subject: Context) -> Findings:
-    yield from reported(subject, "LAU001")
+def check(context: Context) -> Findings:
+    yield from reported(context, "LAU001")

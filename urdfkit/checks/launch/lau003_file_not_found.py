@@ -35,15 +35,15 @@ _MAX_DIRECTORIES = 2000
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="create the file, or fix its name")
-def check(subject: Context) -> Findings:
-    for file in subject.launch.files:
+def check(context: Context) -> Findings:
+    for file in context.launch.files:
         if file.is_outside:
             yield _outside(f"{file.purpose} {file.path}", file.span)
-        elif not file.exists and not _may_come_from_elsewhere(subject, file.path):
+        elif not file.exists and not _may_come_from_elsewhere(context, file.path):
             suggested = nearest_file(file.path)
             hint = f"did you mean '{suggested}'?" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
-    yield from _worlds(subject)
+    yield from _worlds(context)
 
 
 def _outside(what: str, span: Span) -> Finding:
@@ -51,31 +51,31 @@ def _outside(what: str, span: Span) -> Finding:
     return Finding(Location(span), f"{what} {OUTSIDE}: not read", help)
 
 
-def _worlds(subject: Context) -> Findings:
+def _worlds(context: Context) -> Findings:
     """The worlds that Gazebo is to find by their paths, and misspelt ones of its own."""
-    packages = subject.resolver.packages
-    for started in worlds(subject.launch):
+    packages = context.resolver.packages
+    for started in worlds(context.launch):
         name = started.name
-        if started.span.source is not subject.source or name.startswith(UNKNOWN):
+        if started.span.source is not context.source or name.startswith(UNKNOWN):
             continue
         if os.path.isabs(name):
-            there = disk.exists(name) or subject.resolver.installed(name)
-            if disk.is_file(name) and not subject.resolver.admits(name):
+            there = disk.exists(name) or context.resolver.installed(name)
+            if disk.is_file(name) and not context.resolver.admits(name):
                 yield _outside(f"world {name}", started.span)
-            elif not there and not _may_come_from_elsewhere(subject, name):
+            elif not there and not _may_come_from_elsewhere(context, name):
                 suggested = nearest_file(name)
                 hint = f"did you mean '{suggested}'?" if suggested else ""
                 yield Finding(Location(started.span), f"world not found: {name}", hint)
         elif started.generation == GZ and name and not started.is_shipped:
             suggested = next((one for one in shipped_worlds() if is_typo(name, one)), None)
-            root = packages.workspace(subject.source.path)
-            files = subject.resolver.directories.files_below(root, _MAX_DIRECTORIES)
+            root = packages.workspace(context.source.path)
+            files = context.resolver.directories.files_below(root, _MAX_DIRECTORIES)
             if suggested and not any(path.endswith(f"/{name}") for path in files):
                 hint = f"did you mean '{suggested}'?"
                 yield Finding(Location(started.span), f"Gazebo has no world '{name}'", hint)
 
 
-def _may_come_from_elsewhere(subject: Context, path: str) -> bool:
+def _may_come_from_elsewhere(context: Context, path: str) -> bool:
     """True if a build or a user makes a file, or the computer of the robot has it.
 
     Its name is not known either where an argument is empty unless given: ``$(arg model).yaml``, and
@@ -83,8 +83,8 @@ def _may_come_from_elsewhere(subject: Context, path: str) -> bool:
     """
     if os.path.basename(path).startswith(".") or "$(" in path or is_ignored(path):
         return True
-    packages = subject.resolver.packages
+    packages = context.resolver.packages
     home = packages.enclosing(path)
     if home is None:
-        return not packages.searches(path, subject.source.path)
+        return not packages.searches(path, context.source.path)
     return InstallRules(home[1], home[0]).makes_files

@@ -39,9 +39,9 @@ _NOT_YET = "which fails at the first ': ' in a comment"
     needs=(Need.LAUNCH,),
     help="fix the errors in the xacro, or pass the arguments that it needs",
 )
-def check(subject: Context) -> Findings:
-    for description in subject.launch.descriptions:
-        robot = subject.other_robot(description.path, description.arguments)
+def check(context: Context) -> Findings:
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is None and not _may_expand(description, robot):
             first, *others = _errors(robot) or robot.reading.problems
             more = f", and {len(others)} more" if others else ""

@@ -38,14 +38,14 @@ FILES = {
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="pass an argument that the file has")
-def check(subject: Context) -> Findings:
-    for finding in reported(subject, "LAU005"):
+def check(context: Context) -> Findings:
+    for finding in reported(context, "LAU005"):
         _, _, argument = finding.message.partition("': ")
         yield finding._replace(group_key=argument)
-    for description in subject.launch.descriptions:
+    for description in context.launch.descriptions:
         if not description.arguments:
             continue
-        xacro = subject.other_robot(description.path, description.arguments).reading.xacro
+        xacro = context.other_robot(description.path, description.arguments).reading.xacro
         if xacro is None or xacro.document is None:
             continue  # LAU004
         # One that the xacro uses and does not declare must be passed.

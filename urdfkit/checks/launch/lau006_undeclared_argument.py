@@ -27,5 +27,5 @@ GOOD = BAD.replace("use_giu", "use_gui")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="declare the argument, or fix its name")
-def check(subject: Context) -> Findings:
-    yield from reported(subject, "LAU006")
+def check(context: Context) -> Findings:
+    yield from reported(context, "LAU006")

@@ -26,5 +26,5 @@ GOOD = BAD.replace("respwan", "respawn")
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    yield from reported(subject, "LAU010")
+def check(context: Context) -> Findings:
+    yield from reported(context, "LAU010")

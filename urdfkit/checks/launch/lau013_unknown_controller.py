@@ -48,14 +48,14 @@ _MAX_FILES, _MAX_DIRECTORIES = 200, 2000
     needs=(Need.LAUNCH,),
     help="fix the name, or define the controller in the YAML file",
 )
-def check(subject: Context) -> Findings:
-    wanted = [(word, s.frame) for s in subject.launch.started for word in controllers(s)]
-    if not wanted or subject.launch.names_parameters:
+def check(context: Context) -> Findings:
+    wanted = [(word, s.frame) for s in context.launch.started for word in controllers(s)]
+    if not wanted or context.launch.names_parameters:
         return
-    loaded = _loaded(subject)
-    known = loaded.union(*(_defined(subject, path) for path in _package_files(subject)))
+    loaded = _loaded(context)
+    known = loaded.union(*(_defined(context, path) for path in _package_files(context)))
     # Names may be put together when the launch file is run.
-    is_whole = bool(loaded) and _is_whole(subject) and not any("$" in name for name in known)
+    is_whole = bool(loaded) and _is_whole(context) and not any("$" in name for name in known)
     suggester = Suggester({name for name in known if "$" not in name})
     for word, frame in wanted:
         name = (word.text or "").strip("/").rpartition("/")[2]
@@ -67,41 +67,41 @@ def check(subject: Context) -> Findings:
             )
 
 
-def _loaded(subject: Context) -> set[str]:
+def _loaded(context: Context) -> set[str]:
     """The controllers in the files that the launch file or its robots load."""
     found: set[str] = set()
-    for file in subject.launch.parameters:
-        found |= _defined(subject, file.path)
-    for description in subject.launch.descriptions:
-        robot = subject.other_robot(description.path, description.arguments)
+    for file in context.launch.parameters:
+        found |= _defined(context, file.path)
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is not None:
             found.update(one.name for _, several in in_files(robot) for one in several)
     return found
 
 
-def _is_whole(subject: Context) -> bool:
+def _is_whole(context: Context) -> bool:
     """True if nothing that is not at hand may define controllers."""
-    launch = subject.launch
+    launch = context.launch
     is_known = (p.searched is None or comes_with_ros(p.name) for p in launch.packages)
     return all(file.exists for file in launch.parameters) and all(is_known)
 
 
-def _package_files(subject: Context) -> Iterator[str]:
+def _package_files(context: Context) -> Iterator[str]:
     """The YAML files of the packages that the launch file is in and names."""
-    home = subject.resolver.packages.enclosing(subject.source.path)
+    home = context.resolver.packages.enclosing(context.source.path)
     directories = {home[1]} if home else set()
-    for package in subject.launch.packages:
+    for package in context.launch.packages:
         if package.searched is None and not comes_with_ros(package.name):
-            directories.add(subject.resolver.package(package.name, subject.source.path))
+            directories.add(context.resolver.package(package.name, context.source.path))
     for directory in sorted(directories):
-        files = subject.resolver.directories.files_below(directory, _MAX_DIRECTORIES)
+        files = context.resolver.directories.files_below(directory, _MAX_DIRECTORIES)
         yield from islice((file for file in files if file.endswith((".yaml", ".yml"))), _MAX_FILES)
 
 
-def _defined(subject: Context, path: str) -> set[str]:
+def _defined(context: Context, path: str) -> set[str]:
     """The controllers of a YAML file."""
     try:
-        source = subject.resolver.read(path)
+        source = context.resolver.read(path)
     except UrdfkitError:
         return set()
     return {controller.name for controller in read(source)}

@@ -28,8 +28,8 @@ _PARAMETER = "robot_description"
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,), help="give the node the parameter robot_description")
-def check(subject: Context) -> Findings:
-    for node in subject.launch.started:
+def check(context: Context) -> Findings:
+    for node in context.launch.started:
         given = node.parameters.every
         if node.package != "robot_state_publisher" or given is None or node.words:
             continue

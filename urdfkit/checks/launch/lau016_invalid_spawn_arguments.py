@@ -45,8 +45,8 @@ _TOPIC = "robot_description"
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    for started in subject.launch.started:
+def check(context: Context) -> Findings:
+    for started in context.launch.started:
         spawner = spawner_of(started)
         if spawner is None:
             continue

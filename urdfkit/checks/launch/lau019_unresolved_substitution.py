@@ -19,5 +19,5 @@ FILES = {"control.yaml": b"drive:\n  base_frame_id: $(arg prefix)base_link\n"}
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    yield from reported(subject, "LAU019")
+def check(context: Context) -> Findings:
+    yield from reported(context, "LAU019")

@@ -51,11 +51,11 @@ GOOD = BAD.replace("gz.msgs.Pose", "gz.msgs.IMU")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     bridged = [
         (topic, started.frame)
-        for started in (*subject.launch.started, *subject.launch.included)
-        for topic in bridged_topics(started, subject.resolver)
+        for started in (*context.launch.started, *context.launch.included)
+        for topic in bridged_topics(started, context.resolver)
     ]
     for topic, frame in bridged:
         if mistake := next(_mistakes(topic), None):
@@ -66,7 +66,7 @@ def check(subject: Context) -> Findings:
                 message = f"the bridge does not read '{key}'; did you mean '{meant}'?"
                 at = Location(span, frame)
                 yield Finding(at, message, f"write {meant}", severity=Severity.WARNING)
-    yield from _silent(subject, bridged)
+    yield from _silent(context, bridged)
 
 
 def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
@@ -110,10 +110,10 @@ def _lacking(topic: BridgedTopic) -> str:
     return "ROS" if not topic.ros_type else "Gazebo"
 
 
-def _silent(subject: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
+def _silent(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
     """The topics that pass nothing on, where a sensor or system waits for a bridge in vain."""
-    of_robot = list(_topics(subject))
-    passed = {topic.topic for topic, _ in bridged} | _images(subject)
+    of_robot = list(_topics(context))
+    passed = {topic.topic for topic, _ in bridged} | _images(context)
     unbridged = [one for one in of_robot if not any(map(one.is_called, passed))]
     for topic, frame in bridged:
         own = [one for one in of_robot if one.is_called(topic.topic)]
@@ -144,16 +144,16 @@ def _silent(subject: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
         yield Finding(Location(at, frame), message, help, severity=Severity.WARNING)
 
 
-def _topics(subject: Context) -> Iterator[GazeboTopic]:
+def _topics(context: Context) -> Iterator[GazeboTopic]:
     """The topics of the robots that are described; none if not all of them are known."""
-    for description in subject.launch.descriptions:
-        robot = subject.other_robot(description.path, description.arguments)
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is not None and description.is_whole:
             yield from topics(robot.model)
 
 
-def _images(subject: Context) -> set[str]:
+def _images(context: Context) -> set[str]:
     """The topics that ros_gz_image passes on."""
-    started = (*subject.launch.started, *subject.launch.included)
+    started = (*context.launch.started, *context.launch.included)
     bridges = [one for one in started if one.executable == "image_bridge"]
     return {word.text for one in bridges for word in one.words if word.text}

@@ -47,21 +47,21 @@ _NEAR = 1e-3
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    launch = subject.launch
+def check(context: Context) -> Findings:
+    launch = context.launch
     started = [one for one in (*launch.started, *launch.included) if one.is_sure]
-    yield from _transforms(subject, started)
+    yield from _transforms(context, started)
     yield from _joint_states(started)
-    yield from _claims(subject, started)
+    yield from _claims(context, started)
 
 
-def _transforms(subject: Context, started: list[StartedProgram]) -> Findings:
+def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
     published = [(one, found) for one in started if (found := static_transform(one))]
     if not published or all(one.package != "robot_state_publisher" for one in started):
         return
     joints: dict[str, Joint] = {}
-    for description in subject.launch.descriptions:
-        robot = subject.other_robot(description.path, description.arguments)
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is not None:
             joints |= {joint.child.value: joint for joint in robot.model.joints if joint.child}
     for one, transform in published:
@@ -102,8 +102,8 @@ def _joint_states(started: list[StartedProgram]) -> Findings:
             )
 
 
-def _claims(subject: Context, started: list[StartedProgram]) -> Findings:
-    defined = defined_controllers(subject)
+def _claims(context: Context, started: list[StartedProgram]) -> Findings:
+    defined = defined_controllers(context)
     owners: dict[tuple[str, str], Word] = {}
     for word, one in _activated(started):
         controller = defined.get((word.text or "").strip("/"))

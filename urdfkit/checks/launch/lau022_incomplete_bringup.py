@@ -63,18 +63,18 @@ _JOINT_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    launch = subject.launch
+def check(context: Context) -> Findings:
+    launch = context.launch
     started = (*launch.started, *launch.included)
     if not _is_whole(launch) or not all(one.is_sure for one in started):
         return
     if any(one.package == _PUBLISHER for one in started):
-        yield from _without_joint_states(subject, started)
-    yield from by_wall_clock(subject, started)
-    yield from without_clock(subject, started)
+        yield from _without_joint_states(context, started)
+    yield from by_wall_clock(context, started)
+    yield from without_clock(context, started)
     if not launch.has_scopes and all(map(_is_known, launch.unread)):
         yield from unpublished_description(started)
-        yield from other_manager(subject, started)
+        yield from other_manager(context, started)
 
 
 def _is_known(path: str) -> bool:
@@ -89,11 +89,11 @@ def _is_whole(launch: Launch) -> bool:
     return all(packages) and all(files)
 
 
-def _without_joint_states(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def _without_joint_states(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     spawned = [(word, one) for one in started for word in controllers(one)]
-    types = {name: one.type for name, one in defined_controllers(subject).items() if one.ros == 2}
+    types = {name: one.type for name, one in defined_controllers(context).items() if one.ros == 2}
     known = [types.get((word.text or "").strip("/"), "") for word, _ in spawned]
-    bridged = (topic for one in started for topic in bridged_topics(one, subject.resolver))
+    bridged = (topic for one in started for topic in bridged_topics(one, context.resolver))
     if (
         not all(known)
         or any(kind.endswith("JointStateBroadcaster") for kind in known)

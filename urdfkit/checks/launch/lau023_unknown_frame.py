@@ -69,19 +69,19 @@ _NAMED = 4
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    launch = subject.launch
-    named = list(named_frames(launch, subject.resolver))
+def check(context: Context) -> Findings:
+    launch = context.launch
+    named = list(named_frames(launch, context.resolver))
     if not named and not any(True for _ in _transforms(launch)):
         return
-    known = _published(subject)
+    known = _published(context)
     if known:
         given = {key for one in _started(launch) for key in one.parameters.values}
         for frame in named:
             if frame.name not in known and frame.key not in given:
                 yield _unknown(frame, known)
-        yield from _unknown_parents(launch, known, _of_robots(subject, (launch,)))
-    yield from _other_world(subject)
+        yield from _unknown_parents(launch, known, _of_robots(context, (launch,)))
+    yield from _other_world(context)
 
 
 def _unknown(frame: NamedFrame, known: frozenset[str]) -> Finding:
@@ -95,23 +95,23 @@ def _unknown(frame: NamedFrame, known: frozenset[str]) -> Finding:
     )
 
 
-def _published(subject: Context) -> frozenset[str]:
+def _published(context: Context) -> frozenset[str]:
     """The frames that are known to be published; none if not all of the robots are known."""
-    launch = subject.launch
-    links = _of_robots(subject, (launch,))
+    launch = context.launch
+    links = _of_robots(context, (launch,))
     launches: tuple[Launch, ...] = (launch,)
     if not launch.descriptions:
-        launches = launches_of_workspace(subject.source.path, subject.resolver)
-        links = _of_robots(subject, launches)
+        launches = launches_of_workspace(context.source.path, context.resolver)
+        links = _of_robots(context, launches)
     if not links or any(map(_renames_frames, launches)):
         return frozenset()
     children = (transform.child.text or "" for one in launches for transform in _transforms(one))
-    is_viewer = _is_viewer(launch) and not is_included(subject.source.path, subject.resolver)
+    is_viewer = _is_viewer(launch) and not is_included(context.source.path, context.resolver)
     well_known = frozenset() if is_viewer else _WELL_KNOWN
     return links.union((child.lstrip("/") for child in children), well_known)
 
 
-def _of_robots(subject: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
+def _of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
     """The links of the robots that are started; none if one of them cannot be expanded."""
     found: set[str] = set()
     descriptions = [one for launch in launches for one in launch.descriptions]
@@ -119,7 +119,7 @@ def _of_robots(subject: Context, launches: tuple[Launch, ...]) -> frozenset[str]
     if len(distinct) > _MAX_ROBOTS:
         return frozenset()
     for description in distinct.values():
-        robot = subject.other_robot(description.path, description.arguments)
+        robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is None or not description.is_whole:
             return frozenset()
         found.update(name.lstrip("/") for name in robot.model.links_by_name)
@@ -172,11 +172,11 @@ def _unknown_parents(launch: Launch, known: frozenset[str], of_robot: frozenset[
             )
 
 
-def _other_world(subject: Context) -> Findings:
+def _other_world(context: Context) -> Findings:
     """A world frame of robot_localization that is neither of its two."""
-    for file in subject.launch.parameters:
+    for file in context.launch.parameters:
         try:
-            root = load(subject.resolver.read(file.path))
+            root = load(context.resolver.read(file.path))
         except UnreadableFile:
             continue
         for section in _sections(root):

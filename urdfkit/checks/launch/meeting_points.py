@@ -39,9 +39,9 @@ def unpublished_description(started: tuple[StartedProgram, ...]) -> Findings:
             )
 
 
-def other_manager(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Spawners that wait for a controller manager in another namespace than that which runs."""
-    running = list(_managers(subject, started))
+    running = list(_managers(context, started))
     if not running or any(name is None for name, _ in running):
         return
     known = {name: place for name, place in running if name}
@@ -64,7 +64,7 @@ def other_manager(subject: Context, started: tuple[StartedProgram, ...]) -> Find
 
 
 def _managers(
-    subject: Context, started: tuple[StartedProgram, ...]
+    context: Context, started: tuple[StartedProgram, ...]
 ) -> Iterator[tuple[str | None, Span]]:
     """The controller managers that are started; None for a name that is not known."""
     for one in started:
@@ -73,8 +73,8 @@ def _managers(
             yield _resolved(_MANAGER, one.namespace) if is_plain else None, one.span
     if not any(map(spawner_of, started)):
         return
-    for description in subject.launch.descriptions:
-        robot = subject.other_robot(description.path, description.arguments)
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
         for plugin in control_plugins(robot.model) if robot.reading.document else ():
             if "ros2_control" not in (plugin.at.get("filename") or ""):
                 continue  # of ROS 1

@@ -33,19 +33,19 @@ _STAMPING = {
 _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py")
 
 
-def without_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def without_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes by the time of a gz-sim that is started here, where no bridge passes that time on."""
-    if not any(world.generation == GZ for world in worlds(subject.launch)):
+    if not any(world.generation == GZ for world in worlds(context.launch)):
         return
-    unread = (path.rpartition("/")[2] for path in subject.launch.unread)
+    unread = (path.rpartition("/")[2] for path in context.launch.unread)
     is_gz = any(one.package == "ros_gz_sim" and spawner_of(one) for one in started)
-    waiting = next((one for one in started if _sim_time(one, subject.resolver) is True), None)
+    waiting = next((one for one in started if _sim_time(one, context.resolver) is True), None)
     if not is_gz or waiting is None or not all(file in _GAZEBO for file in unread):
         return
     bridges = [one for one in started if is_bridge(one)]
     if not all(_is_known(one) for one in bridges):
         return
-    passed = [topic for one in bridges for topic in bridged_topics(one, subject.resolver)]
+    passed = [topic for one in bridges for topic in bridged_topics(one, context.resolver)]
     is_remapped = any(one.is_remapped for one in bridges)
     if any(topic.ros_topic.strip("/") == _CLOCK for topic in passed) or (
         is_remapped and any(topic.ros_type.endswith("/Clock") for topic in passed)
@@ -59,11 +59,11 @@ def without_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Find
     )
 
 
-def by_wall_clock(subject: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def by_wall_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes without the time of Gazebo, where others have it."""
-    if subject.launch.has_scopes or not any(map(spawner_of, started)):
+    if context.launch.has_scopes or not any(map(spawner_of, started)):
         return
-    resolver = subject.resolver
+    resolver = context.resolver
     other = next((one for one in started if _sim_time(one, resolver) is True), None)
     for one in started:
         severity = _STAMPING.get(one.package)

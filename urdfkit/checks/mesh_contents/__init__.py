@@ -5,6 +5,6 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if a mesh file is there."""
-    return any(mesh.facts for mesh in subject.files.meshes)
+    return any(mesh.facts for mesh in context.files.meshes)

@@ -54,8 +54,8 @@ _NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
 @rule(
     Severity.ERROR, needs=(Need.MODEL, Need.FILES), help="export it as STL, COLLADA (.dae) or OBJ"
 )
-def check(subject: Context) -> Findings:
-    for mesh in subject.files.meshes:
+def check(context: Context) -> Findings:
+    for mesh in context.files.meshes:
         facts, path = mesh.facts, mesh.located.path
         if facts is None or path is None or facts.defect:
             continue
@@ -68,20 +68,20 @@ def check(subject: Context) -> Findings:
             message = f"{mesh.who} is {facts.format} by content, and its name ends in '{suffix}'"
             yield Finding(mesh.at, message, "give the file the suffix of its format")
         else:
-            yield from _not_for_target(subject, mesh, facts.format)
+            yield from _not_for_target(context, mesh, facts.format)
             if facts.format == ASCII_STL and mesh.role == "visual":
-                yield from _not_in_rviz(subject, mesh)
-    for mesh in subject.files.each_file:
+                yield from _not_in_rviz(context, mesh)
+    for mesh in context.files.each_file:
         if mesh.facts and mesh.facts.starts_with_solid:
             message = f"{mesh.who} is a binary STL and begins with 'solid'"
             help = "urdfkit mesh convert FILE NEW.stl"
             yield Finding(mesh.at, message, help, group_key="solid", severity=Severity.INFO)
 
 
-def _not_for_target(subject: Context, mesh: MeshReference, form: str) -> Findings:
+def _not_for_target(context: Context, mesh: MeshReference, form: str) -> Findings:
     """A format that a target does not load, of a mesh that it wants."""
-    for target in subject.given_facts:
-        is_wanted = subject.loads_visuals and not target.leaves_out_visuals
+    for target in context.given_facts:
+        is_wanted = context.loads_visuals and not target.leaves_out_visuals
         if mesh.role != "collision" and not is_wanted:
             continue
         if target.loads_first_object and form == OBJ and (number := _objects(mesh)) > 1:
@@ -107,8 +107,8 @@ def _suffix(form: str) -> str:
     return next(suffix for suffix, forms in BY_SUFFIX.items() if form in forms)
 
 
-def _not_in_rviz(subject: Context, mesh: MeshReference) -> Findings:
-    if subject.targets.any_of(("ros2",)):
+def _not_in_rviz(context: Context, mesh: MeshReference) -> Findings:
+    if context.targets.any_of(("ros2",)):
         yield Finding(
             mesh.at,
             f"{mesh.who} is an ASCII STL, which RViz 2 does not load up to ROS 2 Iron",

@@ -48,8 +48,8 @@ _HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE NEW.dae"
     help="export the mesh again, or copy it from where the robot comes from",
     about_files=True,
 )
-def check(subject: Context) -> Findings:
-    for mesh in subject.files.meshes:
+def check(context: Context) -> Findings:
+    for mesh in context.files.meshes:
         if mesh.facts is None:
             continue
         if defect := mesh.facts.defect:
@@ -60,13 +60,13 @@ def check(subject: Context) -> Findings:
             help = "export the mesh again, or remove the triangle in a mesh editor"
             message = f"{mesh.who} has a vertex that is not finite: {mesh.facts.non_finite}"
             yield Finding(mesh.at, message, help)
-    yield from _partly(subject)
+    yield from _partly(context)
 
 
-def _partly(subject: Context) -> Findings:
+def _partly(context: Context) -> Findings:
     """Of files that look whole; none where meshes are not measured."""
     try:
-        measured = subject.measured
+        measured = context.measured
     except Unavailable:
         return
     for mesh, reason in measured.unmeasured:

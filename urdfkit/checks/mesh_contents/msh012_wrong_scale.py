@@ -41,14 +41,14 @@ FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
     needs=(Need.MODEL, Need.MESHES),
     help='add scale="0.001 0.001 0.001" to the mesh, or export it in metres',
 )
-def check(subject: Context) -> Findings:
-    defects = subject.measured.defects
+def check(context: Context) -> Findings:
+    defects = context.measured.defects
     for use in defects.get(MeshDefect.MILLIMETRES, ()):
         length = use.longest
         yield Finding(
             use.at,
             f"{use.who} is {length:.4g} m long, the rest of the robot "
-            f"{rest_of_robot(subject.model):.3g} m; in mm it would be {length / 1000:.3g} m",
+            f"{rest_of_robot(context.model):.3g} m; in mm it would be {length / 1000:.3g} m",
             fix=_fix(use),
             confidence=Confidence.INFERRED,
             weight=length,

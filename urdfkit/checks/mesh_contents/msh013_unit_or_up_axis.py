@@ -53,11 +53,11 @@ FILES = {
     needs=(Need.MODEL, Need.FILES),
     help="bake the unit into the vertices: urdfkit mesh convert FILE NEW.dae",
 )
-def check(subject: Context) -> Findings:
-    collisions = {mesh.located.path for mesh in subject.files.meshes if mesh.role == "collision"}
-    for mesh in subject.files.each_file:
+def check(context: Context) -> Findings:
+    collisions = {mesh.located.path for mesh in context.files.meshes if mesh.role == "collision"}
+    for mesh in context.files.each_file:
         if mesh.facts and has_other_unit(mesh.facts):
-            is_only_visual = mesh.located.path not in collisions and not subject.targets.that(
+            is_only_visual = mesh.located.path not in collisions and not context.targets.that(
                 "ignores_units"
             )
             yield Finding(
@@ -68,14 +68,14 @@ def check(subject: Context) -> Findings:
                 severity=Severity.INFO if is_only_visual else None,
             )
     yield from _once(
-        subject,
+        context,
         has_other_up_axis,
         lambda facts: f"has {facts.up_axis}",
         "Bullet rotates it by 90 degrees, RViz, Gazebo, MoveIt and Pinocchio do not",
         "none needed if RViz shows it right; urdfkit mesh convert writes Z_UP",
     )
     yield from _once(
-        subject,
+        context,
         is_gltf,
         lambda _: "is glTF, where y is up",
         "RViz since 15.1.4 and Drake rotate it by 90 degrees, Gazebo and earlier RViz do not",
@@ -84,14 +84,14 @@ def check(subject: Context) -> Findings:
 
 
 def _once(
-    subject: Context,
+    context: Context,
     concerns: Callable[[MeshFacts], bool],
     describe: Callable[[MeshFacts], str],
     effect: str,
     help: str,
 ) -> Findings:
     """One info for all files of a robot that a predicate holds for."""
-    found = [mesh for mesh in subject.files.each_file if mesh.facts and concerns(mesh.facts)]
+    found = [mesh for mesh in context.files.each_file if mesh.facts and concerns(mesh.facts)]
     if found:
         mesh, *others = found
         assert mesh.facts

@@ -48,17 +48,17 @@ FILES = {
     needs=(Need.MODEL, Need.MESHES),
     help="urdfkit mesh repair FILE, or urdfkit mesh hull FILE",
 )
-def check(subject: Context) -> Findings:
-    defects = subject.measured.defects
-    fatal = tuple(one.name for one in subject.given_facts if one.least_volume)
+def check(context: Context) -> Findings:
+    defects = context.measured.defects
+    fatal = tuple(one.name for one in context.given_facts if one.least_volume)
     severity = Severity.ERROR if fatal else Severity.WARNING
     for use in defects.get(MeshDefect.FLAT, ()):
         x, y, z = use.edges
         message = f"{use.who} is flat: {x:.3g} x {y:.3g} x {z:.3g} m"
         yield Finding(use.at, message, "use a thin <box>", severity=severity, targets=fatal)
-    for target in subject.given_facts:
+    for target in context.given_facts:
         if target.least_volume:
-            yield from _tiny(subject.measured.uses, target)
+            yield from _tiny(context.measured.uses, target)
     yield from map(_open, defects.get(MeshDefect.OPEN, ()))
     for use in defects.get(MeshDefect.OVERLAPPING, ()):
         yield Finding(

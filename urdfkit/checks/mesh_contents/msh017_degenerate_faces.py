@@ -26,8 +26,8 @@ FILES = {
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.MESHES), help="urdfkit mesh repair FILE")
-def check(subject: Context) -> Findings:
-    for use in subject.measured.defects.get(MeshDefect.DEGENERATE, ()):
+def check(context: Context) -> Findings:
+    for use in context.measured.defects.get(MeshDefect.DEGENERATE, ()):
         found = use.measures
         yield Finding(
             use.at,

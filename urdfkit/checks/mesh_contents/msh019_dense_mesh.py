@@ -47,9 +47,9 @@ FILES = {
     help="make a lighter one: urdfkit mesh collision FILE, or urdfkit mesh simplify FILE",
     options={"triangles": DENSE_COLLISION},
 )
-def check(subject: Context) -> Findings:
-    yield from _slow_collisions(subject, check.option(subject, "triangles"))
-    defects = subject.measured.defects
+def check(context: Context) -> Findings:
+    yield from _slow_collisions(context, check.option(context, "triangles"))
+    defects = context.measured.defects
     for use in defects.get(MeshDefect.DENSE_SHARED, ()):
         number = use.measures.triangles
         yield Finding(
@@ -73,20 +73,20 @@ def check(subject: Context) -> Findings:
         )
 
 
-def _slow_collisions(subject: Context, bound: float) -> Findings:
+def _slow_collisions(context: Context, bound: float) -> Findings:
     dense = {
         use.path: use
-        for use in reversed(subject.measured.files)
+        for use in reversed(context.measured.files)
         if use.role == "collision" and use.measures.triangles > bound
     }
     for use in sorted(dense.values(), key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
         rejecting = []
-        if subject.files.facts(use.path).format == BINARY_STL:
-            known = map(targets.facts_of, subject.given_targets or targets.TARGETS)
+        if context.files.facts(use.path).format == BINARY_STL:
+            known = map(targets.facts_of, context.given_targets or targets.TARGETS)
             rejecting = [one for one in known if 0 < one.most_triangles < number]
         bounds = [f"{one.title} rejects more than {one.most_triangles:,}" for one in rejecting]
-        fatal = tuple(one.name for one in rejecting if one.name in subject.given_targets)
+        fatal = tuple(one.name for one in rejecting if one.name in context.given_targets)
         yield Finding(
             use.at,
             f"{use.who} has {number:,} triangles; more than {bound:,} make collision "

@@ -34,8 +34,8 @@ FILES = {
     needs=(Need.MODEL, Need.MESHES),
     help="add the image next to the mesh, or give the mesh a plain colour",
 )
-def check(subject: Context) -> Findings:
-    defects = subject.measured.defects
+def check(context: Context) -> Findings:
+    defects = context.measured.defects
     for use in defects.get(MeshDefect.MISSING_TEXTURES, ()):
         names = missing_textures(use)
         more = more_like_this(len(names) - 1)

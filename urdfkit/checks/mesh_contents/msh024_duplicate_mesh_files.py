@@ -21,8 +21,8 @@ FILES = dict.fromkeys(("left.stl", "right.stl"), stl(box((0, 0, 0), (0.1, 0.1, 0
 
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.FILES), help="refer to one of them from both places")
-def check(subject: Context) -> Findings:
-    copies = subject.files.copies
+def check(context: Context) -> Findings:
+    copies = context.files.copies
     if not copies:
         return
     (copy, first), *others = copies

@@ -38,8 +38,8 @@ FILES = {
     needs=(Need.MODEL, Need.MESHES),
     help="export the mesh alone, or urdfkit mesh convert FILE NEW.dae",
 )
-def check(subject: Context) -> Findings:
-    defects = subject.measured.defects
+def check(context: Context) -> Findings:
+    defects = context.measured.defects
     for use in defects.get(MeshDefect.EXTRAS, ()):
         content = ", ".join(extras(use))
         message = f"{use.who} also holds {content}; only triangles are shown"

@@ -5,6 +5,6 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if a shape is a mesh file."""
-    return any(shape.filename for shape in subject.model.shapes)
+    return any(shape.filename for shape in context.model.shapes)

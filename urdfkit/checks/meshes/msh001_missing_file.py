@@ -54,9 +54,9 @@ _REMOTE = ("http", "https", "ftp", "fuel")
     help="add the file, or generate one: urdfkit mesh generate --model ROBOT",
     about_files=True,
 )
-def check(subject: Context) -> Findings:
-    missing = set(map(id, subject.files.missing))
-    for mesh in subject.files.meshes:
+def check(context: Context) -> Findings:
+    missing = set(map(id, context.files.missing))
+    for mesh in context.files.meshes:
         scheme, colon, rest = mesh.at.value.partition("://")
         if "\\" in mesh.at.value:
             right = mesh.at.value.replace("\\", "/")
@@ -66,7 +66,7 @@ def check(subject: Context) -> Findings:
         elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
             yield _unknown_scheme(mesh, scheme, rest)
         elif mesh.located.package == "":
-            yield _without_package(subject, mesh, scheme, rest)
+            yield _without_package(context, mesh, scheme, rest)
         elif mesh.located.outside:
             yield Finding(
                 mesh.at,
@@ -75,13 +75,13 @@ def check(subject: Context) -> Findings:
                 severity=Severity.WARNING,
             )
         elif id(mesh) in missing:
-            yield _missing(subject, mesh)
+            yield _missing(context, mesh)
 
 
-def _without_package(subject: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
+def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
     """``package:///name/...``, whose package is the empty text before the third slash."""
     reference = f"{scheme}://{rest.lstrip('/')}"
-    is_found = subject.resolver.locate(reference, subject.files.top).path is not None
+    is_found = context.resolver.locate(reference, context.files.top).path is not None
     message = f"{mesh.who} names no package between '{scheme}://' and the next '/'"
     fix = _fix(mesh, reference, "remove the third slash") if is_found else None
     return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, group_key=scheme)
@@ -95,8 +95,8 @@ def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
     return Finding(mesh.at, message, f"did you mean '{right}://'?", fix)
 
 
-def _missing(subject: Context, mesh: MeshReference) -> Finding:
-    files, located = subject.files, mesh.located
+def _missing(context: Context, mesh: MeshReference) -> Finding:
+    files, located = context.files, mesh.located
     if spelling := files.spelling_on_disk(mesh):
         message = f"{mesh.who} is called '{spelling.reference}' on disk: not found on Linux"
         fix = _fix(mesh, spelling.reference, "write the name as on disk")

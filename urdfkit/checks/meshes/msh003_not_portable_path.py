@@ -48,13 +48,13 @@ _WRITTEN_ABSOLUTE = r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.FILES), help="refer to it as package://PACKAGE/...")
-def check(subject: Context) -> Findings:
-    for mesh in subject.files.meshes:
+def check(context: Context) -> Findings:
+    for mesh in context.files.meshes:
         path = mesh.located.path or mesh.located.outside
         if path is None:
             continue
         if _is_absolute(mesh):
-            reference = subject.files.reference_to(path, mesh.located)
+            reference = context.files.reference_to(path, mesh.located)
             known = reference.startswith("package://")
             fix = fix_value(mesh.literal, reference) if mesh.literal and known else None
             message = f"{mesh.who} is an absolute path, which exists on this machine only"
@@ -62,11 +62,11 @@ def check(subject: Context) -> Findings:
         if isinstance(mesh.at.at, Attribute) and not mesh.at.at.span.text.isascii():
             message = f"{mesh.who} has characters outside ASCII in its path, which is not portable"
             yield Finding(mesh.at, message, "rename the file", group_key="ascii")
-        if package := _left(subject, mesh, path):
+        if package := _left(context, mesh, path):
             message = f"{mesh.who} leaves package '{package}': not found once installed"
-            home = subject.resolver.packages.enclosing(path)
+            home = context.resolver.packages.enclosing(path)
             yield Finding(mesh.at, message, f"write package://{home[0]}/..." if home else "")
-    for mesh in subject.files.ignored:
+    for mesh in context.files.ignored:
         yield Finding(
             mesh.at,
             f"{mesh.who} is ignored by git: clones of the repository lack it",
@@ -84,7 +84,7 @@ def _is_absolute(mesh: MeshReference) -> bool:
     )
 
 
-def _left(subject: Context, mesh: MeshReference, path: str) -> str | None:
+def _left(context: Context, mesh: MeshReference, path: str) -> str | None:
     """The package that a reference starts in and leaves."""
     located = mesh.located
     if ".." not in located.relative:
@@ -92,6 +92,6 @@ def _left(subject: Context, mesh: MeshReference, path: str) -> str | None:
     if located.package:
         left = posixpath.normpath(located.relative).startswith("../")
         return located.package if left else None
-    packages = subject.resolver.packages
-    package = packages.enclosing(subject.files.top)
+    packages = context.resolver.packages
+    package = packages.enclosing(context.files.top)
     return package[0] if package and packages.enclosing(path) != package else None

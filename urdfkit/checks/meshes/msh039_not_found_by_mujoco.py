@@ -48,45 +48,45 @@ FILES = {
     needs=(Need.MODEL, Need.FILES),
     help="give MuJoCo a copy of the URDF with names relative to it, as in ../meshes/arm.stl",
 )
-def check(subject: Context) -> Findings:
-    if subject.is_part or all(one.finds_packages for one in subject.given_facts):
+def check(context: Context) -> Findings:
+    if context.is_part or all(one.finds_packages for one in context.given_facts):
         return
     wanted = [
         mesh
-        for mesh in subject.files.meshes
-        if mesh.role == "collision" or not subject.mujoco.drops_visuals
+        for mesh in context.files.meshes
+        if mesh.role == "collision" or not context.mujoco.drops_visuals
     ]
-    lost = [mesh for mesh in wanted if _is_lost(subject, mesh)]
+    lost = [mesh for mesh in wanted if _is_lost(context, mesh)]
     if lost:
         first = lost[0]
-        directory, name = subject.mujoco.mesh_path(first.at.value, subject.source.path)
+        directory, name = context.mujoco.mesh_path(first.at.value, context.source.path)
         message = f"{first.who} is not found by MuJoCo, which looks for '{name}' in "
         message += f"{shown(os.path.normpath(directory))}{more_like_this(len(lost) - 1)}"
-        help, fix = _directory(subject, wanted)
+        help, fix = _directory(context, wanted)
         yield Finding(first.at, message, help, fix)
 
 
-def _is_lost(subject: Context, mesh: MeshReference) -> bool:
+def _is_lost(context: Context, mesh: MeshReference) -> bool:
     """True for a mesh that MuJoCo alone does not find, as far as may be looked."""
     located = mesh.located
     if located.path is None and (located.package is None or located.directory is not None):
         return False  # MSH001
-    path = os.path.join(*subject.mujoco.mesh_path(mesh.at.value, subject.source.path))
-    return subject.resolver.admits(path) and not disk.is_file(path)
+    path = os.path.join(*context.mujoco.mesh_path(mesh.at.value, context.source.path))
+    return context.resolver.admits(path) and not disk.is_file(path)
 
 
-def _directory(subject: Context, wanted: list[MeshReference]) -> tuple[str, Fix | None]:
+def _directory(context: Context, wanted: list[MeshReference]) -> tuple[str, Fix | None]:
     """How to name the directory of all meshes, if they are in one; else nothing."""
-    root = subject.document.root
+    root = context.document.root
     directories = {os.path.dirname(mesh.located.path or "") for mesh in wanted}
     if len(directories) > 1 or directories == {""} or root.child("mujoco"):
         return "", None
-    urdf = os.path.dirname(os.path.abspath(subject.source.path))
+    urdf = os.path.dirname(os.path.abspath(context.source.path))
     directory = os.path.relpath(directories.pop(), urdf).replace(os.sep, "/")
     escaped = directory.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
     element = f'<compiler meshdir="{escaped}" strippath="true"/>'
     fix = None
-    if subject.reading.xacro is None:
+    if context.reading.xacro is None:
         edits = insert_first(root, ("<mujoco>", f"  {element}", "</mujoco>"))
         fix = Fix("tell MuJoCo where the meshes are", edits)
     return f"write <mujoco>{element}</mujoco> into <robot>", fix

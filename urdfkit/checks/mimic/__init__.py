@@ -5,6 +5,6 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if a joint mimics another one."""
-    return any(joint.mimic for joint in subject.model.joints)
+    return any(joint.mimic for joint in context.model.joints)

@@ -37,11 +37,11 @@ _IMMOBILE = frozenset(JOINT_TYPES) - frozenset(MOVING)
 
 
 @rule(Severity.ERROR)
-def check(subject: Context) -> Findings:
-    for cycle in _cycles(subject.model):
+def check(context: Context) -> Findings:
+    for cycle in _cycles(context.model):
         yield _cycle_finding(cycle)
-    yield from _immobile(subject)
-    for joint in subject.model.joints:
+    yield from _immobile(context)
+    for joint in context.model.joints:
         mimic = joint.mimic
         if mimic and mimic.joint and mimic.multiplier == 0:
             yield Finding(
@@ -85,12 +85,12 @@ def _cycles(model: RobotModel) -> Iterator[list[Joint]]:
             yield path[path.index(joint) :]
 
 
-def _immobile(subject: Context) -> Findings:
+def _immobile(context: Context) -> Findings:
     """Leaders, and for Drake followers, without one position; one finding for each reason."""
-    known = subject.model.joints_by_name
-    drake = subject.targets.that("needs_movable_mimic")
+    known = context.model.joints_by_name
+    drake = context.targets.that("needs_movable_mimic")
     found: dict[str, list[Joint]] = {}
-    for joint in subject.model.joints:
+    for joint in context.model.joints:
         leader = known.get(joint.mimic.joint.value) if joint.mimic and joint.mimic.joint else None
         if leader is None or leader is joint:
             continue

@@ -26,9 +26,9 @@ _TOLERANCE = 0.02
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    known = subject.model.joints_by_name
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    known = context.model.joints_by_name
+    for joint in context.model.joints:
         mimic, own = joint.mimic, bounds(joint)
         leader = known.get(mimic.joint.value) if mimic and mimic.joint else None
         leading = bounds(leader) if leader and leader is not joint else None

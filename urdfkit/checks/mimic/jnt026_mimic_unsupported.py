@@ -42,14 +42,14 @@ GOOD = BAD.replace("</gazebo>", f"{_PLUGIN}</gazebo>")
     help="add a mimic plugin, list the joints in <ros2_control>, or use bullet-featherstone",
     by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     """One finding for all: a hand has a dozen of them."""
-    if not subject.targets.any_of(GAZEBO):
+    if not context.targets.any_of(GAZEBO):
         return
-    coupled = _coupled(subject.model)
+    coupled = _coupled(context.model)
     joints = [
         joint
-        for joint in subject.model.joints
+        for joint in context.model.joints
         if joint.mimic and joint.kind in MOVING and joint.name not in coupled
     ]
     if joints and joints[0].mimic:

@@ -29,10 +29,10 @@ _ALONG = 0.9
 
 
 @rule(Severity.WARNING, help="invert the axis of one of the two, or the sign of the multiplier")
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         target = joint.mimic.joint if joint.mimic else None
-        leader = subject.model.joints_by_name.get(target.value) if target else None
+        leader = context.model.joints_by_name.get(target.value) if target else None
         if joint.mimic is None or leader is None or not _are_fingers(joint, leader):
             continue
         gap = minus(leader.origin.position, joint.origin.position)

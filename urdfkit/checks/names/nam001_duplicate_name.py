@@ -36,8 +36,8 @@ GOOD = BAD.replace('<link name="wheel"/>\n', "", 1)
 
 
 @rule(Severity.ERROR)
-def check(subject: Context) -> Findings:
-    model = subject.model
+def check(context: Context) -> Findings:
+    model = context.model
     help = "give each {} its own name, in a macro by a prefix"
     yield from _duplicates((link.at for link in model.links), help.format("link"))
     yield from _duplicates((joint.at for joint in model.joints), help.format("joint"))

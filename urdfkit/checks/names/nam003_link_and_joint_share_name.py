@@ -34,12 +34,12 @@ GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
         **dict.fromkeys(("gz-fortress", "gz-harmonic", "gz-jetty"), Severity.ERROR),
     },
 )
-def check(subject: Context) -> Findings:
-    links = subject.model.links_by_name
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    links = context.model.links_by_name
+    for joint in context.model.joints:
         if joint.name not in links:
             continue
-        is_merged = _is_merged(joint, subject)
+        is_merged = _is_merged(joint, context)
         yield Finding(
             joint.at.attributes["name"],
             f"joint '{joint.name}' has the name of a link"
@@ -50,8 +50,8 @@ def check(subject: Context) -> Findings:
         )
 
 
-def _is_merged(joint: Joint, subject: Context) -> bool:
+def _is_merged(joint: Joint, context: Context) -> bool:
     """True if Gazebo merges the joint, or the link of its name, so that one of them is left."""
-    gazebo = subject.gazebo
+    gazebo = context.gazebo
     merged = joint.kind == "fixed" and joint.name not in gazebo.kept
     return merged or joint.name in gazebo.merged

@@ -36,14 +36,14 @@ GOOD = '<link name="base_link"/>'
 
 
 @rule(Severity.WARNING, help="use letters, digits and _")
-def check(subject: Context) -> Findings:
-    model = subject.model
+def check(context: Context) -> Findings:
+    model = context.model
     for element in (*(link.at for link in model.links), *(joint.at for joint in model.joints)):
         name = element.attributes.get("name")
         if name and name.value and not is_expression(name.value):
             yield from _characters(name)
-            yield from _first_character(subject, name)
-            yield from _reserved(subject, name)
+            yield from _first_character(context, name)
+            yield from _reserved(context, name)
 
 
 def _characters(name: Attribute) -> Findings:
@@ -73,7 +73,7 @@ def _has_namespace(joint: Element, text: str) -> bool:
     return child is not None and (child.get("link") or "").startswith(space)
 
 
-def _first_character(subject: Context, name: Attribute) -> Findings:
+def _first_character(context: Context, name: Attribute) -> Findings:
     tag, text = name.element.tag, name.value
     if text.startswith("/") and tag == "link":
         yield Finding(
@@ -82,7 +82,7 @@ def _first_character(subject: Context, name: Attribute) -> Findings:
             "remove the slash, here and wherever the link is named",
         )
     elif "0" <= text[0] <= "9":
-        isaac = subject.targets.that("needs_usd_names")
+        isaac = context.targets.that("needs_usd_names")
         yield Finding(
             name,
             f"{tag} '{text}' begins with a digit, which USD does not allow",
@@ -92,9 +92,9 @@ def _first_character(subject: Context, name: Attribute) -> Findings:
         )
 
 
-def _reserved(subject: Context, name: Attribute) -> Findings:
+def _reserved(context: Context, name: Attribute) -> Findings:
     tag, text = name.element.tag, name.value
-    model = subject.model
+    model = context.model
     if len(text) > 4 and text.startswith("__") and text.endswith("__"):
         reason = "names in double underscores are reserved in Gazebo's SDF"
     elif text != "world":
@@ -107,7 +107,7 @@ def _reserved(subject: Context, name: Attribute) -> Findings:
         reason = "Gazebo reads it as the world and drops its mass and shapes"
     else:
         return
-    readers = subject.targets.that("reserves_world")
+    readers = context.targets.that("reserves_world")
     yield Finding(
         name,
         f"{tag} '{text}': {reason}",

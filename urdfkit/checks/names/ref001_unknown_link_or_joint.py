@@ -37,26 +37,26 @@ _INCLUDE = "add the link, or include the file in the robot that has it"
 
 
 @rule(Severity.ERROR, reports_missing=True)
-def check(subject: Context) -> Findings:
-    yield from _links(subject)
-    yield from _leaders(subject.model)
+def check(context: Context) -> Findings:
+    yield from _links(context)
+    yield from _leaders(context.model)
 
 
-def _links(subject: Context) -> Findings:
-    known = subject.model.links_by_name
-    children = {joint.child.value for joint in subject.model.joints if joint.child}
-    is_fragment = subject.source.path.endswith(".xacro") and not subject.tree.has_base
+def _links(context: Context) -> Findings:
+    known = context.model.links_by_name
+    children = {joint.child.value for joint in context.model.joints if joint.child}
+    is_fragment = context.source.path.endswith(".xacro") and not context.tree.has_base
     # A second parent would be another error.
     suggesters = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
-    for joint in subject.model.joints:
+    for joint in context.model.joints:
         for role in ("parent", "child"):
             element = joint.at.child(role)
             link = element.attributes.get("link") if element else None
             if link is None or link.value in known or is_expression(link.value):
                 continue
-            if link.value == "world" and subject.targets.all_are("adds_world"):
+            if link.value == "world" and context.targets.all_are("adds_world"):
                 continue
-            if subject.is_part:  # the file that includes it has the link
+            if context.is_part:  # the file that includes it has the link
                 return
             is_awaited = role == "parent" and is_fragment
             suggested = suggesters[role].suggested(link.value)

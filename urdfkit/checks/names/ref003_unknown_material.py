@@ -36,8 +36,8 @@ SHOWN = 8
     help='define it below <robot>, as <material name="..."><color rgba="..."/></material>',
     reports_missing=True,
 )
-def check(subject: Context) -> Findings:
-    model = subject.model
+def check(context: Context) -> Findings:
+    model = context.model
     top = {material.at.get("name"): material.at for material in model.materials}
     used = [body.material.at for link in model.links for body in link.visuals if body.material]
     filled = {m.get("name"): m for m in reversed(used) if _is_filled(m)}

@@ -7,10 +7,10 @@ from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.package_references import are_in
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True for a launch file, and for a description that refers to packages."""
-    if is_launch(subject.source.path) or subject.problems("XAC011"):
+    if is_launch(context.source.path) or context.problems("XAC011"):
         return True
-    document = subject.reading.document
-    sources = document.sources if document else (subject.source,)
+    document = context.reading.document
+    sources = document.sources if document else (context.source,)
     return are_in(sources) or any(b"model://" in source.data for source in sources)

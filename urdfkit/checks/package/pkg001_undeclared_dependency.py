@@ -62,22 +62,22 @@ _BROUGHT = {
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    manifest = manifest_of(subject.resolver, subject.source.path)
+def check(context: Context) -> Findings:
+    manifest = manifest_of(context.resolver, context.source.path)
     if manifest is None:
         return
-    is_of_launch = is_launch(subject.source.path)
+    is_of_launch = is_launch(context.source.path)
     tag = manifest.dependency_tag
     seen = {manifest.package, *manifest.dependencies}
     if is_of_launch and manifest.ros == 2 and tag == "exec_depend":
-        yield from _of_ros(subject, manifest)
-    for name, span in _launched(subject) if is_of_launch else _referenced(subject):
+        yield from _of_ros(context, manifest)
+    for name, span in _launched(context) if is_of_launch else _referenced(context):
         if name in seen or comes_with_ros(name):
             continue
         seen.add(name)
         help_, fix = f"add <{tag}>{name}</{tag}> to package.xml", None
-        if not depends_on(name, manifest.package, span.source.path, subject.resolver):
-            fix = _fix(subject.resolver.read(manifest.path), name, tag)
+        if not depends_on(name, manifest.package, span.source.path, context.resolver):
+            fix = _fix(context.resolver.read(manifest.path), name, tag)
         elif is_of_launch:
             continue
         else:
@@ -92,13 +92,13 @@ def check(subject: Context) -> Findings:
         )
 
 
-def _of_ros(subject: Context, manifest: Manifest) -> Findings:
+def _of_ros(context: Context, manifest: Manifest) -> Findings:
     """The packages of ROS that a launch file starts, and that its package does not declare."""
-    own = subject.source.path
-    used = [(one.name, one.span) for one in subject.launch.packages if comes_with_ros(one.name)]
+    own = context.source.path
+    used = [(one.name, one.span) for one in context.launch.packages if comes_with_ros(one.name)]
     used += [
         ("xacro", one.frame.call.span)
-        for one in subject.launch.descriptions
+        for one in context.launch.descriptions
         if one.path.endswith(".xacro")
     ]
     seen = {manifest.package}
@@ -111,7 +111,7 @@ def _of_ros(subject: Context, manifest: Manifest) -> Findings:
             Location(span),
             f"package '{name}' is started but not declared in {manifest.path}",
             f"add {line} to package.xml",
-            _fix(subject.resolver.read(manifest.path), name, "exec_depend"),
+            _fix(context.resolver.read(manifest.path), name, "exec_depend"),
             group_key="undeclared",
             severity=Severity.INFO,
         )
@@ -127,18 +127,18 @@ def _is_brought(name: str, declared: frozenset[str]) -> bool:
     )
 
 
-def _launched(subject: Context) -> Iterator[tuple[str, Span]]:
+def _launched(context: Context) -> Iterator[tuple[str, Span]]:
     """The packages that a launch file names itself and that are found; XAC011 has the others."""
-    for package in subject.launch.packages:
-        if package.searched is None and package.span.source.path == subject.source.path:
+    for package in context.launch.packages:
+        if package.searched is None and package.span.source.path == context.source.path:
             yield package.name, package.span
 
 
-def _referenced(subject: Context) -> Iterator[tuple[str, Span]]:
+def _referenced(context: Context) -> Iterator[tuple[str, Span]]:
     """The packages that a description refers to and that are found; XAC011 has the others."""
-    for mention in of_package(subject.document.sources, subject.resolver.packages):
+    for mention in of_package(context.document.sources, context.resolver.packages):
         try:
-            subject.resolver.package(mention.package, mention.span.source.path)
+            context.resolver.package(mention.package, mention.span.source.path)
         except PackageNotFound:
             continue
         yield mention.package, mention.span

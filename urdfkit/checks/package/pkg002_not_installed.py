@@ -37,15 +37,15 @@ FILES = {
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    home = subject.resolver.packages.enclosing(subject.source.path)
+def check(context: Context) -> Findings:
+    home = context.resolver.packages.enclosing(context.source.path)
     if home is None:
         return
     name, directory = home
     rules = InstallRules(directory, name)
-    uses = _launched if is_launch(subject.source.path) else _referenced
+    uses = _launched if is_launch(context.source.path) else _referenced
     reported: set[str] = set()
-    for relative, span in uses(subject, name, directory):
+    for relative, span in uses(context, name, directory):
         top = relative.partition("/")[0]
         is_there = disk.exists(os.path.join(directory, relative))
         if top not in reported and is_there and not rules.installs(relative):
@@ -54,20 +54,20 @@ def check(subject: Context) -> Findings:
             yield Finding(Location(span), message, rules.advice(top))
 
 
-def _referenced(subject: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:
+def _referenced(context: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:
     """The files of its own package that a description refers to, relative to the package."""
-    for mention in of_package(subject.document.sources, subject.resolver.packages):
+    for mention in of_package(context.document.sources, context.resolver.packages):
         if mention.package == name and mention.relative.partition("/")[0]:
             yield mention.relative, mention.span
 
 
-def _launched(subject: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:
+def _launched(context: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:
     """A launch file, and the files of its own package that it names, relative to the package."""
-    own = os.path.abspath(subject.source.path)
+    own = os.path.abspath(context.source.path)
     if not os.path.relpath(own, directory).startswith("launch"):
         return  # a test or an example, which stay in the source tree
-    named = [(file.path, file.span) for file in subject.launch.files if file.exists]
-    for path, span in [(own, Span(subject.source, 0, 0)), *named]:
+    named = [(file.path, file.span) for file in context.launch.files if file.exists]
+    for path, span in [(own, Span(context.source, 0, 0)), *named]:
         relative = os.path.relpath(path, directory)
         if os.sep in relative and not relative.startswith(os.pardir):
             yield relative, span

@@ -45,25 +45,25 @@ _GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
     needs=(Need.MODEL, Need.FILES),
     by_target=dict.fromkeys(("classic-ros2", *_GZ), Severity.WARNING),
 )
-def check(subject: Context) -> Findings:
-    if is_launch(subject.source.path):
+def check(context: Context) -> Findings:
+    if is_launch(context.source.path):
         return
-    if not (subject.model.gazebo or subject.given_targets) or subject.is_part:
+    if not (context.model.gazebo or context.given_targets) or context.is_part:
         return
-    if not subject.targets.any_of(("classic-ros2", *_GZ)):
+    if not context.targets.any_of(("classic-ros2", *_GZ)):
         return
-    packages = subject.resolver.packages
-    found = _of_packages(subject)
-    if not found or any(True for _ in packages.gazebo_model_paths(subject.source.path)):
+    packages = context.resolver.packages
+    found = _of_packages(context)
+    if not found or any(True for _ in packages.gazebo_model_paths(context.source.path)):
         return
-    seen = survey(packages.workspace(subject.source.path), subject.resolver.directories)
+    seen = survey(packages.workspace(context.source.path), context.resolver.directories)
     if seen.is_reported or seen.starter is None:
         return
     try:
-        starter = subject.resolver.read(seen.starter)
+        starter = context.resolver.read(seen.starter)
     except UnreadableFile:  # a link that leads outside
         return
-    variable = "GZ_SIM_RESOURCE_PATH" if subject.targets.any_of(_GZ) else "GAZEBO_MODEL_PATH"
+    variable = "GZ_SIM_RESOURCE_PATH" if context.targets.any_of(_GZ) else "GAZEBO_MODEL_PATH"
     for package, meshes in found.items():
         more = f", nor {len(meshes) - 1} more of this package" if len(meshes) > 1 else ""
         yield Finding(
@@ -76,10 +76,10 @@ def check(subject: Context) -> Findings:
         )
 
 
-def _of_packages(subject: Context) -> dict[str, list[MeshReference]]:
+def _of_packages(context: Context) -> dict[str, list[MeshReference]]:
     """The meshes that are there and are named by a package, by the package."""
     found: dict[str, list[MeshReference]] = {}
-    for mesh in subject.files.meshes:
+    for mesh in context.files.meshes:
         if mesh.located.scheme == "package" and mesh.located.path and mesh.located.package:
             found.setdefault(mesh.located.package, []).append(mesh)
     return found

@@ -60,9 +60,9 @@ _BROKEN = ("XML001", "XML002")
 
 
 @rule(Severity.ERROR, help="fix the package.xml")
-def check(subject: Context) -> Findings:
-    path, resolver = subject.source.path, subject.resolver
-    if not (is_launch(path) or are_in(subject.document.sources)):
+def check(context: Context) -> Findings:
+    path, resolver = context.source.path, context.resolver
+    if not (is_launch(path) or are_in(context.document.sources)):
         return
     if home := resolver.packages.enclosing(path):
         yield from other_name(*home)

@@ -41,36 +41,36 @@ _NAME = r"^package '([^']+)'"
     needs=(),
     help="name its directory with --package NAME=DIR, or add the package to the workspace",
 )
-def check(subject: Context) -> Findings:
-    problems = subject.problems("XAC011")
-    for problem, finding in zip(problems, reported(subject, "XAC011"), strict=True):
+def check(context: Context) -> Findings:
+    problems = context.problems("XAC011")
+    for problem, finding in zip(problems, reported(context, "XAC011"), strict=True):
         (name,) = re.findall(_NAME, problem.message)
-        severity = _severity(subject, name, problem.span)
-        known = subject.resolver.packages.known(subject.source.path)
+        severity = _severity(context, name, problem.span)
+        known = context.resolver.packages.known(context.source.path)
         alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
         help = finding.help + ("" if severity else did_you_mean(name, alike))
         message = finding.message
-        if severity and subject.reading.document is None:
+        if severity and context.reading.document is None:
             reason = "is not found, so the robot is not checked"
             message = message.replace("is not found", reason, 1)
         yield finding._replace(message=message, help=help, group_key=name, severity=severity)
-    if is_launch(subject.source.path):
-        yield from _launched(subject)
+    if is_launch(context.source.path):
+        yield from _launched(context)
         return
     try:
-        missing = subject.files.without_package
+        missing = context.files.without_package
     except Unavailable:  # the xacro cannot be expanded
         return
     for name, meshes in missing.items():
         if name:
-            yield _of_meshes(subject, name, meshes)
+            yield _of_meshes(context, name, meshes)
 
 
-def _of_meshes(subject: Context, name: str, meshes: list[MeshReference]) -> Finding:
+def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Finding:
     """One finding for all meshes of a package."""
     first = meshes[0]
     count = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
-    known = subject.resolver.packages.known(subject.source.path)
+    known = context.resolver.packages.known(context.source.path)
     suggested = did_you_mean(name, [package for package in known if is_mistyped(name, package)])
     return Finding(
         first.at,
@@ -79,19 +79,19 @@ def _of_meshes(subject: Context, name: str, meshes: list[MeshReference]) -> Find
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
         f"{suggested}",
         group_key=f"meshes of {name}",
-        severity=_severity(subject, name, first.at.span) and Severity.INFO,
+        severity=_severity(context, name, first.at.span) and Severity.INFO,
     )
 
 
-def _severity(subject: Context, name: str, at: Span) -> Severity | None:
-    is_known = is_known_dependency(name, at.source.path, subject.resolver)
+def _severity(context: Context, name: str, at: Span) -> Severity | None:
+    is_known = is_known_dependency(name, at.source.path, context.resolver)
     return Severity.WARNING if is_known else None
 
 
-def _launched(subject: Context) -> Findings:
-    path, resolver = subject.source.path, subject.resolver
+def _launched(context: Context) -> Findings:
+    path, resolver = context.source.path, context.resolver
     manifest, known = manifest_of(resolver, path), resolver.packages.known(path)
-    for package in subject.launch.packages:
+    for package in context.launch.packages:
         name = package.name
         if package.searched is None or is_known_dependency(name, path, resolver):
             continue

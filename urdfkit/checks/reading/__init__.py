@@ -7,11 +7,11 @@ from collections.abc import Collection
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True where reading met something."""
-    return bool(subject.reading.problems)
+    return bool(context.reading.problems)
 
 
-def codes(subject: Context) -> Collection[str]:
+def codes(context: Context) -> Collection[str]:
     """The rules that have something to report."""
-    return {problem.code for problem in subject.reading.problems}
+    return {problem.code for problem in context.reading.problems}

@@ -35,8 +35,8 @@ _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
     needs=(),
     help="correct the expression or the call; the notes show what it refers to",
 )
-def check(subject: Context) -> Findings:
-    for finding in reported(subject, "XAC001"):
+def check(context: Context) -> Findings:
+    for finding in reported(context, "XAC001"):
         if finding.message.startswith(UNBUILT):  # which is no defect of the robot
             yield finding._replace(severity=Severity.WARNING)
             continue

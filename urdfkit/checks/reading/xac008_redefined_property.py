@@ -27,5 +27,5 @@ GOOD = BAD.replace('name="width" value="0.4"', 'name="height" value="0.4"')
     needs=(),
     help="delete one of the two, or use default= where a value may already be given",
 )
-def check(subject: Context) -> Findings:
-    return reported(subject, "XAC008")
+def check(context: Context) -> Findings:
+    return reported(context, "XAC008")

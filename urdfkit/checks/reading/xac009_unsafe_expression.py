@@ -25,5 +25,5 @@ GOOD = xacro_xml('<link name="${str(1 + 1)}"/>')
     needs=(),
     help="write it with plain arithmetic, or add --trust if you trust the author of the model",
 )
-def check(subject: Context) -> Findings:
-    return reported(subject, "XAC009")
+def check(context: Context) -> Findings:
+    return reported(context, "XAC009")

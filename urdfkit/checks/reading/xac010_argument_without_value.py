@@ -18,5 +18,5 @@ GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg pre
 
 
 @rule(Severity.ERROR, needs=(), help="pass it as name:=value, or give the <xacro:arg> a default")
-def check(subject: Context) -> Findings:
-    return reported(subject, "XAC010")
+def check(context: Context) -> Findings:
+    return reported(context, "XAC010")

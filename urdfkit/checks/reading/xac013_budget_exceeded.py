@@ -26,5 +26,5 @@ GOOD = BAD.replace(_CALL, f'<xacro:if value="${{n &lt; 3}}">{_CALL}</xacro:if>')
     needs=(),
     help="look for a macro, an include or a property that refers to itself",
 )
-def check(subject: Context) -> Findings:
-    return reported(subject, "XAC013")
+def check(context: Context) -> Findings:
+    return reported(context, "XAC013")

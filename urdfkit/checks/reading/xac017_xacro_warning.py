@@ -24,5 +24,5 @@ FIXED = GOOD = BAD.replace("sorted", "python.sorted")
 
 
 @rule(Severity.WARNING, needs=(), help="correct or remove it; xacro ignores what it does not know")
-def check(subject: Context) -> Findings:
-    return reported(subject, "XAC017")
+def check(context: Context) -> Findings:
+    return reported(context, "XAC017")

@@ -24,5 +24,5 @@ BAD = GOOD.replace('name="r"', 'name="$(arg name)"')
     needs=(),
     help="move the <xacro:arg> above the first use; for the robot's own name write the name",
 )
-def check(subject: Context) -> Findings:
-    return reported(subject, "XAC020")
+def check(context: Context) -> Findings:
+    return reported(context, "XAC020")

@@ -25,5 +25,5 @@ FIXED = GOOD = BAD.replace("--debug", "- -debug")
 
 
 @rule(Severity.ERROR, needs=(), help="close every tag and quote; write < as &lt; and & as &amp;")
-def check(subject: Context) -> Findings:
-    return reported(subject, "XML001")
+def check(context: Context) -> Findings:
+    return reported(context, "XML001")

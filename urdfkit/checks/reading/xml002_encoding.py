@@ -23,5 +23,5 @@ GOOD = BAD.decode("latin-1").encode()
     needs=(),
     help="save the file as UTF-8, or declare its real encoding in the first line",
 )
-def check(subject: Context) -> Findings:
-    return reported(subject, "XML002")
+def check(context: Context) -> Findings:
+    return reported(context, "XML002")

@@ -22,5 +22,5 @@ GOOD = '<robot name="r"><link name="base_link"/></robot>'
 
 
 @rule(Severity.ERROR, needs=(), help="write the text out, or use an <xacro:property>")
-def check(subject: Context) -> Findings:
-    return reported(subject, "XML003")
+def check(context: Context) -> Findings:
+    return reported(context, "XML003")

@@ -29,5 +29,5 @@ GOOD = FIXED
     needs=(),
     help='put <?xml version="1.0"?> first, and declare every prefix on the root element',
 )
-def check(subject: Context) -> Findings:
-    return reported(subject, "XML007")
+def check(context: Context) -> Findings:
+    return reported(context, "XML007")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if there are transmissions, ros2_control or plugins that run controllers."""
-    model = subject.model
-    if model.transmissions or model.ros2_controls or subject.parameters:
+    model = context.model
+    if model.transmissions or model.ros2_controls or context.parameters:
         return True
     plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
     return any("control" in (plugin.get("filename") or "") for plugin in plugins)

@@ -25,14 +25,14 @@ _HELP = "correct the name of the interface"
 _SIMULATED_STATES = ("position", "velocity", "effort")
 
 
-def invalid_interfaces(subject: Context) -> Findings:
+def invalid_interfaces(context: Context) -> Findings:
     """Interfaces that are misspelt, or that a simulator does not offer."""
-    for component in components(subject.model):
+    for component in components(context.model):
         for part in component.parts:
             for interface in part.interfaces:
                 yield from _of_ros2(component, part, interface)
-    if subject.model.transmissions and reads_transmissions(subject.targets):
-        yield from _of_ros1(subject)
+    if context.model.transmissions and reads_transmissions(context.targets):
+        yield from _of_ros1(context)
 
 
 def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> Findings:
@@ -74,11 +74,11 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> F
         )
 
 
-def _of_ros1(subject: Context) -> Findings:
-    simulated = _has_default_simulation(subject)
+def _of_ros1(context: Context) -> Findings:
+    simulated = _has_default_simulation(context)
     known = [*words("transmission", "interfaces"), *words("transmission", "unprefixed")]
     simulable = [*words("transmission", "gazebo"), *words("transmission", "unprefixed")]
-    for joint, transmission in driven_joints(subject.model):
+    for joint, transmission in driven_joints(context.model):
         if is_of_pr2(transmission):
             continue
         for element in joint.all("hardwareInterface"):
@@ -100,9 +100,9 @@ def _of_ros1(subject: Context) -> Findings:
                 )
 
 
-def _has_default_simulation(subject: Context) -> bool:
+def _has_default_simulation(context: Context) -> bool:
     """True for a gazebo_ros_control with the default hardware simulation."""
-    for plugin in control_plugins(subject.model):
+    for plugin in control_plugins(context.model):
         kind = plugin.at.child("robotSimType")
         if plugin.kind == "gazebo_ros_control":
             return kind is None or _is_default(kind)

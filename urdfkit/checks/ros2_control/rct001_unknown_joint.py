@@ -48,19 +48,19 @@ FIXED = GOOD = BAD.replace("sholder", "shoulder")
 
 
 @rule(Severity.ERROR, help="fix the name, or add the joint", reports_missing=True)
-def check(subject: Context) -> Findings:
-    known = subject.model.joints_by_name
+def check(context: Context) -> Findings:
+    known = context.model.joints_by_name
     # Without joints it is a description of the hardware alone: Webots has them in its world.
-    if known and not subject.is_part:
-        yield from _of_robot(subject, Suggester(known))
-    yield from _not_in_block(subject)
-    if not subject.is_part:
-        yield from _of_controllers(subject)
+    if known and not context.is_part:
+        yield from _of_robot(context, Suggester(known))
+    yield from _not_in_block(context)
+    if not context.is_part:
+        yield from _of_controllers(context)
 
 
-def _of_robot(subject: Context, suggester: Suggester) -> Findings:
-    for name, owner in _named(subject):
-        if name.value in subject.model.joints_by_name or is_expression(name.value):
+def _of_robot(context: Context, suggester: Suggester) -> Findings:
+    for name, owner in _named(context):
+        if name.value in context.model.joints_by_name or is_expression(name.value):
             continue
         hint = suggester.hint(name.value)
         yield Finding(
@@ -71,21 +71,21 @@ def _of_robot(subject: Context, suggester: Suggester) -> Findings:
         )
 
 
-def _named(subject: Context) -> Iterator[tuple[Attribute, str]]:
+def _named(context: Context) -> Iterator[tuple[Attribute, str]]:
     """The names of joints, each with who gives it."""
-    for component in components(subject.model):
+    for component in components(context.model):
         for joint in component.joints:
             if "name" in joint.at.attributes:
                 yield joint.at.attributes["name"], component.called
-    if subject.model.transmissions and reads_transmissions(subject.targets):
-        for element, transmission in driven_joints(subject.model):
+    if context.model.transmissions and reads_transmissions(context.targets):
+        for element, transmission in driven_joints(context.model):
             if "name" in element.attributes:
                 yield element.attributes["name"], called(transmission)
 
 
-def _not_in_block(subject: Context) -> Findings:
+def _not_in_block(context: Context) -> Findings:
     """A transmission of ROS 2 finds the joints of its own block only."""
-    for component in components(subject.model):
+    for component in components(context.model):
         listed = {joint.name for joint in component.joints}
         for transmission in component.at.all("transmission"):
             for joint in transmission.all("joint"):
@@ -99,13 +99,13 @@ def _not_in_block(subject: Context) -> Findings:
                     )
 
 
-def _of_controllers(subject: Context) -> Findings:
-    known = set(subject.model.joints_by_name)
-    for component in components(subject.model):  # a controller may command a GPIO, too
+def _of_controllers(context: Context) -> Findings:
+    known = set(context.model.joints_by_name)
+    for component in components(context.model):  # a controller may command a GPIO, too
         known.update(part.name for part in component.parts)
     suggester = Suggester(known)
-    own = None if control_plugins(subject.model) else Severity.WARNING
-    for file, found in subject.controllers:
+    own = None if control_plugins(context.model) else Severity.WARNING
+    for file, found in context.controllers:
         named = [(controller, _joints(controller)) for controller in found]
         any_known = any(value.text in known for _, values in named for value in values)
         for controller, values in named:

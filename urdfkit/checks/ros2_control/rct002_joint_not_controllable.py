@@ -50,13 +50,13 @@ _HUMBLE, _JAZZY = ("classic-ros2", "gz-fortress"), ("gz-harmonic", "gz-jetty")
 
 
 @rule(Severity.WARNING, by_target=dict.fromkeys((*ROS1, *ROS2), Severity.ERROR))
-def check(subject: Context) -> Findings:
-    yield from _fixed(subject)
-    targets = subject.targets
+def check(context: Context) -> Findings:
+    yield from _fixed(context)
+    targets = context.targets
     is_jazzy = targets.any_of(_JAZZY) and not targets.any_of(_HUMBLE)
-    for component in components(subject.model):
+    for component in components(context.model):
         for part in component.joints:
-            joint = subject.model.joints_by_name.get(part.name)
+            joint = context.model.joints_by_name.get(part.name)
             if joint and joint.mimic:
                 leader = joint.mimic.joint.value if joint.mimic.joint else ""
                 yield from _commanded_mimic(part, leader, targets.among(_HUMBLE))
@@ -71,9 +71,9 @@ def check(subject: Context) -> Findings:
                 )
 
 
-def _fixed(subject: Context) -> Findings:
-    joints = subject.model.joints_by_name
-    for element, owner in _driven(subject):
+def _fixed(context: Context) -> Findings:
+    joints = context.model.joints_by_name
+    for element, owner in _driven(context):
         joint = joints.get(element.get("name") or "")
         if joint and joint.kind == "fixed":
             yield Finding(
@@ -84,12 +84,12 @@ def _fixed(subject: Context) -> Findings:
             )
 
 
-def _driven(subject: Context) -> Iterator[tuple[Element, str]]:
-    for component in components(subject.model):
+def _driven(context: Context) -> Iterator[tuple[Element, str]]:
+    for component in components(context.model):
         for joint in component.joints:
             yield joint.at, component.called
-    if subject.model.transmissions and reads_transmissions(subject.targets):
-        for element, transmission in driven_joints(subject.model):
+    if context.model.transmissions and reads_transmissions(context.targets):
+        for element, transmission in driven_joints(context.model):
             if not _is_of_a_vendor(element):
                 yield element, called(transmission)
 

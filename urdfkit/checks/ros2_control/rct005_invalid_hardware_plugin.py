@@ -48,9 +48,9 @@ _ADD_PLUGIN = "add <hardware><plugin>package/Class</plugin></hardware> to the bl
 
 
 @rule(Severity.ERROR)
-def check(subject: Context) -> Findings:
-    plugins = control_plugins(subject.model)
-    for component in components(subject.model):
+def check(context: Context) -> Findings:
+    plugins = control_plugins(context.model)
+    for component in components(context.model):
         if component.plugin is None and _is_left_to_arguments(component.at):
             continue
         yield from _missing(component)

@@ -29,8 +29,8 @@ GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 
 
 @rule(Severity.ERROR, help="keep one of them")
-def check(subject: Context) -> Findings:
-    blocks = components(subject.model)
+def check(context: Context) -> Findings:
+    blocks = components(context.model)
     yield from _duplicate_names(blocks)
     yield from _duplicate_interfaces(blocks)
 

@@ -43,9 +43,9 @@ _MAX_RELATED = 20
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    joints = subject.model.joints_by_name
-    for component in components(subject.model):
+def check(context: Context) -> Findings:
+    joints = context.model.joints_by_name
+    for component in components(context.model):
         yield from _wider_ranges(component, joints)
         for part in component.parts:
             for interface in part.interfaces:

@@ -34,15 +34,15 @@ FILES = {
     Severity.WARNING,
     help="have the control plugin of the simulator once, in a <gazebo> block without reference",
 )
-def check(subject: Context) -> Findings:
-    plugins = control_plugins(subject.model)
+def check(context: Context) -> Findings:
+    plugins = control_plugins(context.model)
     yield from _twice(plugins)
-    if subject.is_part:
+    if context.is_part:
         return
     if not plugins:
-        yield from _missing(subject)
+        yield from _missing(context)
     elif all(plugin.kind == "gazebo_ros_control" for plugin in plugins):
-        yield from _without_transmission(subject, plugins[0])
+        yield from _without_transmission(context, plugins[0])
 
 
 def _twice(plugins: list[ControlPlugin]) -> Findings:
@@ -64,8 +64,8 @@ def _namespace(plugin: Element) -> str:
     return " ".join(found.text.strip() for found in plugin.walk() if found.tag in tags)
 
 
-def _missing(subject: Context) -> Findings:
-    for component in components(subject.model):
+def _missing(context: Context) -> Findings:
+    for component in components(context.model):
         found = hardware().get(component.hardware)
         if found and component.plugin:
             yield Finding(
@@ -74,8 +74,8 @@ def _missing(subject: Context) -> Findings:
                 f"loads it ({files()[found.control]})",
             )
             return  # one plugin serves all
-    transmissions = [one for one in subject.model.transmissions if not is_of_pr2(one)]
-    if transmissions and "classic-ros1" in subject.targets.names and subject.plugins:
+    transmissions = [one for one in context.model.transmissions if not is_of_pr2(one)]
+    if transmissions and "classic-ros1" in context.targets.names and context.plugins:
         yield Finding(
             transmissions[0],
             "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "
@@ -83,9 +83,9 @@ def _missing(subject: Context) -> Findings:
         )
 
 
-def _without_transmission(subject: Context, plugin: ControlPlugin) -> Findings:
+def _without_transmission(context: Context, plugin: ControlPlugin) -> Findings:
     """The plugin of ROS 1 moves the joints of transmissions, and of nothing else."""
-    if any(not is_of_pr2(transmission) for transmission in subject.model.transmissions):
+    if any(not is_of_pr2(transmission) for transmission in context.model.transmissions):
         return
     if plugin.at.child("robotSimType") is None:
         yield Finding(

@@ -53,8 +53,8 @@ _PREFIX = ":"
     Severity.ERROR,
     help="use the elements of <ros2_control>: hardware, joint, sensor, gpio, transmission",
 )
-def check(subject: Context) -> Findings:
-    for component in components(subject.model):
+def check(context: Context) -> Findings:
+    for component in components(context.model):
         block = component.at
         yield from _elements(block)
         yield from _type(component)
@@ -64,7 +64,7 @@ def check(subject: Context) -> Findings:
                     message = f"<{part.tag}> of a transmission has no role"
                     yield Finding(part, message, f'add role="{part.tag}1"')
         yield from invalid_values(component)
-    for finding in invalid_interfaces(subject):
+    for finding in invalid_interfaces(context):
         yield finding._replace(severity=finding.severity or Severity.WARNING)
 
 

@@ -63,22 +63,22 @@ _Offered = dict[str, set[str]]
 
 
 @rule(Severity.ERROR)
-def check(subject: Context) -> Findings:
-    read = [(file, one) for file, found in subject.controllers for one in found]
-    yield from _without_command(subject, read)
-    states = _offered(subject, "state")
-    free = _free(subject)
+def check(context: Context) -> Findings:
+    read = [(file, one) for file, found in context.controllers for one in found]
+    yield from _without_command(context, read)
+    states = _offered(context, "state")
+    free = _free(context)
     for file, controller in read:
         kind = catalogue().get(controller.type)
         names = [name for name in kind.joints if name != "command_joints"] if kind else []
         joints = controller.values(names)
         yield from _lacking(controller, file, joints, _states(controller), states, free, "state")
-    yield from _without_state(subject)
+    yield from _without_state(context)
 
 
-def _without_command(subject: Context, read: list[tuple[ParameterFile, Controller]]) -> Findings:
-    by_ros = {1: _transmitted(subject), 2: _offered(subject, "command")}
-    free = _free(subject)
+def _without_command(context: Context, read: list[tuple[ParameterFile, Controller]]) -> Findings:
+    by_ros = {1: _transmitted(context), 2: _offered(context, "command")}
+    free = _free(context)
     served = {
         value.text
         for _, one in read
@@ -122,11 +122,11 @@ def _severity(listed: Collection[str]) -> Severity:
     return Severity.WARNING if listed else Severity.INFO
 
 
-def _free(subject: Context) -> frozenset[str]:
+def _free(context: Context) -> frozenset[str]:
     """The joints of hardware that may export interfaces that are not listed."""
     return frozenset(
         part.name
-        for component in components(subject.model)
+        for component in components(context.model)
         for part in component.joints
         if not _offers_what_is_listed(component)
     )
@@ -136,8 +136,8 @@ def _offers_what_is_listed(component: Component) -> bool:
     return component.hardware in hardware() or component.hardware in _MOCK
 
 
-def _without_state(subject: Context) -> Findings:
-    blocks = components(subject.model)
+def _without_state(context: Context) -> Findings:
+    blocks = components(context.model)
     measured = {part.name for block in blocks for part in block.parts if part.of("state")}
     for block in blocks:
         for part in block.joints:
@@ -150,7 +150,7 @@ def _without_state(subject: Context) -> Findings:
                 )
 
 
-def _offered(subject: Context, direction: str) -> _Offered:
+def _offered(context: Context, direction: str) -> _Offered:
     """The interfaces of one direction of the joints in ``<ros2_control>``.
 
     A hardware component may export others than these by itself. One that has none here does.
@@ -158,21 +158,21 @@ def _offered(subject: Context, direction: str) -> _Offered:
     return {
         # gazebo_ros2_control offers position_pid as position, with a PID of its own behind it.
         part.name: {interface.name.removesuffix("_pid") for interface in part.of(direction)}
-        for component in components(subject.model)
+        for component in components(context.model)
         for part in component.joints
         if part.interfaces or _offers_what_is_listed(component)
     }
 
 
-def _transmitted(subject: Context) -> _Offered:
+def _transmitted(context: Context) -> _Offered:
     """The command interfaces that Gazebo offers in ROS 1; real hardware may offer more.
 
     Files of ROS 1 often hold controllers for each interface, of which a launch file starts some.
     """
-    if not any(plugin.kind == _OF_ROS1 for plugin in control_plugins(subject.model)):
+    if not any(plugin.kind == _OF_ROS1 for plugin in control_plugins(context.model)):
         return {}
     offered: _Offered = {}
-    for joint, _ in driven_joints(subject.model):
+    for joint, _ in driven_joints(context.model):
         for interface in joint.all("hardwareInterface"):
             name = interface.text.strip().removeprefix("hardware_interface/")
             if name in _INTERFACES:

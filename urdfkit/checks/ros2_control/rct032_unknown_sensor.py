@@ -43,15 +43,15 @@ _BROADCASTERS = (
 
 
 @rule(Severity.WARNING)
-def check(subject: Context) -> Findings:
-    blocks = components(subject.model)
-    if not subject.is_part:
-        yield from _not_in_gazebo(subject, blocks)
-    yield from _not_in_ros2_control(subject, blocks)
+def check(context: Context) -> Findings:
+    blocks = components(context.model)
+    if not context.is_part:
+        yield from _not_in_gazebo(context, blocks)
+    yield from _not_in_ros2_control(context, blocks)
 
 
-def _not_in_gazebo(subject: Context, blocks: list[Component]) -> Findings:
-    simulated = {sensor.name for sensor in sensors(subject.model)}
+def _not_in_gazebo(context: Context, blocks: list[Component]) -> Findings:
+    simulated = {sensor.name for sensor in sensors(context.model)}
     suggester = Suggester(simulated)
     for component in blocks:
         for part in component.parts if component.hardware in hardware() else ():
@@ -67,12 +67,12 @@ def _not_in_gazebo(subject: Context, blocks: list[Component]) -> Findings:
             )
 
 
-def _not_in_ros2_control(subject: Context, blocks: list[Component]) -> Findings:
+def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
     parts = [part for component in blocks for part in component.parts]
     known = {part.name for part in parts if part.kind == "sensor"}
     if not known:
         return  # the file may be for another robot, too, and nothing start the broadcaster
-    for file, found in subject.controllers:
+    for file, found in context.controllers:
         for controller in found:
             for value in controller.values(["sensor_name"]):
                 name = value.text

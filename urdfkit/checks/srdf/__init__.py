@@ -6,10 +6,10 @@ from urdfkit.lint.context import Context
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if an SRDF of this robot is near it."""
-    path = subject.source.path
-    is_there = srdf_files(path, subject.resolver) or other_srdf_files(
-        path, subject.model.name, subject.resolver
+    path = context.source.path
+    is_there = srdf_files(path, context.resolver) or other_srdf_files(
+        path, context.model.name, context.resolver
     )
-    return bool(is_there) and not subject.other_variant
+    return bool(is_there) and not context.other_variant

@@ -38,17 +38,17 @@ _SOLVER_TYPO = 0.93
 _NAMED = 8
 
 
-def unknown_names(subject: Context, srdf: Srdf) -> Findings:
+def unknown_names(context: Context, srdf: Srdf) -> Findings:
     """The unknown joints, groups, controllers and solvers in the configuration files."""
-    yield from _joint_limits(subject)
-    yield from _groups(subject, srdf)
-    yield from _solvers(subject, srdf)
-    yield from _controllers(subject, srdf)
+    yield from _joint_limits(context)
+    yield from _groups(context, srdf)
+    yield from _solvers(context, srdf)
+    yield from _controllers(context, srdf)
 
 
-def _joint_limits(subject: Context) -> Findings:
-    known = subject.model.joints_by_name
-    planned = list(planned_limits(subject))
+def _joint_limits(context: Context) -> Findings:
+    known = context.model.joints_by_name
+    planned = list(planned_limits(context))
     unknown = [limit for limit in planned if limit.joint not in known]
     if len(unknown) == len(planned) > 1:
         unknown = unknown[:1]  # of another robot altogether
@@ -61,9 +61,9 @@ def _joint_limits(subject: Context) -> Findings:
         )
 
 
-def _groups(subject: Context, srdf: Srdf) -> Findings:
+def _groups(context: Context, srdf: Srdf) -> Findings:
     known = srdf.known("group")
-    entries = list(group_entries(srdf, subject.resolver))
+    entries = list(group_entries(srdf, context.resolver))
     for entry in entries:
         # Several groups none of which is there are those of another robot.
         is_ours = entry.is_alone or any(other.name in known for other in entries)
@@ -84,9 +84,9 @@ def _few(names: Iterable[str]) -> str:
     return ", ".join([*every[:_NAMED], *more])
 
 
-def _solvers(subject: Context, srdf: Srdf) -> Findings:
+def _solvers(context: Context, srdf: Srdf) -> Findings:
     """Solvers that urdfkit does not know are assumed to be in the workspace, but for typos."""
-    for entry in group_entries(srdf, subject.resolver):
+    for entry in group_entries(srdf, context.resolver):
         solver = entry.values.get("kinematics_solver")
         if entry.name not in srdf.known("group") or not isinstance(solver, Value):
             continue
@@ -98,15 +98,15 @@ def _solvers(subject: Context, srdf: Srdf) -> Findings:
             yield Finding(Location(solver.span), message, f"write {suggested}")
 
 
-def _controllers(subject: Context, srdf: Srdf) -> Findings:
+def _controllers(context: Context, srdf: Srdf) -> Findings:
     known = srdf.known("joint")
-    named = list(joint_entries(srdf, subject.resolver))
+    named = list(joint_entries(srdf, context.resolver))
     unknown = [(who, joint) for who, joint in named if joint.text not in known]
     if 2 * len(unknown) > len(named) > 2:
         unknown = []  # of another robot, or of another variant of this one
     for who, joint in unknown:
         message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
         yield Finding(Location(joint.span), message, "fix the name")
-    for name, others in names_without_settings(srdf, subject.resolver):
+    for name, others in names_without_settings(srdf, context.resolver):
         message = f"controller '{name.text}' has no settings{did_you_mean(name.text, others)}"
         yield Finding(Location(name.span), message, "fix the name")

@@ -17,14 +17,14 @@ _FOR_CHAINS = (
 )  # fmt: skip
 
 
-def unsolvable_groups(subject: Context, srdf: Srdf) -> Findings:
+def unsolvable_groups(context: Context, srdf: Srdf) -> Findings:
     """The groups that are given a solver for chains and are none."""
-    for entry in group_entries(srdf, subject.resolver):
+    for entry in group_entries(srdf, context.resolver):
         solver = entry.values.get("kinematics_solver")
         if not isinstance(solver, Value) or not solver.text.startswith(_FOR_CHAINS):
             continue
         group = srdf.groups_by_name.get(entry.name)
-        if group and (joints := _branch(subject, srdf.links_of(entry.name))):
+        if group and (joints := _branch(context, srdf.links_of(entry.name))):
             first, other = joints
             yield Finding(
                 Location(entry.name.span),
@@ -36,12 +36,12 @@ def unsolvable_groups(subject: Context, srdf: Srdf) -> Findings:
             )
 
 
-def _branch(subject: Context, links: set[str]) -> tuple[Joint, Joint] | None:
+def _branch(context: Context, links: set[str]) -> tuple[Joint, Joint] | None:
     """Two moving joints of a group of which none follows the other; None if it is a chain."""
     paths: list[list[Joint]] = []
-    for joint in subject.model.joints:
+    for joint in context.model.joints:
         if joint.kind != "fixed" and joint.child and joint.child.value in links:
-            above = subject.tree.path(joint.child.value)
+            above = context.tree.path(joint.child.value)
             paths.append([one for one in above if one.kind != "fixed"])
     paths.sort(key=len)
     for before, path in pairwise(paths):

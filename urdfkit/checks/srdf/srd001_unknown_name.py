@@ -65,8 +65,8 @@ _LIKE = 0.66
     help="fix the name, or generate the SRDF for this robot",
     reports_missing=True,
 )
-def check(subject: Context) -> Findings:
-    srdf = subject.srdf
+def check(context: Context) -> Findings:
+    srdf = context.srdf
     if srdf is None:
         return
     for kind, attribute in srdf.references():
@@ -82,9 +82,9 @@ def check(subject: Context) -> Findings:
                     help="compute the collision matrix again, or fix the name",
                     severity=Severity.WARNING,
                 )
-    yield from _not_in_group(subject, srdf)
-    yield from unknown_names(subject, srdf)
-    yield from unfit_controllers(subject, srdf)
+    yield from _not_in_group(context, srdf)
+    yield from unknown_names(context, srdf)
+    yield from unfit_controllers(context, srdf)
 
 
 def _unknown(kind: str, name: Attribute, known: set[str]) -> Finding:
@@ -99,12 +99,12 @@ def _is_free_flyer(attribute: Attribute) -> bool:
     return attribute.value == "root_joint" and len(value.split()) == 7
 
 
-def _not_in_group(subject: Context, srdf: Srdf) -> Findings:
+def _not_in_group(context: Context, srdf: Srdf) -> Findings:
     for state in srdf.states:
         group = state.get("group") or ""
         links = srdf.links_of(group)
         for element in state.all("joint") if links else ():
-            joint = subject.model.joints_by_name.get(element.get("name") or "")
+            joint = context.model.joints_by_name.get(element.get("name") or "")
             if joint is None or joint.child is None or joint.child.value in links:
                 continue
             yield Finding(

@@ -33,8 +33,8 @@ FILES = srdf_files(
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
-def check(subject: Context) -> Findings:
-    srdf = subject.srdf
+def check(context: Context) -> Findings:
+    srdf = context.srdf
     if srdf is None:
         return
     for name, elements in srdf.groups_by_name.items():
@@ -47,7 +47,7 @@ def check(subject: Context) -> Findings:
         place = srdf.groups_by_name[cycle[0]][0]
         yield Finding(place, message, "remove one of the subgroups")
     yield from _chains(srdf)
-    yield from unsolvable_groups(subject, srdf)
+    yield from unsolvable_groups(context, srdf)
 
 
 def _chains(srdf: Srdf) -> Findings:

@@ -36,11 +36,11 @@ _ROUNDING = 1e-3
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Context) -> Findings:
-    states = subject.srdf.states if subject.srdf else ()
+def check(context: Context) -> Findings:
+    states = context.srdf.states if context.srdf else ()
     for state in states:
         for element in state.all("joint"):
-            if joint := subject.model.joints_by_name.get(element.get("name") or ""):
+            if joint := context.model.joints_by_name.get(element.get("name") or ""):
                 yield from _value(f"state '{state.get('name')}'", element, joint)
     yield from _duplicates(states)
 

@@ -29,8 +29,8 @@ FILES = srdf_files(_GROUPS.replace("</group>", '<link name="arm"/></group>', 1),
     needs=(Need.MODEL, Need.SRDF),
     help="let the groups share no link, and let the parent link be one of the parent group",
 )
-def check(subject: Context) -> Findings:
-    srdf = subject.srdf
+def check(context: Context) -> Findings:
+    srdf = context.srdf
     if srdf is None:
         return
     for effector in srdf.end_effectors:

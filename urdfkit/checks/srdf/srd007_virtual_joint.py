@@ -33,11 +33,11 @@ _TYPES = ("fixed", "planar", "floating")
     needs=(Need.MODEL, Need.SRDF),
     help="attach it to the root link, with type fixed, planar or floating",
 )
-def check(subject: Context) -> Findings:
-    srdf = subject.srdf
+def check(context: Context) -> Findings:
+    srdf = context.srdf
     if srdf is None:
         return
-    roots = {link.name: link for link in subject.tree.roots}
+    roots = {link.name: link for link in context.tree.roots}
     for joint in srdf.virtual_joints:
         name, child, kind = (joint.get(key) for key in ("name", "child_link", "type"))
         if kind is not None and kind not in _TYPES:
@@ -47,7 +47,7 @@ def check(subject: Context) -> Findings:
             )
         elif kind == "fixed" and _is_empty(roots.get("world")):
             continue  # robots for Gazebo have this root, and MoveIt makes the joint all the same
-        elif child in subject.model.links_by_name and child not in roots:
+        elif child in context.model.links_by_name and child not in roots:
             message = f"virtual joint '{name}' is attached to '{child}', which is not the root link"
             yield Finding(joint, message)
 

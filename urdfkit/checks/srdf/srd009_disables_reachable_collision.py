@@ -47,26 +47,26 @@ _WORK = 400_000
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
     help="compute the matrix again: urdfkit collisions ROBOT --srdf FILE",
 )
-def check(subject: Context) -> Findings:
-    if subject.srdf is None:
+def check(context: Context) -> Findings:
+    if context.srdf is None:
         return
     said = [
         (element, element.get("link1") or "", element.get("link2") or "")
-        for element in subject.srdf.root.all("disable_collisions")
+        for element in context.srdf.root.all("disable_collisions")
         if (element.get("reason") or "").lower() == "never"
     ]
-    known = subject.model.links_by_name
+    known = context.model.links_by_name
     said = [one for one in said if one[1] in known and one[2] in known and one[1] != one[2]]
     if not said:
         return
-    configurations = subject.collisions.sampled_in_moveit
+    configurations = context.collisions.sampled_in_moveit
     said = [
         one
         for one in said
         if configurations.has_bodies(one[1]) and configurations.has_bodies(one[2])
     ]
     samples = min(_SAMPLES, _WORK // max(len(said), 1))
-    disables = subject.srdf.disables
+    disables = context.srdf.disables
     pairs = [(one[1], one[2]) for one in said]
     found = configurations.colliding(pairs, samples, lambda pair: not disables(pair))
     for (element, first, second), collision in zip(said, found, strict=True):

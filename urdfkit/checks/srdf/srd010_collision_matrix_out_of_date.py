@@ -47,14 +47,14 @@ _DEEP = 1e-4
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
     help="update it: urdfkit collisions ROBOT --srdf FILE",
 )
-def check(subject: Context) -> Findings:
-    srdf = subject.srdf
+def check(context: Context) -> Findings:
+    srdf = context.srdf
     if srdf is None:
         return
-    yield from _not_adjacent(subject, srdf)
+    yield from _not_adjacent(context, srdf)
     if not srdf.disabled:
         return
-    for pair in subject.collisions.contacts_in_moveit.pairs:
+    for pair in context.collisions.contacts_in_moveit.pairs:
         if not (pair.is_adjacent or pair.is_rigid) or srdf.disables(frozenset(pair.names)):
             continue
         if pair.contact and pair.contact.depth > _DEEP:
@@ -66,8 +66,8 @@ def check(subject: Context) -> Findings:
             )
 
 
-def _not_adjacent(subject: Context, srdf: Srdf) -> Findings:
-    adjacency = Adjacency(subject.tree)
+def _not_adjacent(context: Context, srdf: Srdf) -> Findings:
+    adjacency = Adjacency(context.tree)
     for pair in srdf.root.all("disable_collisions"):
         first, second = pair.get("link1") or "", pair.get("link2") or ""
         if (pair.get("reason") or "").lower() != "adjacent":

@@ -20,13 +20,13 @@ FIXED_FILES = {"example.srdf": b'<robot name="bad"/>'}
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF), help="give the SRDF the name of the robot")
-def check(subject: Context) -> Findings:
-    srdf = subject.srdf
+def check(context: Context) -> Findings:
+    srdf = context.srdf
     if srdf is None:
         return
     name = srdf.root.attributes.get("name")
-    if name is not None and name.value != subject.model.name:
+    if name is not None and name.value != context.model.name:
         message = (
-            f"robot name '{name.value}' in the SRDF differs from '{subject.model.name}' in the URDF"
+            f"robot name '{name.value}' in the SRDF differs from '{context.model.name}' in the URDF"
         )
-        yield Finding(name, message, fix=fix_value(name, subject.model.name))
+        yield Finding(name, message, fix=fix_value(name, context.model.name))

@@ -53,26 +53,26 @@ _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
-def check(subject: Context) -> Findings:
-    yield from _without_acceleration(subject)
-    for planned in planned_limits(subject):
-        if joint := subject.model.joints_by_name.get(planned.joint):
-            invalid = dict(_invalid(planned, subject))
+def check(context: Context) -> Findings:
+    yield from _without_acceleration(context)
+    for planned in planned_limits(context):
+        if joint := context.model.joints_by_name.get(planned.joint):
+            invalid = dict(_invalid(planned, context))
             yield from invalid.values()
             yield from (found for name, found in _wider(planned, joint) if name not in invalid)
 
 
-def _without_acceleration(subject: Context) -> Findings:
+def _without_acceleration(context: Context) -> Findings:
     """The joints of groups that MoveIt cannot time, in a file that limits others or velocities."""
-    srdf, planned = subject.srdf, {limit.joint: limit for limit in planned_limits(subject)}
-    if srdf is None or not planned or _ros(subject) != 2:
+    srdf, planned = context.srdf, {limit.joint: limit for limit in planned_limits(context)}
+    if srdf is None or not planned or _ros(context) != 2:
         return
     links = set().union(*map(srdf.links_of, srdf.groups_by_name))
     passive = {element.get("name") for element in srdf.root.all("passive_joint")}
     switch = "has_acceleration_limits"
     lacking = [
         joint
-        for joint in subject.model.joints
+        for joint in context.model.joints
         if joint.kind in MOVING and joint.child and joint.child.value in links
         if joint.mimic is None and joint.name not in passive
         if not (joint.limit and joint.limit.at.get("acceleration"))
@@ -107,10 +107,10 @@ def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]
             )
 
 
-def _invalid(planned: PlannedLimit, subject: Context) -> Iterator[tuple[str, Finding]]:
+def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Finding]]:
     for name, switch in _LIMITS.items():
         value = planned.values.get(name) if planned.is_on(switch) else None
-        if value is not None and (invalid := _wrong(name, value, _ros(subject))):
+        if value is not None and (invalid := _wrong(name, value, _ros(context))):
             message, help = invalid
             message = f"joint '{planned.joint}': {message}"
             at = Location(value.span)
@@ -134,10 +134,10 @@ def _is_wider(name: str, said: float, allowed: float) -> bool:
     return beyond > TOLERANCE * max(abs(allowed), 0.01)
 
 
-def _ros(subject: Context) -> int | None:
+def _ros(context: Context) -> int | None:
     """The ROS of the SRDF's package, else of the robot's."""
-    places = (subject.srdf.path if subject.srdf else "", subject.source.path)
-    manifests = (manifest_of(subject.resolver, place) for place in places if place)
+    places = (context.srdf.path if context.srdf else "", context.source.path)
+    manifests = (manifest_of(context.resolver, place) for place in places if place)
     return next((manifest.ros for manifest in manifests if manifest), None)
 
 

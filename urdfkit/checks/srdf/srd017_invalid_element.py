@@ -32,15 +32,15 @@ FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), help="fix the XML of the SRDF")
-def check(subject: Context) -> Findings:
-    if not subject.is_part:
-        for problem in unreadable(subject.source.path, subject.model.name, subject.resolver):
+def check(context: Context) -> Findings:
+    if not context.is_part:
+        for problem in unreadable(context.source.path, context.model.name, context.resolver):
             at = Location(problem.span, problem.frame)
             yield Finding(at, problem.message, problem.help, related=problem.related)
-    if subject.srdf is not None:
-        yield from _misspelt(subject.srdf)
-        yield from _incomplete(subject.srdf)
-        yield from _positions(subject.srdf)
+    if context.srdf is not None:
+        yield from _misspelt(context.srdf)
+        yield from _incomplete(context.srdf)
+        yield from _positions(context.srdf)
 
 
 def _misspelt(srdf: Srdf) -> Findings:

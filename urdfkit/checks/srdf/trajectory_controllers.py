@@ -25,14 +25,14 @@ _ACTIONS = {
 }
 
 
-def unfit_controllers(subject: Context, srdf: Srdf) -> Findings:
+def unfit_controllers(context: Context, srdf: Srdf) -> Findings:
     """The controllers of MoveIt 2 that are not there, or that take other trajectories."""
-    manifest = manifest_of(subject.resolver, srdf.path)
+    manifest = manifest_of(context.resolver, srdf.path)
     if manifest is None or manifest.ros != 2:
         return
-    entries = list(controller_entries(srdf, subject.resolver))
+    entries = list(controller_entries(srdf, context.resolver))
     defined: dict[str, list[Controller]] = {}
-    for controller in _defined(subject, srdf) if entries else ():
+    for controller in _defined(context, srdf) if entries else ():
         defined.setdefault(controller.name, []).append(controller)
     served = {
         joint for key, entry in entries if key.strip("/") in defined for joint in _joints(entry)
@@ -123,10 +123,10 @@ def _is_open(controller: Controller) -> bool:
     return any(mark in joint for joint in _commanded(controller) for mark in "$<{")
 
 
-def _defined(subject: Context, srdf: Srdf) -> Iterator[Controller]:
+def _defined(context: Context, srdf: Srdf) -> Iterator[Controller]:
     """The controllers of ROS 2 in the YAML files of the workspace of the robot and of the SRDF."""
-    resolver = subject.resolver
-    tops = {resolver.packages.workspace(path) for path in (subject.source.path, srdf.path)}
+    resolver = context.resolver
+    tops = {resolver.packages.workspace(path) for path in (context.source.path, srdf.path)}
     for top in sorted(tops):
         files = resolver.directories.files_below(top, _MAX_DIRECTORIES)
         named = (path for path in files if path.endswith((".yaml", ".yml")))

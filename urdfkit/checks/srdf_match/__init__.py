@@ -6,10 +6,10 @@ from urdfkit.lint.context import Context
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if an SRDF is near the robot."""
-    path = subject.source.path
+    path = context.source.path
     return bool(
-        srdf_files(path, subject.resolver)
-        or other_srdf_files(path, subject.model.name, subject.resolver)
+        srdf_files(path, context.resolver)
+        or other_srdf_files(path, context.model.name, context.resolver)
     )

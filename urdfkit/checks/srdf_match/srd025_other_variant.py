@@ -34,6 +34,6 @@ FILES = {
     help="check the variant that the SRDF is for, or generate an SRDF for this one",
     reports_missing=True,
 )
-def check(subject: Context) -> Findings:
-    if subject.srdf is not None and subject.other_variant:
-        yield Finding(subject.srdf.root, subject.other_variant)
+def check(context: Context) -> Findings:
+    if context.srdf is not None and context.other_variant:
+        yield Finding(context.srdf.root, context.other_variant)

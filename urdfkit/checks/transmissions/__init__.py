@@ -5,6 +5,6 @@ from __future__ import annotations
 from urdfkit.lint.context import Context
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True if there are transmissions."""
-    return bool(subject.model.transmissions)
+    return bool(context.model.transmissions)

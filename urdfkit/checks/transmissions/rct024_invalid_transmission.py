@@ -66,11 +66,11 @@ _MAX_RELATED = 20
 
 
 @rule(Severity.WARNING, by_target=dict.fromkeys(ROS1, Severity.ERROR))
-def check(subject: Context) -> Findings:
-    transmissions = subject.model.transmissions
+def check(context: Context) -> Findings:
+    transmissions = context.model.transmissions
     if not transmissions:
         return
-    if not reads_transmissions(subject.targets):
+    if not reads_transmissions(context.targets):
         yield _unread(*transmissions)
         return
     read = [transmission for transmission in transmissions if not is_of_pr2(transmission)]

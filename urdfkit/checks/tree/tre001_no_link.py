@@ -18,11 +18,11 @@ GOOD = '<robot name="cart">\n  <link name="base"/>\n</robot>\n'
 
 
 @rule(Severity.ERROR, help='add a link, as <link name="base_link"/>', reports_missing=True)
-def check(subject: Context) -> Findings:
-    root = subject.document.root
-    if root.tag != "robot" or root.child("link") or subject.is_part:
+def check(context: Context) -> Findings:
+    root = context.document.root
+    if root.tag != "robot" or root.child("link") or context.is_part:
         return
     if root.child("webots"):
         return  # the driver's settings for a robot whose links are in the world of Webots
-    severity = Severity.INFO if subject.is_list_of_joints else None
+    severity = Severity.INFO if context.is_list_of_joints else None
     yield Finding(root, f"{owner(root)} has no link", severity=severity)

@@ -29,13 +29,13 @@ SHOWN = 8
     help="connect each of the others to the robot with a joint, or remove it",
     reports_missing=True,
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     # The child of a link that is missing is no root: the reference is REF001's.
-    children = {joint.child.value for joint in subject.model.joints if joint.child}
-    roots = [root for root in subject.tree.roots if root.name not in children]
-    if len(roots) < 2 or subject.is_part:
+    children = {joint.child.value for joint in context.model.joints if joint.child}
+    roots = [root for root in context.tree.roots if root.name not in children]
+    if len(roots) < 2 or context.is_part:
         return
-    main = _largest(subject.tree, roots)
+    main = _largest(context.tree, roots)
     others = [root for root in roots if root is not main]
     names = [f"'{root.name}'" for root in roots]
     yield Finding(

@@ -31,15 +31,15 @@ SHOWN = 8
 
 
 @rule(Severity.ERROR, help="leave one of these joints out")
-def check(subject: Context) -> Findings:
-    for joint in subject.model.joints:
+def check(context: Context) -> Findings:
+    for joint in context.model.joints:
         if joint.parent and joint.child and joint.parent.value == joint.child.value:
             yield Finding(
                 joint.child,
                 f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child",
                 "name the link that this joint moves as its child",
             )
-    for loop in subject.tree.cycles:
+    for loop in context.tree.cycles:
         yield Finding(
             loop[-1].child or loop[-1].at,
             f"a closed loop of {len(loop)} joints: {_shown(loop)}",

@@ -26,8 +26,8 @@ GOOD = BAD[: BAD.index('\n<joint name="mount"')]
 
 
 @rule(Severity.ERROR, help="keep one joint for each child")
-def check(subject: Context) -> Findings:
-    for name, joints in subject.tree.parents.items():
+def check(context: Context) -> Findings:
+    for name, joints in context.tree.parents.items():
         for joint in joints[1:]:
             first = joints[0]
             if joint.name == first.name:

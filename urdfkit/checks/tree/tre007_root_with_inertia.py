@@ -29,10 +29,10 @@ TARGETS = ("kdl",)
     Severity.INFO,
     help="for KDL, add an empty link above it with a fixed joint",
 )
-def check(subject: Context) -> Findings:
-    if subject.given_targets and not subject.targets.that("builds_kdl"):
+def check(context: Context) -> Findings:
+    if context.given_targets and not context.targets.that("builds_kdl"):
         return
-    roots = subject.tree.roots
+    roots = context.tree.roots
     if len(roots) != 1 or roots[0].inertial is None:
         return
     root = roots[0]
@@ -44,7 +44,7 @@ def check(subject: Context) -> Findings:
             + (f"{mass.value:g} kg" if mass else "an inertia")
             + ", which KDL ignores",
             # For others than KDL, such as Gazebo, another root would change more than it fixes.
-            fix=_empty_root(root, subject.model) if "kdl" in subject.given_targets else None,
+            fix=_empty_root(root, context.model) if "kdl" in context.given_targets else None,
         )
 
 

@@ -51,8 +51,8 @@ MAX_FOOTPRINTS = 10
     Severity.WARNING,
     help="raise the robot by that height in the joint below base_footprint",
 )
-def check(subject: Context) -> Findings:
-    tree = subject.tree
+def check(context: Context) -> Findings:
+    tree = context.tree
     if len(tree.roots) != 1:
         return  # TRE002 or TRE003 comes first
     footprints = [name for name in tree.frames if name.endswith("base_footprint")]

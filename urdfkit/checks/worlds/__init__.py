@@ -6,7 +6,7 @@ from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch
 
 
-def applies(subject: Context) -> bool:
+def applies(context: Context) -> bool:
     """True for a launch file that names a package or a program of Gazebo."""
     words = (b"gazebo", b"gz_", b"gz", b"ign")
-    return is_launch(subject.source.path) and any(one in subject.source.data for one in words)
+    return is_launch(context.source.path) and any(one in context.source.data for one in words)

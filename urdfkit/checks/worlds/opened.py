@@ -54,51 +54,51 @@ class OpenedWorld(Record):
         return f"world '{self.name}'"
 
 
-def opened_worlds(subject: Context) -> Iterator[OpenedWorld]:
+def opened_worlds(context: Context) -> Iterator[OpenedWorld]:
     """The worlds that a launch file starts and that are at hand, each once."""
     seen: set[tuple[str, str]] = set()
-    for started in worlds(subject.launch):
-        found = _opened(started, subject)
+    for started in worlds(context.launch):
+        found = _opened(started, context)
         if found and (key := (started.generation, found.path or found.name)) not in seen:
             seen.add(key)
             yield found
 
 
-def _opened(started: StartedWorld, subject: Context) -> OpenedWorld | None:
+def _opened(started: StartedWorld, context: Context) -> OpenedWorld | None:
     if started.is_shipped:
         name, systems = shipped_worlds()[started.name]
         return OpenedWorld(started, "", name, None, systems)
     if not started.name:
         systems = default_systems() if started.generation == GZ else frozenset()
         return OpenedWorld(started, "", "default", None, systems)
-    path = world_file(started.name, subject)
+    path = world_file(started.name, context)
     if path is None:
         return None
     try:
-        world, problems = read_world(path, subject.resolver)
+        world, problems = read_world(path, context.resolver)
     except UnreadableFile:
         return None
     name = world.name if world is not None else os.path.basename(path)
     return OpenedWorld(started, path, name, world, frozenset(), tuple(problems))
 
 
-def world_file(name: str, subject: Context) -> str | None:
+def world_file(name: str, context: Context) -> str | None:
     """The file of a world: by its path, or the only one of that name in the workspace."""
-    resolver = subject.resolver
+    resolver = context.resolver
     if os.path.isabs(name):
         if name.startswith(f"{UNKNOWN}/"):
             return None
         return name if disk.is_file(name) else resolver.installed(name)
-    root = resolver.packages.workspace(subject.source.path)
+    root = resolver.packages.workspace(context.source.path)
     files = resolver.directories.files_below(root, _MAX_DIRECTORIES)
     ending = f"/{os.path.normpath(name)}"
     found = [path for path in files if path.endswith(ending)]
     return found[0] if len(found) == 1 else None
 
 
-def robots(subject: Context) -> Iterator[Context]:
+def robots(context: Context) -> Iterator[Context]:
     """The robots that a launch file describes and that can be expanded."""
-    for description in subject.launch.descriptions:
-        robot = subject.other_robot(description.path, description.arguments)
+    for description in context.launch.descriptions:
+        robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is not None:
             yield robot

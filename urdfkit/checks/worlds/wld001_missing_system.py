@@ -78,23 +78,23 @@ _CONFIGURED = b"SERVER_CONFIG_PATH"
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    files = {one.span.source.path: one.span.source for one in subject.launch.includes}
-    if any(_CONFIGURED in one.data for one in (subject.source, *files.values())):
+def check(context: Context) -> Findings:
+    files = {one.span.source.path: one.span.source for one in context.launch.includes}
+    if any(_CONFIGURED in one.data for one in (context.source, *files.values())):
         return
-    needed = _needed(subject)
-    models = Models(subject.resolver, subject.source.path)
-    robot_files = [use.filename for robot in robots(subject) for use in robot.plugins]
-    for opened in opened_worlds(subject):
+    needed = _needed(context)
+    models = Models(context.resolver, context.source.path)
+    robot_files = [use.filename for robot in robots(context) for use in robot.plugins]
+    for opened in opened_worlds(context):
         if opened.path and opened.world is None:
             continue
         if opened.started.generation != GZ:
-            yield from _without_factory(subject, opened)
+            yield from _without_factory(context, opened)
             continue
         loaded = opened.systems | systems_in(robot_files)
         if opened.world is not None:
             loaded |= all_systems(opened.world, models)
-            yield from _without_defaults(subject, opened, loaded)
+            yield from _without_defaults(context, opened, loaded)
         for plugin, sensor in needed:
             system = plugin.class_name.rpartition("::")[2]
             if system not in loaded:
@@ -107,11 +107,11 @@ def check(subject: Context) -> Findings:
                 )
 
 
-def _without_factory(subject: Context, opened: OpenedWorld) -> Findings:
+def _without_factory(context: Context, opened: OpenedWorld) -> Findings:
     """Gazebo Classic, if it cannot spawn what a node of this launch file wants to spawn."""
     plugins = opened.world.plugins if opened.world is not None else []
     files = {*opened.started.libraries, *(plugin.get("filename") for plugin in plugins)}
-    spawners = (*subject.launch.started, *subject.launch.included)
+    spawners = (*context.launch.started, *context.launch.included)
     spawns = any(one.executable == "spawn_entity.py" and spawner_of(one) for one in spawners)
     if spawns and FACTORY not in files:
         yield Finding(
@@ -122,11 +122,11 @@ def _without_factory(subject: Context, opened: OpenedWorld) -> Findings:
         )
 
 
-def _needed(subject: Context) -> list[tuple[Plugin, Sensor]]:
+def _needed(context: Context) -> list[tuple[Plugin, Sensor]]:
     """The systems that sensors of the robots need, each with the first of these sensors."""
     found: dict[str, tuple[Plugin, Sensor]] = {}
     systems = [one for one in all_plugins() if one.generation == GZ and "world" in one.kinds]
-    for robot in robots(subject):
+    for robot in robots(context):
         for sensor in sensors(robot.model):
             kind = types().get(sensor.type)
             name = (kind.gz_name or sensor.type) if kind and kind.gz else ""
@@ -136,13 +136,13 @@ def _needed(subject: Context) -> list[tuple[Plugin, Sensor]]:
     return list(found.values())
 
 
-def _without_defaults(subject: Context, opened: OpenedWorld, loaded: frozenset[str]) -> Findings:
+def _without_defaults(context: Context, opened: OpenedWorld, loaded: frozenset[str]) -> Findings:
     """The systems of the server's configuration that a world with plugins lacks."""
     world = opened.world
     if world is None or not own_systems(world) or world.adds_defaults():
         return
     until = "" if world.adds_defaults() is False else " (up to Gazebo Harmonic)"
-    wanted = set(_wanted(subject, opened))
+    wanted = set(_wanted(context, opened))
     for plugin in all_plugins():
         system = plugin.class_name.rpartition("::")[2]
         if system in wanted - loaded and plugin.generation == GZ and system in default_systems():
@@ -155,10 +155,10 @@ def _without_defaults(subject: Context, opened: OpenedWorld, loaded: frozenset[s
             )
 
 
-def _wanted(subject: Context, opened: OpenedWorld) -> Iterator[str]:
-    if any(True for _ in robots(subject)):
+def _wanted(context: Context, opened: OpenedWorld) -> Iterator[str]:
+    if any(True for _ in robots(context)):
         yield "Physics"
-    if any(map(spawner_of, (*subject.launch.started, *subject.launch.included))):
+    if any(map(spawner_of, (*context.launch.started, *context.launch.included))):
         yield "UserCommands"
     if opened.started.has_window:
         yield "SceneBroadcaster"

@@ -69,9 +69,9 @@ _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    models = Models(subject.resolver, subject.source.path)
-    found = list(opened_worlds(subject))
+def check(context: Context) -> Findings:
+    models = Models(context.resolver, context.source.path)
+    found = list(opened_worlds(context))
     for opened in found:
         if opened.world is None and opened.path:
             yield from _unreadable(opened)
@@ -79,9 +79,9 @@ def check(subject: Context) -> Findings:
             yield from _plugins(opened, opened.world)
             yield from _includes(opened, opened.world, models)
         if opened.started.generation == GZ:
-            yield from _engines(subject, opened)
-    if len(found) == len({one.span for one in worlds(subject.launch)}) == 1:
-        yield from _other_worlds(subject, found[0])
+            yield from _engines(context, opened)
+    if len(found) == len({one.span for one in worlds(context.launch)}) == 1:
+        yield from _other_worlds(context, found[0])
 
 
 def _unreadable(opened: OpenedWorld) -> Findings:
@@ -162,14 +162,14 @@ def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
         yield Finding(at, message, help, related=opened.note, severity=Severity.WARNING)
 
 
-def _engines(subject: Context, opened: OpenedWorld) -> Findings:
+def _engines(context: Context, opened: OpenedWorld) -> Findings:
     """The render engines that do not exist, or lack a type of sensor of the robot."""
     known: dict[str, str] = data("worlds")["engines"]
     for place, engine in _chosen(opened):
         if engine not in known:
             message = f"unknown render engine '{engine}'{did_you_mean(engine, known)}"
             yield Finding(place, message, "write ogre2", related=opened.note)
-        elif sensor := next(_lacking(subject, known[engine].split()), None):
+        elif sensor := next(_lacking(context, known[engine].split()), None):
             yield Finding(
                 place,
                 f"the render engine {engine} has no {sensor.type}, which {sensor.who} is",
@@ -191,16 +191,16 @@ def _chosen(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
             yield Location(engine.span), engine.text.strip()
 
 
-def _lacking(subject: Context, kinds: list[str]) -> Iterator[Sensor]:
-    for robot in robots(subject) if kinds else ():
+def _lacking(context: Context, kinds: list[str]) -> Iterator[Sensor]:
+    for robot in robots(context) if kinds else ():
         yield from (one for one in sensors(robot.model) if one.type in kinds)
 
 
-def _other_worlds(subject: Context, opened: OpenedWorld) -> Findings:
+def _other_worlds(context: Context, opened: OpenedWorld) -> Findings:
     """The nodes that spawn into a world of another name."""
     if opened.started.generation != GZ or not opened.name or not opened.started.is_sure:
         return
-    for started in (*subject.launch.started, *subject.launch.included):
+    for started in (*context.launch.started, *context.launch.included):
         spawner = spawner_of(started)
         word = options(started, spawner)[0].get("world") if spawner else None
         given = word.text if word else started.parameters.values.get("world")

@@ -67,16 +67,16 @@ TOLERANCE, DEEP = 0.01, 0.1
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    found = list(opened_worlds(subject))
-    described = list(robots(subject))
-    starts = {one.span for one in worlds(subject.launch)}
+def check(context: Context) -> Findings:
+    found = list(opened_worlds(context))
+    described = list(robots(context))
+    starts = {one.span for one in worlds(context.launch)}
     if not len(found) == len(described) == len(starts) == 1:
         return  # which robot is spawned where is not known
     ground = _ground(found[0])
     if ground is None:
         return
-    for started in (*subject.launch.started, *subject.launch.included):
+    for started in (*context.launch.started, *context.launch.included):
         height = _height(started)
         if height is None:
             continue

@@ -51,8 +51,8 @@ _TOLERANCE = 1.01
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
-def check(subject: Context) -> Findings:
-    for opened in opened_worlds(subject):
+def check(context: Context) -> Findings:
+    for opened in opened_worlds(context):
         world = opened.world
         if world is None and opened.path:
             continue
@@ -60,7 +60,7 @@ def check(subject: Context) -> Findings:
             continue  # which of them holds is chosen when it runs
         step = world.step.value if world is not None else DEFAULT_STEP
         places = (Related(world.step.span, f"a step of {step:g} s"),) if world is not None else ()
-        for rate, at, who in _rates(subject):
+        for rate, at, who in _rates(context):
             if rate * step > _TOLERANCE:
                 yield Finding(
                     at,
@@ -71,9 +71,9 @@ def check(subject: Context) -> Findings:
                 )
 
 
-def _rates(subject: Context) -> Iterator[tuple[float, Location, str]]:
+def _rates(context: Context) -> Iterator[tuple[float, Location, str]]:
     """What runs in Gazebo: rates in Hz, where they are written, and whose they are."""
-    for robot in robots(subject):
+    for robot in robots(context):
         for _, section in managers(robot):
             for value in section.values("update_rate"):
                 if rate := number(value.text):

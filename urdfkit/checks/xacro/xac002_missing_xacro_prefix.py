@@ -34,10 +34,10 @@ FIXED = GOOD = BAD.replace("<arm", "<xacro:arm")
     help="write the tag, and its end tag, with the prefix: <xacro:...>",
     hides_parts=("",),
 )
-def check(subject: Context) -> Findings:
+def check(context: Context) -> Findings:
     # A <robot> is a robot, whatever macros are called.
-    macros = {macro.name for macro in subject.xacro.macros} - {"robot"}
-    stack = [(subject.document.root, schema.ROBOT)]
+    macros = {macro.name for macro in context.xacro.macros} - {"robot"}
+    stack = [(context.document.root, schema.ROBOT)]
     while stack:
         element, grammar = stack.pop()
         for child in element.children:

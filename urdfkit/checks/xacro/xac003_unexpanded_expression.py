@@ -30,14 +30,14 @@ _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
     'xmlns:xacro="http://www.ros.org/wiki/xacro"',
     hides_parts=NAMES,
 )
-def check(subject: Context) -> Findings:
-    for finding in reported(subject, "XAC003"):
+def check(context: Context) -> Findings:
+    for finding in reported(context, "XAC003"):
         help = "include the file that defines the macro, or delete the call"
         yield finding._replace(help=help, severity=Severity.WARNING)
-    data = subject.source.data
-    if subject.reading.xacro or (b"${" not in data and b"$(" not in data):
+    data = context.source.data
+    if context.reading.xacro or (b"${" not in data and b"$(" not in data):
         return
-    for element in subject.document.root.walk():
+    for element in context.document.root.walk():
         for attribute in element.attributes.values():
             if is_expression(attribute.value):
                 yield Finding(attribute, f'{attribute.name}="{attribute.value}" is not expanded')

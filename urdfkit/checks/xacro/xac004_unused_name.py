@@ -39,23 +39,23 @@ _NUMBER = re.compile(rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL, Need.FILES), help="delete it, or use it")
-def check(subject: Context) -> Findings:
-    xacro = subject.xacro
+def check(context: Context) -> Findings:
+    xacro = context.xacro
     if xacro.is_library or not xacro.is_complete:
         return
-    found = [one for one in _unused(subject) if isinstance(one.at, Location)]
-    found = [one for one in found if one.at.span.source is subject.source]
-    if found and not is_included(subject.source.path, subject.resolver.packages):
+    found = [one for one in _unused(context) if isinstance(one.at, Location)]
+    found = [one for one in found if one.at.span.source is context.source]
+    if found and not is_included(context.source.path, context.resolver.packages):
         yield from found
 
 
-def _unused(subject: Context) -> Findings:
-    xacro = subject.xacro
+def _unused(context: Context) -> Findings:
+    xacro = context.xacro
     written: set[float] | None = None
     for definition in xacro.properties:
         name = definition.name.removeprefix("**")
         if name not in xacro.usage.names:
-            written = _numbers_written(subject) if written is None else written
+            written = _numbers_written(context) if written is None else written
             misleads = _is_written_out(definition, written) or _is_misspelt(name, xacro)
             fix = Fix("delete the property", remove_spans([definition.tag.whole_span]))
             at = Location(definition.tag.span, definition.frame)
@@ -69,7 +69,7 @@ def _unused(subject: Context) -> Findings:
     for argument in xacro.arguments:
         name = argument.name
         if name not in xacro.usage.names:
-            is_given = name in subject.arguments
+            is_given = name in context.arguments
             yield Finding(
                 Location(argument.tag.span, argument.frame),
                 f"argument '{name}' is never used"
@@ -78,7 +78,7 @@ def _unused(subject: Context) -> Findings:
                 severity=None if is_given or _is_misspelt(name, xacro) else Severity.INFO,
             )
     # XAC002 reports macros that are called without the prefix.
-    called = {*xacro.usage.calls, *(element.tag for element in subject.document.root.walk())}
+    called = {*xacro.usage.calls, *(element.tag for element in context.document.root.walk())}
     for macro in () if "call" in xacro.usage.calls else xacro.macros:
         if macro.name not in called:
             at = Location(macro.tag.span, macro.frame)
@@ -98,12 +98,12 @@ def _is_misspelt(name: str, xacro: Xacro) -> bool:
     return any(is_typo(name, used) for used in xacro.usage.names - defined)
 
 
-def _numbers_written(subject: Context) -> set[float]:
+def _numbers_written(context: Context) -> set[float]:
     """The numbers of the checked file, but those of properties and colours."""
-    data = bytearray(blank_comments(subject.source.data))
-    for definition in subject.xacro.properties:
+    data = bytearray(blank_comments(context.source.data))
+    for definition in context.xacro.properties:
         span = definition.tag.whole_span
-        if span.source is subject.source:
+        if span.source is context.source:
             data[span.start : span.end] = b" " * (span.end - span.start)
     body = data.find(b"?>") + 1  # no version of XML
     text = _COLOUR.sub(b"", bytes(data[body:]))

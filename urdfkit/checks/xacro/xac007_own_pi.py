@@ -32,8 +32,8 @@ _NAMED = 2e-2
 
 
 @rule(Severity.INFO, needs=(Need.XACRO,), help="write ${pi}, which expressions know")
-def check(subject: Context) -> Findings:
-    for definition in subject.xacro.properties:
+def check(context: Context) -> Findings:
+    for definition in context.xacro.properties:
         value = number(definition.attributes.get("value"))
         if value is None or value == pi:
             continue

@@ -35,9 +35,9 @@ _BRACES = r"(?<![$\w}])\{([A-Za-z_]\w*)\}"
 
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL), hides_parts=NAMES)
-def check(subject: Context) -> Findings:
-    known = _names(subject.xacro)
-    for element in subject.document.root.walk():
+def check(context: Context) -> Findings:
+    known = _names(context.xacro)
+    for element in context.document.root.walk():
         values: list[tuple[Element | Attribute, str]] = [(element, element.text.strip())]
         values += [(attribute, attribute.value) for attribute in element.attributes.values()]
         for at, value in values:

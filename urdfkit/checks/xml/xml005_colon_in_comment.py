@@ -34,12 +34,12 @@ _COMMENT = rb"<!--.*?-->"
     needs=(Need.FILES,),
     help="write the comment without the colon, or set value_type=str in the launch file",
 )
-def check(subject: Context) -> Findings:
-    xacro = subject.reading.xacro
-    if not _is_ament(subject):
+def check(context: Context) -> Findings:
+    xacro = context.reading.xacro
+    if not _is_ament(context):
         return
     if xacro is None:
-        found = _colon(subject.source, _COMMENT)
+        found = _colon(context.source, _COMMENT)
     elif xacro.document is None or xacro.is_library:
         return
     else:
@@ -67,13 +67,13 @@ def _written(sources: tuple[Source, ...], text: bytes) -> Span | None:
     return next(filter(None, (_colon(source, pattern) for source in sources)), None)
 
 
-def _is_ament(subject: Context) -> bool:
+def _is_ament(context: Context) -> bool:
     """True if the package of the file is built with ament, that is, for ROS 2."""
-    package = subject.resolver.packages.enclosing(subject.source.path)
+    package = context.resolver.packages.enclosing(context.source.path)
     if package is None:
         return False
     try:
-        manifest = subject.resolver.read(os.path.join(package[1], "package.xml"))
+        manifest = context.resolver.read(os.path.join(package[1], "package.xml"))
     except UnreadableFile:  # a package of rosbuild has another file
         return False
     return b"<build_type>ament" in manifest.data

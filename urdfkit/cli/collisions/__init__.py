@@ -63,13 +63,13 @@ def command(
     Exit codes: 0 done, 1 the SRDF of --compare disables a collision that can happen, 2 usage or
     input error.
     """
-    subject = robot(asked)
-    begin = positions(subject, asked)
-    given = _srdf(compare, subject) if compare else None
+    context = robot(asked)
+    begin = positions(context, asked)
+    given = _srdf(compare, context) if compare else None
     for_moveit = bool(srdf or compare)  # which ignores units
     applied = units == "applied" if units else (False if for_moveit else None)
     with progress.shown() as bar:
-        matrix = subject.collisions.matrix(
+        matrix = context.collisions.matrix(
             samples=samples, seed=seed, begin=begin, units=applied, jobs=jobs, progress=bar
         )
     from urdfkit.cli.collisions import shown
@@ -86,7 +86,7 @@ def command(
     return 1 if comparison and comparison.hidden else 0
 
 
-def _srdf(path: str, subject: Context) -> Srdf:
+def _srdf(path: str, context: Context) -> Srdf:
     """The SRDF to compare with.
 
     Raises:
@@ -95,7 +95,7 @@ def _srdf(path: str, subject: Context) -> Srdf:
     from urdfkit.ros.moveit.srdf import is_srdf, read
 
     Source.read(path)  # says why if there is none
-    found = read(path, subject.tree, subject.resolver, trust=subject.trust)
+    found = read(path, context.tree, context.resolver, trust=context.trust)
     if found is None or not is_srdf(found.root):
         raise UrdfkitError(f"{path}: not an SRDF file")
     return found

@@ -56,13 +56,13 @@ def command(
     """
     if (error is not None and not error > 0) or most < 1:
         raise options.UsageError("--error must be more than 0, --most 1 or more")
-    subject = robot(asked)
+    context = robot(asked)
     with progress.shown() as bar:
-        proposals = propose(subject, error=error, links=links, most=most, progress=bar)
+        proposals = propose(context, error=error, links=links, most=most, progress=bar)
     lines = [*render(proposals)]
     left: dict[str, str] = {}
     if write or diff:
-        found = edited(subject, proposals)
+        found = edited(context, proposals)
         left = found.left
         if diff:
             lines = [line for file in found.files for line in file.diff().split("\n")[:-1]]

@@ -69,8 +69,8 @@ def command(
         found = _without_robot(files, part, size, force)
     else:
         arguments = (word for word in words if ":=" in word)
-        subject = robot({**asked, options.FILES: (model, *arguments)})
-        found = _of_robot(subject, files, part, size, force)
+        context = robot({**asked, options.FILES: (model, *arguments)})
+        found = _of_robot(context, files, part, size, force)
     if not dry_run:
         for one in found.generated:
             one.write()

@@ -62,17 +62,17 @@ def bundle(
     """
     if consumer not in CONSUMERS:
         raise UrdfkitError(f"no program '{consumer}'{did_you_mean(consumer, CONSUMERS)}")
-    subject = robot if isinstance(robot, Context) else read(robot)
-    made = Bundle(subject, CONSUMERS[consumer])
+    context = robot if isinstance(robot, Context) else read(robot)
+    made = Bundle(context, CONSUMERS[consumer])
     with staged(made.files(), os.path.abspath(out), force=force) as directory:
-        rejected = tuple(_errors(made, directory, subject, CONSUMERS[consumer].target))
+        rejected = tuple(_errors(made, directory, context, CONSUMERS[consumer].target))
     return made, rejected
 
 
-def _errors(made: Bundle, directory: str, subject: Context, target: str) -> Iterator[TargetError]:
+def _errors(made: Bundle, directory: str, context: Context, target: str) -> Iterator[TargetError]:
     if not target:
         return
-    places = {element.path: element.span for element in subject.document.root.walk()}
+    places = {element.path: element.span for element in context.document.root.walk()}
     report = check(os.path.join(directory, made.urdf), targets=[target])
     for one in report.diagnostics:
         if one.severity is Severity.ERROR:

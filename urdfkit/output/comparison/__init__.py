@@ -133,7 +133,7 @@ def compare(
             from urdfkit.output.comparison.images import images
 
             advance(3, steps)
-            rendered = images(states[0].subject, states[1].subject, found)
+            rendered = images(states[0].context, states[1].context, found)
             found = found._replace(images=rendered)
         for state in states:
             state.rename_sources()
@@ -141,7 +141,7 @@ def compare(
 
 
 def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comparison:
-    old, new = before.subject, after.subject
+    old, new = before.context, after.context
     names = renames(old.model, new.model, allowed)
     found = differences(old.model, new.model, allowed, names)
     changed, notes = changed_surfaces(old, new, allowed, names)
@@ -162,10 +162,10 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
     )
 
 
-def _directories(subject: Context) -> tuple[str, str]:
+def _directories(context: Context) -> tuple[str, str]:
     """The workspace of a robot, and the directory of its file."""
-    file = disk.real(subject.source.path)
-    return subject.resolver.packages.workspace(file), os.path.dirname(file)
+    file = disk.real(context.source.path)
+    return context.resolver.packages.workspace(file), os.path.dirname(file)
 
 
 def portable(text: str, comparison: Comparison) -> str:

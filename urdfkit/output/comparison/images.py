@@ -29,7 +29,7 @@ def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...
         from urdfkit import render
     except (ImportError, MissingLibrary):
         return ()
-    scenes = [render.build(subject) for subject in (before, after)]
+    scenes = [render.build(context) for context in (before, after)]
     if not all(scene.items for scene in scenes):
         return ()
     camera = render.place_camera(np.concatenate([scene.points() for scene in scenes]), size=SIZE)

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.engine import check
-from urdfkit.lint.loading import subject_of
+from urdfkit.lint.loading import context_of
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.text.source import Source
@@ -29,7 +29,7 @@ class RobotState:
 
     Attributes:
         word: as it was asked for.
-        subject: the description.
+        context: the description.
 
     Raises:
         UnreadableFile: file not found.
@@ -50,22 +50,22 @@ class RobotState:
             found, options = old.path, options._replace(packages=old.packages)
         values = options.config.entry(path, options.arguments, options.variant).arguments
         source, resolver = Source.read(found), Resolver(options.packages)
-        self.subject = subject_of(source, resolver, values, trust=options.trust)
-        if self.subject.reading.document is None:
-            reasons = dict.fromkeys(problem.message for problem in self.subject.reading.problems)
+        self.context = context_of(source, resolver, values, trust=options.trust)
+        if self.context.reading.document is None:
+            reasons = dict.fromkeys(problem.message for problem in self.context.reading.problems)
             raise UnreadableRobot(f"{word} cannot be read: {'; '.join(reasons)}")
         config = options.config._replace(packages=options.packages)
-        self._options = options._replace(config=config).for_one(self.subject.arguments)
+        self._options = options._replace(config=config).for_one(self.context.arguments)
 
     @cached_property
     def report(self) -> Report:
         """What ``urdfkit check`` says."""
-        return check(self.subject.source, options=self._options)
+        return check(self.context.source, options=self._options)
 
     def rename_sources(self) -> None:
         """Call files of a revision as the user did; the directory that held them goes away."""
         revision = self.word.partition(":")[0]
-        known = {id(s): s for s in self.subject.document.sources}
+        known = {id(s): s for s in self.context.document.sources}
         for finding in self.report.diagnostics:
             spans = [finding.span, *(related.span for related in finding.related)]
             spans += [step.span for call in finding.calls for step in call.via]

@@ -43,5 +43,5 @@ def convert(
         raise MissingLibrary(
             f"to convert a robot needs {error.name}: pip install 'urdfkit[simulate]'"
         ) from error
-    subject = robot if isinstance(robot, Context) else read(robot)
-    return write(subject, os.path.abspath(out), base=base, force=force)
+    context = robot if isinstance(robot, Context) else read(robot)
+    return write(context, os.path.abspath(out), base=base, force=force)

@@ -23,14 +23,14 @@ VIEWS = ("iso", "front", "left", "top")
 SHEET, MARKED = (1280, 720), (960, 540)
 
 
-def tree(subject: Context) -> dict[str, str]:
+def tree(context: Context) -> dict[str, str]:
     """The kinematic tree, if there is one that can be drawn."""
-    if subject.reading.document is None or not 0 < len(subject.model.links) <= MAX_LINKS:
+    if context.reading.document is None or not 0 < len(context.model.links) <= MAX_LINKS:
         return {}
-    return {"tree": address("image/svg+xml", svg.render(subject.tree).encode("utf-8", "replace"))}
+    return {"tree": address("image/svg+xml", svg.render(context.tree).encode("utf-8", "replace"))}
 
 
-def images(built: Scene, subject: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
+def images(built: Scene, context: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
     """The robot from four sides; and with the links of errors and warnings in colour."""
     from urdfkit.render import marked, render_image
 
@@ -38,7 +38,7 @@ def images(built: Scene, subject: Context, diagnostics: Sequence[Diagnostic]) ->
     if not seen.items:
         return {}
     found = {"views": webp(render_image(seen, VIEWS, size=SHEET))}
-    coloured = marked(seen, subject, diagnostics)
+    coloured = marked(seen, context, diagnostics)
     if coloured.labels:
         found["marked"] = webp(render_image(coloured, size=MARKED))
     return found

@@ -21,7 +21,7 @@ from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.grouping import grouped
-from urdfkit.lint.loading import subject_of
+from urdfkit.lint.loading import context_of
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.output.formats import json as as_json
@@ -56,12 +56,12 @@ class ReportInput(Record):
 
     Attributes:
         document: for all outputs.
-        subject: the robot.
+        context: the robot.
         diagnostics: what ``urdfkit check`` finds.
     """
 
     document: ReportDocument
-    subject: Context
+    context: Context
     diagnostics: tuple[Diagnostic, ...]
 
 
@@ -90,9 +90,9 @@ def describe(
     options = options.with_config()
     source, resolver = Source.of(file), Resolver(options.packages)
     values = options.config.entry(source.path, options.arguments, options.variant).arguments
-    subject = subject_of(source, resolver, values, trust=options.trust)
-    report = check(subject.source, options=options.for_one(subject.arguments))
-    reported = ReportInput(_document(subject, report), subject, tuple(report.diagnostics))
+    context = context_of(source, resolver, values, trust=options.trust)
+    report = check(context.source, options=options.for_one(context.arguments))
+    reported = ReportInput(_document(context, report), context, tuple(report.diagnostics))
     return reported if quick else completed(reported, progress)
 
 
@@ -108,46 +108,46 @@ def completed(reported: ReportInput, progress: Progress | None = None) -> Report
         "standing": physics.standing,
         "collisions": partial(physics.collisions, progress=progress),
     }
-    parts, missing = _computed(reported.subject, long)
+    parts, missing = _computed(reported.context, long)
     missing = reported.document["missing"] | missing
     return reported._replace(
         document=reported.document
-        | _portable(finite(parts), reported.subject)
+        | _portable(finite(parts), reported.context)
         | {"missing": missing}
     )
 
 
 def _computed(
-    subject: Context, wanted: Mapping[str, Callable[[Context], object]]
+    context: Context, wanted: Mapping[str, Callable[[Context], object]]
 ) -> tuple[ReportDocument, dict[str, str]]:
     """Parts of a document, and why some of them cannot be had."""
     parts: ReportDocument = {}
     missing: dict[str, str] = {}
     for name, part in wanted.items():
         try:
-            parts[name] = part(subject)
+            parts[name] = part(context)
         except Unavailable as reason:
             parts[name], missing[name] = None, str(reason)
     return parts, missing
 
 
-def _document(subject: Context, report: Report) -> ReportDocument:
-    parts, missing = _computed(subject, _PARTS)
+def _document(context: Context, report: Report) -> ReportDocument:
+    parts, missing = _computed(context, _PARTS)
     if parts["gazebo"]:
         parts["gazebo"]["rejected"] = [
             {"by": one.reader, "code": one.code, "message": one.message}
-            for one in rejections(report.diagnostics, subject.gazebo)
+            for one in rejections(report.diagnostics, context.gazebo)
         ]
-    is_read = subject.reading.document is not None
-    places = ElementLookup(subject.model if is_read else None)
+    is_read = context.reading.document is not None
+    places = ElementLookup(context.model if is_read else None)
     written = json.loads(as_json.render(report))
     together = grouped(report.diagnostics)
     listed = json.loads(as_json.render(report._replace(diagnostics=together)))["diagnostics"]
     document = {
         "version": VERSION,
         "urdfkit": __version__,
-        "file": shown(subject.source.path),
-        "arguments": subject.arguments,
+        "file": shown(context.source.path),
+        "arguments": context.arguments,
         "summary": {
             key: written["summary"][key]
             for key in ("error", "warning", "info", "suppressed", "codes", "rules")
@@ -161,23 +161,23 @@ def _document(subject: Context, report: Report) -> ReportDocument:
         **parts,
         "missing": missing,
     }
-    found: ReportDocument = _portable(finite(document), subject)
+    found: ReportDocument = _portable(finite(document), context)
     return found
 
 
-def _portable(value: Any, subject: Context) -> Any:
+def _portable(value: Any, context: Context) -> Any:
     """Plain values without the directories of the machine that they were made on.
 
     Paths in the workspace of the robot begin at the workspace.
     """
     if isinstance(value, dict):
-        return {key: _portable(one, subject) for key, one in value.items()}
+        return {key: _portable(one, context) for key, one in value.items()}
     if isinstance(value, list):
-        return [_portable(one, subject) for one in value]
+        return [_portable(one, context) for one in value]
     if not isinstance(value, str) or os.sep not in value:
         return value
-    file = disk.real(subject.source.path)
-    for directory in (subject.resolver.packages.workspace(file), os.path.dirname(file)):
+    file = disk.real(context.source.path)
+    for directory in (context.resolver.packages.workspace(file), os.path.dirname(file)):
         value = without_directory(value, directory)
     return without_directory(value, os.path.expanduser("~"), "~/")
 

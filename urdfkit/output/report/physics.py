@@ -20,17 +20,17 @@ POSES, SAMPLES = 200, 1000
 NOISE = 1e-9
 
 
-def statics(subject: Context) -> Row:
+def statics(context: Context) -> Row:
     """The gravity load of each joint in its worst pose, the most loaded joint first.
 
     Raises:
         Unavailable: Pinocchio is not installed, or cannot take the robot.
     """
-    robot = subject.dynamics
+    robot = context.dynamics
     from urdfkit.physics.dynamics.statics import statics as loads_of
 
     found = loads_of(robot, samples=POSES)
-    joints = subject.model.joints_by_name
+    joints = context.model.joints_by_name
     return {
         "poses": found.poses,
         "mass": found.mass,
@@ -54,36 +54,36 @@ def _round(torque: float) -> float:
     return 0.0 if abs(torque) < NOISE else torque
 
 
-def standing(subject: Context) -> Row:
+def standing(context: Context) -> Row:
     """Whether the robot stands, all joints at zero: what ``urdfkit statics`` says.
 
     Raises:
         Unavailable: links and joints do not form one tree.
     """
-    if not subject.tree.is_sound:
+    if not context.tree.is_sound:
         raise Unavailable("links and joints do not form one tree; see urdfkit check")
-    return standing_of(subject).facts()
+    return standing_of(context).facts()
 
 
-def collisions(subject: Context, progress: Progress | None = None) -> Row:
+def collisions(context: Context, progress: Progress | None = None) -> Row:
     """Which links can collide with which, as sampling shows it.
 
     Args:
-        subject: the robot.
+        context: the robot.
         progress: called with the number of samples done and of all.
 
     Raises:
         Unavailable: coal is not installed, or the robot is beyond it.
     """
     try:
-        matrix = subject.collisions.matrix(samples=SAMPLES, progress=progress)
+        matrix = context.collisions.matrix(samples=SAMPLES, progress=progress)
     except UrdfkitError as error:
         raise Unavailable(str(error)) from error
     names = dict.fromkeys(name for pair in matrix.pairs for name in (pair.first, pair.second))
     return {
         "samples": matrix.samples,
         "seed": matrix.seed,
-        "links": [name for name in subject.model.links_by_name if name in names],
+        "links": [name for name in context.model.links_by_name if name in names],
         "pairs": [
             {
                 "first": pair.first,

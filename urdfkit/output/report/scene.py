@@ -37,38 +37,38 @@ class PageScene(Record):
     robot: dict[str, Any]
 
 
-def surfaces(subject: Context) -> Scene:
+def surfaces(context: Context) -> Scene:
     """The triangles of a robot, for images and for the engine.
 
     Raises:
         Unavailable: a library is not installed, or the robot has too many links for a page.
     """
-    if len(subject.model.links) > MAX_LINKS:
-        raise Unavailable(f"{len(subject.model.links)} links are more than a page can show")
+    if len(context.model.links) > MAX_LINKS:
+        raise Unavailable(f"{len(context.model.links)} links are more than a page can show")
     try:
         from urdfkit.render import build as build_surfaces
     except (ImportError, MissingLibrary) as error:
         raise Unavailable(INSTALL) from error
-    return build_surfaces(subject, roles=("visual", "collision"))
+    return build_surfaces(context, roles=("visual", "collision"))
 
 
-def build(subject: Context, built: Scene) -> PageScene:
+def build(context: Context, built: Scene) -> PageScene:
     """The scene of a robot; of one with very many triangles a coarse one.
 
     Args:
-        subject: the robot.
+        context: the robot.
         built: its triangles.
     """
     from urdfkit.output.report.gltf import write
     from urdfkit.render.coarse import coarsened
 
-    tree = subject.tree
+    tree = context.tree
     model, triangles = write(coarsened(built.items, MAX_TRIANGLES))
     names = list(tree.frames)  # parents before children, links of closed loops left out
     numbers = {name: number for number, name in enumerate(names)}
     robot = {
-        "links": [_link(subject.model.links_by_name[name]) for name in names],
-        "joints": _joints(subject, numbers),
+        "links": [_link(context.model.links_by_name[name]) for name in names],
+        "joints": _joints(context, numbers),
         "triangles": triangles,
         "missing": [list(map(str, missing)) for missing in built.missing],
     }
@@ -109,13 +109,13 @@ def _link(link: Link) -> dict[str, Any]:
     return found
 
 
-def _joints(subject: Context, numbers: dict[str, int]) -> list[dict[str, Any]]:
+def _joints(context: Context, numbers: dict[str, int]) -> list[dict[str, Any]]:
     """One joint for each link that has a parent, as `mechanics.kinematics.frames` has it."""
-    joints = subject.model.joints_by_name
+    joints = context.model.joints_by_name
     every = laws(joints)
     order = {name: number for number, name in enumerate(joints)}
     found = []
-    for joint in subject.tree.spanning:
+    for joint in context.tree.spanning:
         assert joint.parent is not None
         assert joint.child is not None
         entry = {

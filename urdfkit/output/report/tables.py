@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 Row = dict[str, Any]
 
 
-def robot(subject: Context) -> Row:
+def robot(context: Context) -> Row:
     """What it is as a whole, all joints at zero; in the frame of its root."""
-    model, tree = subject.model, subject.tree
-    seen = summarise(subject)
+    model, tree = context.model, context.tree
+    seen = summarise(context)
     whole = seen.weight.whole.properties
     return {
         "name": model.name,
@@ -37,10 +37,10 @@ def robot(subject: Context) -> Row:
     }
 
 
-def links(subject: Context) -> list[Row]:
+def links(context: Context) -> list[Row]:
     """Each link with its mass, centre of mass and principal moments."""
-    total = subject.model.mass
-    return [_link(link, total) for link in subject.model.links]
+    total = context.model.mass
+    return [_link(link, total) for link in context.model.links]
 
 
 def _link(link: Link, total: float) -> Row:
@@ -71,9 +71,9 @@ def _place(span: Span) -> Row:
     return {"path": shown(span.source.path), "line": line, "column": column}
 
 
-def joints(subject: Context) -> list[Row]:
+def joints(context: Context) -> list[Row]:
     """Each joint with its type, links, axis, limits and the joint that it follows."""
-    return [_joint(joint) for joint in subject.model.joints]
+    return [_joint(joint) for joint in context.model.joints]
 
 
 def _joint(joint: Joint) -> Row:
@@ -100,9 +100,9 @@ def _joint(joint: Joint) -> Row:
     }
 
 
-def gazebo(subject: Context) -> Row:
+def gazebo(context: Context) -> Row:
     """The result of the conversion to SDF: each link, and the links that are left."""
-    conversion = subject.gazebo
+    conversion = context.gazebo
     results = {
         link.name: _conversion_result(link.name, conversion.survivor, conversion.dropped)
         for link in conversion.model.links
@@ -134,11 +134,11 @@ def _conversion_result(name: str, survivor: dict[str, str], dropped: dict[str, s
     return {"result": result, "into": into if into != name else "", "reason": ""}
 
 
-def meshes(subject: Context) -> list[Row]:
+def meshes(context: Context) -> list[Row]:
     """Each mesh that the robot names: where its file is, and what the file holds."""
-    counts = _triangles(subject)
+    counts = _triangles(context)
     rows = []
-    for mesh in subject.files.meshes:
+    for mesh in context.files.meshes:
         facts = mesh.facts
         rows.append(
             {
@@ -155,13 +155,13 @@ def meshes(subject: Context) -> list[Row]:
     return rows
 
 
-def _triangles(subject: Context) -> dict[str, int]:
+def _triangles(context: Context) -> dict[str, int]:
     """How many triangles a mesh file gives, by the name that it is referred to."""
     found: dict[str, int] = {}
-    for shape in subject.model.shapes:
+    for shape in context.model.shapes:
         if shape.filename and shape.filename.value not in found:
             try:
-                mesh = subject.meshes.mesh(shape)
+                mesh = context.meshes.mesh(shape)
             except (ImportError, MissingLibrary, Unavailable):
                 return {}
             if mesh is not None:

@@ -105,21 +105,21 @@ def rendered(reported: ReportInput, *, has_images: bool) -> RobotImages:
     """
     from urdfkit.output.report import data_uris, scene
 
-    subject = reported.subject
-    found = data_uris.tree(subject)
-    if subject.reading.document is None or not subject.model.links:
+    context = reported.context
+    found = data_uris.tree(context)
+    if context.reading.document is None or not context.model.links:
         return RobotImages(reported.document, found, None)
     try:
-        built = scene.surfaces(subject)
+        built = scene.surfaces(context)
     except Unavailable as error:
         return RobotImages(_without_view(reported.document, str(error)), found, None)
     if has_images:
-        found |= data_uris.images(built, subject, reported.diagnostics)
+        found |= data_uris.images(built, context, reported.diagnostics)
     document, triangles = reported.document, sum(len(item.faces) for item in built.items)
     if triangles > scene.MAX_TRIANGLES:
         reason = f"simplified: the robot has {triangles} triangles: see urdfkit mesh simplify"
         document = _without_view(document, reason)
-    return RobotImages(document, found, scene.build(subject, built))
+    return RobotImages(document, found, scene.build(context, built))
 
 
 def _without_view(document: ReportDocument, reason: str) -> ReportDocument:

@@ -1,4 +1,4 @@
-"""Facts about other programs, as data: one JSON file per subject, one loader next to it.
+"""Facts about other programs, as data: one JSON file per context, one loader next to it.
 
 Each file says in ``about``, or in its schema, what its fields mean, and in ``source`` where the
 facts were read. A file is loaded once, when a model first needs it.
