@@ -33,15 +33,10 @@ MAX_FILES, MAX_DEPTH = 300, 4
 
 
 class NameReference(Record):
-    """One place.
+    """One place."""
 
-    Attributes:
-        kind: ``link`` or ``joint``.
-        span: the name.
-    """
-
-    kind: str
-    span: Span
+    kind: str  # ``link`` or ``joint``
+    span: Span  # the name
 
 
 def package_references(

@@ -11,19 +11,12 @@ from urdfkit.robot.adjacency import Adjacency
 
 
 class Overlap(NamedTuple):
-    """Two links whose collision shapes are in one another.
+    """Two links whose collision shapes are in one another."""
 
-    Attributes:
-        first: name of a link.
-        second: of the other one.
-        depth: in m.
-        is_held: True if the links are adjacent, so that programs ignore it.
-    """
-
-    first: str
-    second: str
-    depth: float
-    is_held: bool
+    first: str  # name of a link
+    second: str  # of the other one
+    depth: float  # in m
+    is_held: bool  # True if the links are adjacent, so that programs ignore it
 
 
 def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:

@@ -28,19 +28,12 @@ LAYERS = ((0.05, 0.012, 0.5), (0.22, 0.045, 0.45), (0.8, 0.13, 0.35))
 
 
 class Ground(NamedTuple):
-    """A level floor.
+    """A level floor."""
 
-    Attributes:
-        height: in the world, in m.
-        origin: x and y of the map's corner in the world.
-        cell: edge of a cell in m.
-        shade: (c, c), from 0, not darkened, to 1, black.
-    """
-
-    height: float
-    origin: tuple[float, float]
-    cell: float
-    shade: Floats
+    height: float  # in the world, in m
+    origin: tuple[float, float]  # x and y of the map's corner in the world
+    cell: float  # edge of a cell in m
+    shade: Floats  # (c, c), from 0, not darkened, to 1, black
 
     def seen(self, camera: Camera, first: int, last: int) -> tuple[Floats, Floats]:
         """The floor in a band of an image: its depth in m, and how dark it is, (rows, w) each.

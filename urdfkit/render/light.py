@@ -45,19 +45,12 @@ def rig(camera: Camera) -> Rig:
 
 
 class ShadowMap(NamedTuple):
-    """What the sun sees.
+    """What the sun sees."""
 
-    Attributes:
-        axes: rows are the directions across, along and to the sun, in the camera's frame.
-        origin: (3,), of the map, in these axes.
-        scale: texels per m.
-        nearness: (t, t), height in m of the nearest surface; 0 where there is none.
-    """
-
-    axes: Floats
-    origin: Floats
-    scale: float
-    nearness: Floats
+    axes: Floats  # rows are the directions across, along and to the sun, in the camera's frame
+    origin: Floats  # (3,), of the map, in these axes
+    scale: float  # texels per m
+    nearness: Floats  # (t, t), height in m of the nearest surface; 0 where there is none
 
     def coordinates(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """Points (n, 3) of the camera's frame: column and row in texels, and height in m."""

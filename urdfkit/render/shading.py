@@ -23,15 +23,10 @@ KNEE = 0.72
 
 
 class Illumination(NamedTuple):
-    """What reaches a surface.
+    """What reaches a surface."""
 
-    Attributes:
-        sun: (k,), the part of the sun that it sees.
-        sky: (k,), the part of the sky.
-    """
-
-    sun: Floats
-    sky: Floats
+    sun: Floats  # (k,), the part of the sun that it sees
+    sky: Floats  # (k,), the part of the sky
 
 
 def shaded(

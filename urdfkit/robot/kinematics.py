@@ -18,16 +18,13 @@ TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
 
 
 class MimicLaw(Record):
-    """What a joint follows: ``position = factor * position of the leader + shift``.
+    """What a joint follows: ``position = factor * position of the leader + shift``."""
 
-    Attributes:
-        leader: a joint that follows none; the joint itself where it follows none; empty for one
-            that is locked, since it follows a joint that is not there, a ring, or by numbers
-            that no linkage has.
-        factor, shift: of all multipliers and offsets on the way to the leader.
-    """
-
+    #: A joint that follows none; the joint itself where it follows none; empty for one that is
+    #: locked, since it follows a joint that is not there, a ring, or by numbers that no linkage
+    #: has.
     leader: str
+    #: factor and shift: of all multipliers and offsets on the way to the leader.
     factor: float
     shift: float
 

@@ -22,17 +22,13 @@ _SMALL = 1e-9
 
 
 class Scan(Record):
-    """The beams of a planar lidar, in its own frame: x forwards, z across the plane.
+    """The beams of a planar lidar, in its own frame: x forwards, z across the plane."""
 
-    Attributes:
-        first, last: directions of the outermost beams in rad, counter-clockwise from x.
-        samples: how many beams there are, more than one.
-        low, high: range in m.
-    """
-
+    #: first and last: directions of the outermost beams in rad, counter-clockwise from x.
     first: float
     last: float
-    samples: int
+    samples: int  # how many beams there are, more than one
+    #: low and high: range in m.
     low: float
     high: float
 

@@ -18,14 +18,10 @@ NO_MASS = 1e-6
 
 
 class RigidBody(Record):
-    """Links without a moving joint between them.
+    """Links without a moving joint between them."""
 
-    Attributes:
-        joint: that moves the body; None for one with a root link.
-        links: the topmost first, each with its frame in that of the topmost.
-    """
-
-    joint: Joint | None
+    joint: Joint | None  # that moves the body; None for one with a root link
+    #: The topmost first, each with its frame in that of the topmost.
     links: tuple[tuple[Link, Transform], ...]
 
     @property

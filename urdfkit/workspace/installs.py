@@ -32,15 +32,10 @@ _END_OF_SOURCES = frozenset(
 
 
 class Installed(Record):
-    """One thing that a build installs.
+    """One thing that a build installs."""
 
-    Attributes:
-        source: path below the package's directory.
-        target: where it is installed, below the prefix.
-    """
-
-    source: str
-    target: str
+    source: str  # path below the package's directory
+    target: str  # where it is installed, below the prefix
 
 
 class _Command(Record):

@@ -41,17 +41,11 @@ _BY_FORMAT = {
 
 
 class Manifest(Record):
-    """What a package.xml says.
+    """What a package.xml says."""
 
-    Attributes:
-        path: of it.
-        package: its name.
-        data: its text without comments.
-    """
-
-    path: str
-    package: str
-    data: bytes
+    path: str  # of it
+    package: str  # its name
+    data: bytes  # its text without comments
 
     @property
     def dependencies(self) -> frozenset[str]:

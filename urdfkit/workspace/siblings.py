@@ -104,18 +104,13 @@ def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
 
 
 class SetupAssistant(Record):
-    """What MoveIt's ``.setup_assistant`` says of a package; all empty where there is none.
+    """What MoveIt's ``.setup_assistant`` says of a package; all empty where there is none."""
 
-    Attributes:
-        package, urdf: of the robot's file.
-        srdf: of the SRDF, below the package of MoveIt.
-        has_arguments: True if the robot is expanded with arguments.
-    """
-
+    #: package and urdf: of the robot's file.
     package: str = ""
     urdf: str = ""
-    srdf: str = ""
-    has_arguments: bool = False
+    srdf: str = ""  # of the SRDF, below the package of MoveIt
+    has_arguments: bool = False  # True if the robot is expanded with arguments
 
     def is_for(self, robot: str, package: tuple[str, str]) -> bool:
         """True if it was made for a file of a package."""

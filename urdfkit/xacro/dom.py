@@ -59,18 +59,14 @@ class Attr(_StockAttr):  # type: ignore[misc]
 
 
 class Text(_StockText):  # type: ignore[misc]
-    """A text, whose ``data`` is an attribute and no property.
-
-    Attributes:
-        data: the text.
-        ends: where in the file what comes behind it begins, if there is a ``$`` in it.
-    """
+    """A text, whose ``data`` is an attribute and no property."""
 
     data = ""
+    #: Where in the file what comes behind it begins, if there is a ``$`` in it.
     ends: int | None = None
 
     def __init__(self, data: str = "", document: Any = None) -> None:
-        self.data = data
+        self.data = data  # the text
         self.ownerDocument = document
         self.parentNode = self.previousSibling = self.nextSibling = None
 

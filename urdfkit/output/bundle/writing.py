@@ -26,17 +26,11 @@ _DATE = (1980, 1, 1, 0, 0, 0)
 
 
 class TargetError(Record):
-    """Why a program will not load a bundle.
+    """Why a program will not load a bundle."""
 
-    Attributes:
-        code: of the rule that explains it.
-        message: what is wrong.
-        span: where it was written, before it was expanded; else in the URDF of the bundle.
-    """
-
-    code: str
-    message: str
-    span: Span
+    code: str  # of the rule that explains it
+    message: str  # what is wrong
+    span: Span  # where it was written, before it was expanded; else in the URDF of the bundle
 
 
 def bundle(

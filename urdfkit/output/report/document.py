@@ -52,17 +52,11 @@ LONG = ("statics", "standing", "collisions")
 
 
 class ReportInput(Record):
-    """A robot and its report.
+    """A robot and its report."""
 
-    Attributes:
-        document: for all outputs.
-        context: the robot.
-        diagnostics: what ``urdfkit check`` finds.
-    """
-
-    document: ReportDocument
-    context: Context
-    diagnostics: tuple[Diagnostic, ...]
+    document: ReportDocument  # for all outputs
+    context: Context  # the robot
+    diagnostics: tuple[Diagnostic, ...]  # what ``urdfkit check`` finds
 
 
 def describe(

@@ -39,15 +39,10 @@ _SHORTEST = 1e-3
 
 
 class ClosestPair(NamedTuple):
-    """Where two links are nearest.
+    """Where two links are nearest."""
 
-    Attributes:
-        distance: signed, in m.
-        configuration: (dof,).
-    """
-
-    distance: float
-    configuration: Floats
+    distance: float  # signed, in m
+    configuration: Floats  # (dof,)
 
 
 def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
@@ -77,17 +72,11 @@ def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
 
 
 class _Measured(NamedTuple):
-    """What was measured at some positions (n, k) of the joints between two bodies.
+    """What was measured at some positions (n, k) of the joints between two bodies."""
 
-    Attributes:
-        distance: (n,), signed, in m.
-        slope: (n, k), how it changes with each joint, in m per rad or per m.
-        inside: (n,), True where the hulls overlap, so that the bodies themselves were measured.
-    """
-
-    distance: Floats
-    slope: Floats
-    inside: Flags
+    distance: Floats  # (n,), signed, in m
+    slope: Floats  # (n, k), how it changes with each joint, in m per rad or per m
+    inside: Flags  # (n,), True where the hulls overlap, so that the bodies themselves were measured
 
 
 class _Bodies:

@@ -32,21 +32,13 @@ _ENOUGH = 0.5
 
 
 class GeneratedMesh(Record):
-    """A mesh that was made for a file.
+    """A mesh that was made for a file."""
 
-    Attributes:
-        path: where the file belongs.
-        references: that lead there.
-        defect: what is wrong with the file, such as ``does not exist``.
-        mesh: in the units of the file: with the scale of its reference it fits the robot.
-        reason: what it is and why.
-    """
-
-    path: str
-    references: tuple[MeshReference, ...]
-    defect: str
-    mesh: Mesh
-    reason: str
+    path: str  # where the file belongs
+    references: tuple[MeshReference, ...]  # that lead there
+    defect: str  # what is wrong with the file, such as ``does not exist``
+    mesh: Mesh  # in the units of the file: with the scale of its reference it fits the robot
+    reason: str  # what it is and why
 
     def write(self) -> list[str]:
         """Write the file and those that it needs; missing directories are created.

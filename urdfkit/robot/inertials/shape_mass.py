@@ -27,17 +27,11 @@ SOURCES = ("auto", "collision", "visual", "hull")
 
 
 class ShapeMass(Record):
-    """What some shapes enclose.
+    """What some shapes enclose."""
 
-    Attributes:
-        properties: in the frame of the link; the mass is the volume in m^3.
-        source: such as ``the collision`` or ``the hull of the visual``.
-        notes: what a reader should know, such as that shapes may overlap.
-    """
-
-    properties: MassProperties
-    source: str
-    notes: tuple[str, ...] = ()
+    properties: MassProperties  # in the frame of the link; the mass is the volume in m^3
+    source: str  # such as ``the collision`` or ``the hull of the visual``
+    notes: tuple[str, ...] = ()  # what a reader should know, such as that shapes may overlap
 
     def weighing(self, mass: float) -> MassProperties:
         """The same with uniform density and a mass in kg."""

@@ -26,18 +26,13 @@ if TYPE_CHECKING:
 
 
 class Srdf:
-    """One SRDF and the robot it belongs to.
-
-    Attributes:
-        path: of the file.
-        root: its ``<robot>`` element.
-        groups, states, end_effectors, virtual_joints: their elements.
-    """
+    """One SRDF and the robot it belongs to."""
 
     def __init__(self, path: str, root: Element, tree: KinematicTree) -> None:
-        self.path = path
-        self.root = root
+        self.path = path  # of the file
+        self.root = root  # its ``<robot>`` element
         self.tree = tree
+        #: groups, states, end_effectors, virtual_joints: their elements.
         self.groups = tuple(root.all("group"))
         self.states = tuple(root.all("group_state"))
         self.end_effectors = tuple(root.all("end_effector"))
