@@ -107,7 +107,6 @@ def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
     """The answer as it is now, if it means the same; None if it is another one.
 
     Args:
-        kind: of the question.
         path: as of the question.
         answer: that was given.
         since: nanoseconds since the epoch, before the answer was given.

@@ -50,7 +50,6 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
     """The problems of a description, with the values that are found for arguments without one.
 
     Args:
-        problems: of a description.
         xacro: its expansion.
         resolver: finds packages, and reads files.
     """

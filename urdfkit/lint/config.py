@@ -75,8 +75,6 @@ class Config(Record):
         With given arguments and no name it is one description, with what its variants share.
 
         Args:
-            path: of the description.
-            given: arguments for xacro.
             variant: the name of the only one; all if empty.
 
         Raises:

@@ -26,7 +26,6 @@ def merged_report(
     """The report on all descriptions of a plan.
 
     Args:
-        plan: of the check.
         checked: the descriptions with their results, in the order of the plan.
         unchecked: findings about what nothing was checked of.
         spills: of very many robots, keep the findings on disk, and in the report nothing that only

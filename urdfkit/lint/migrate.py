@@ -40,9 +40,7 @@ def migrate(
     """What a model needs to run in another Gazebo; nothing is written.
 
     Args:
-        path: of the model.
         target: one of ``urdfkit.ros.targets.GAZEBO``.
-        arguments: for xacro.
         packages: directories of ROS packages by name.
         trust: do not sandbox the expressions of the model, and let it read any file.
 

@@ -61,7 +61,6 @@ def planned(
     Args:
         files: URDF, xacro or launch files, Sources, or directories.
         resolver: finds files, and reads them.
-        options: of the check.
 
     Raises:
         ConfigError: a robot has no variant of this name.
@@ -180,7 +179,6 @@ class Plan:
         """A launch file, and the robots that it describes.
 
         Args:
-            source: of the launch file.
             found: it was found in a directory, whose robots are checked anyway. What is left is a
                 robot with the arguments that the launch file gives it, and its controllers.
         """

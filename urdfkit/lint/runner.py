@@ -61,8 +61,6 @@ def run_rules(
     """Run rules over a description.
 
     Args:
-        context: the description.
-        chosen: codes of the rules.
         options: whose configuration changes severities and options of rules, and leaves findings
             out; resolved.
     """

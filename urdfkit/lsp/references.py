@@ -46,9 +46,7 @@ def package_references(
 
     Args:
         names: of the link or joint, after expansion.
-        robot: path of its file.
         own: real paths of the files it is made of.
-        resolver: reads files.
     """
     package = resolver.packages.enclosing(robot)
     if package is None:

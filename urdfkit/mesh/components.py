@@ -92,7 +92,6 @@ def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0
     Args:
         places: (n, 3).
         faces: (m, 3).
-        pieces: of them.
         least: the volume up to which a piece does not matter.
     """
     found = np.zeros(len(pieces.volumes), dtype=bool)

@@ -61,7 +61,6 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
     """The cylinder, for what turns about it and is round: hubs and grooves do not touch the ground.
 
     Args:
-        fits: of the mesh.
         mesh: that was fitted.
         axis: that it turns about; a unit vector.
         through: a point of that axis.

@@ -125,11 +125,7 @@ def summarise(context: Context, pose: Mapping[str, float] | None = None) -> Over
 
 
 def structure(tree: KinematicTree) -> Structure:
-    """Links, joints and degrees of freedom.
-
-    Args:
-        tree: of the model.
-    """
+    """Links, joints and degrees of freedom."""
     model = tree.model
     free = {
         joint.name: joint.kind

@@ -244,7 +244,6 @@ def worst(
     """The largest torque of a joint, without sign, and the positions that matter to it.
 
     Args:
-        model: of the robot.
         name: of a joint that is set by one number.
         starts: poses in which climbs begin.
         budget: steps of all climbs; the first one has its first sweep in any case.
@@ -276,7 +275,6 @@ def gravity_loads(
     """The gravity loads of some joints, those first that use the largest part of their effort.
 
     Args:
-        model: of the robot.
         efforts: of the joints that are judged, in N·m or N, by name; None where the model does not
             say. Joints that cannot be set by one number are left out.
         starts: poses; the first one is zero, and climbs begin in the worst ones.

@@ -133,7 +133,6 @@ class GravityModel:
         """The vector whose part upwards is the torque or force of a joint, without gravity.
 
         Args:
-            number: of its body.
             moment: of all that it carries.
         """
         body, mass = self.bodies[number], self.carried[number]

@@ -199,8 +199,6 @@ def _eye(seen: Floats, slope: float, aspect: float) -> Floats:
     at which both touch a point.
 
     Args:
-        seen: in the axes of the camera.
-        slope: of the upper plane.
         aspect: width by height.
     """
     x, y, z = seen.T

@@ -23,7 +23,6 @@ def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
     """The pairs of links that overlap.
 
     Args:
-        context: the robot.
         given: positions of joints, in rad or m; the others are at 0.
 
     Raises:

@@ -198,7 +198,6 @@ class _Drawing:
 
         Args:
             near: of the vertices, as the camera projects them.
-            everything: the triangles.
             middle: of the robot, in the world.
         """
         step = np.float32(LIFT * self.size)

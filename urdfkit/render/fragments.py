@@ -43,7 +43,6 @@ def fragments(keys: Keys, grid: Grid) -> Fragments:
     Consecutive samples of a pixel that see one triangle make one fragment, which is shaded once.
 
     Args:
-        keys: of the samples of the band.
         grid: that they lie on.
     """
     samples, rows = len(grid.offsets), grid.last - grid.first
@@ -77,9 +76,6 @@ def surface(
     """Where fragments lie and how their surfaces are turned; perspective is accounted for.
 
     Args:
-        some: the fragments.
-        whole: the triangles.
-        screen: their vertices in the image.
         camera: that sees them.
     """
     corners = [whole.faces[some.number, corner] for corner in range(3)]

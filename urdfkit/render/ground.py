@@ -88,7 +88,6 @@ def ground(
     Args:
         points: (n, 3), vertices in the world.
         faces: (m, 3), of what casts shadows.
-        pieces: where their vertices are.
         map_: what the sun sees.
         camera: in whose frame that is given.
         level: height of the floor; that of the robot's lowest point if None.

@@ -71,10 +71,7 @@ def shadow_map(
     """The shadow map of some triangles.
 
     Args:
-        whole: the triangles.
         faces: (m, 3), those that cast a shadow.
-        pieces: where their vertices are.
-        rig: the lamps.
         workers: that do it.
     """
     axes = _axes(rig)
@@ -115,11 +112,9 @@ def sunlight(
     """How much of the sun surfaces see, (k,), from 0 to 1; grainy in a lattice of pixels.
 
     Args:
-        map_: the shadow map.
         points: (k, 3), in the camera's frame.
         normals: (k, 3).
         pixel: (k,), row times width plus column.
-        width: of the image.
         taps: samples of each.
     """
     texel = np.float32(1 / map_.scale)

@@ -59,10 +59,7 @@ class ModelMaterials:
         """The material of triangles.
 
         Args:
-            link: name of the link.
             role: ``visual`` or ``collision``.
-            body: the visual or collision.
-            embedded: the material in the mesh file.
         """
         if role == "collision":
             return self._collision

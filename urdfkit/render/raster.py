@@ -88,9 +88,7 @@ def nearest(
     """The keys of the samples of a band.
 
     Args:
-        triangles: of the image.
         chosen: numbers of those to draw.
-        grid: the samples.
         above: keys that must be beaten to be seen at all; those of what is opaque.
         below: keys that must not be reached; those of the layer before.
 

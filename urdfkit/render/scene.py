@@ -101,7 +101,6 @@ def build(
     Links that no root leads to are left out: they are nowhere.
 
     Args:
-        context: the description.
         positions: of joints, in rad or m; the others are at 0.
         roles: of ``visual`` and ``collision``, what to show.
 

@@ -39,7 +39,6 @@ def shaded(
         position: (k, 3), in the frame of the camera.
         normal: (k, 3), unit vectors there.
         lit: what reaches them.
-        rig: the lamps.
         parallel: True if the image is orthographic.
     """
     if parallel:

@@ -32,7 +32,6 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
     counts.
 
     Args:
-        robot: the robot.
         placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
     """
     boxes: list[BoundingBox] = []
@@ -63,8 +62,6 @@ def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
     """The box around a visual or collision of a link, or why there is none.
 
     Args:
-        robot: the robot.
-        body: the visual or collision.
         link: the frame of the link, in which the box is wanted.
     """
     shape = body.shape

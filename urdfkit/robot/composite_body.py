@@ -30,7 +30,6 @@ def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> Comp
     """All links together.
 
     Args:
-        tree: of the model.
         placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
     """
     mass = tree.model.mass

@@ -73,7 +73,6 @@ def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, floa
     """The position of every joint that one number moves.
 
     Args:
-        tree: of the model.
         given: positions of joints; the others are at 0. A joint that mimics another one follows
             it, whatever is given for it; in a ring of such joints all stay at 0.
     """

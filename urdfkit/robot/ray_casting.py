@@ -46,7 +46,6 @@ def shape_of(body: Body, at: Transform) -> Primitive | None:
     """A primitive in the frame of a sensor; None for a mesh, and without sizes.
 
     Args:
-        body: a visual or collision.
         at: the frame of its link in that of the sensor.
     """
     return primitive(body._replace(origin=at @ body.origin))
@@ -102,8 +101,6 @@ def beams_on(
 
     Args:
         shape: in the frame of the sensor.
-        scan: the beams.
-        directions: of the scan.
         sees_inside: True if a beam that begins in the shape ends where it leaves it, as in Gazebo
             Classic; rendered shapes are seen from outside only.
     """

@@ -35,9 +35,6 @@ def reach(tree: KinematicTree) -> Reach | None:
     """The longest reach of all chains; None where nothing moves.
 
     Joints that follow others by ``<mimic>`` count as if they were free within their limits.
-
-    Args:
-        tree: of the model.
     """
     chains = [
         chain for chain in _chains(tree) if len(chain) <= MAX_JOINTS and isfinite(_span(chain))

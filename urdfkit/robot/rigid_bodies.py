@@ -49,7 +49,6 @@ def properties_of(link: Link, frame: Transform) -> MassProperties:
     """Mass, centre and tensor of a link in another frame; what is not written is zero.
 
     Args:
-        link: the link.
         frame: of the link, in the frame in which they are wanted.
     """
     if link.inertial is None:
@@ -67,7 +66,6 @@ def rigid_bodies(
     A link in a closed loop that no root leads to is in no body.
 
     Args:
-        tree: of the model.
         preserved: names of fixed joints that are kept as joints.
     """
     bodies: list[RigidBody] = []

@@ -256,7 +256,6 @@ def solid(
     no primitive.
 
     Args:
-        bodies: the visuals or collisions.
         mesh_solid: measures those that are meshes.
     """
     parts: list[Primitive | MeshSolid] = []

@@ -107,7 +107,6 @@ def standing(
     """The verdict on a robot at a pose; without the mesh libraries, by its primitives alone.
 
     Args:
-        robot: the robot.
         pose: positions of joints in rad or m; the others are at 0.
         contacts: names of the links it stands on; those that reach the lowest point if None.
         payload: masses in kg that links carry at their origin.
@@ -200,7 +199,6 @@ def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
     """True for what stands by itself: not on its base alone, which is bolted down, nor on legs.
 
     Args:
-        tree: of the robot.
         links: that touch the ground.
     """
     root = rigid_bodies(tree)[0]

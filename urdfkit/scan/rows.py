@@ -77,7 +77,6 @@ def check_model(model: Model, options: Options, resolver: Resolver) -> ModelRow:
     """Check a model and measure it.
 
     Args:
-        model: on disk.
         options: resolved.
         resolver: what the models before have found of packages and directories.
     """

@@ -48,8 +48,6 @@ def source_paths(rules: Iterable[Installed], package: str, relative: str) -> lis
 
     Args:
         rules: what the build of the package installs.
-        package: its name.
-        relative: a path in the installed package.
     """
     wanted = posixpath.normpath(f"share/{package}/{relative}")
     found = []

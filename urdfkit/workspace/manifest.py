@@ -93,10 +93,8 @@ def depends_on(name: str, other: str, near: str, resolver: Resolver) -> bool:
     What its descriptions use counts, declared or not.
 
     Args:
-        name: of the package.
         other: name of the one that it may need.
         near: path of a file from which packages are searched.
-        resolver: finds packages.
     """
     seen = {name}
     waiting = [name]

@@ -65,7 +65,6 @@ class Packages:
         """The directories that may be a package, the best first of those that are certain.
 
         Args:
-            name: of the package.
             near: path of the file that refers to it.
         """
         if name in self.explicit:

@@ -46,9 +46,7 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     They name it with arguments of its own, or do not say which file they are made for.
 
     Args:
-        robot: path of it.
         name: of it; an SRDF is of the robot that it is called like.
-        resolver: finds files.
     """
     package = resolver.packages.enclosing(robot)
     if _is_for_tests(robot, package):

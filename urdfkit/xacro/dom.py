@@ -191,7 +191,6 @@ def replace_node(node: Any, by: Any, content_only: bool = False) -> None:
     Args:
         node: that goes.
         by: a node or a list of nodes that come; None for none.
-        content_only: their children come instead.
     """
     coming = [] if by is None else by if isinstance(by, list) else [by]
     if content_only:
@@ -238,7 +237,6 @@ def remove_previous_comments(node: Any, marker: Any) -> None:
     """xacro's function of this name; by one step instead of one for every comment.
 
     Args:
-        node: the element above which comments go.
         marker: an empty text that keeps the next element from taking those above.
     """
     comments: list[Any] = []

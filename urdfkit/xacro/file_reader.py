@@ -92,7 +92,6 @@ class FileReader:
         """The paths that ``glob.glob`` gives, searched for in admitted directories only.
 
         Args:
-            pattern: with wildcards.
             budget: that the search is charged to.
 
         Raises:

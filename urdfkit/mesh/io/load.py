@@ -39,7 +39,6 @@ def load_bytes(data: bytes, path: str) -> Mesh:
     """The triangles in the bytes of a mesh file.
 
     Args:
-        data: the whole file.
         path: of the file, for what it refers to.
 
     Raises:

@@ -189,10 +189,7 @@ def _judged(
     """The repair, or the mesh as it was if the repair is no gain.
 
     Args:
-        mesh: as it was.
-        soup: repaired.
         steps: what was done.
-        before: the state of the mesh.
         asked: its state when what was asked for had been dropped, which may have opened it.
     """
     if not len(soup.faces):

@@ -57,10 +57,8 @@ def bundled(
     """The files that stand for a mesh file in a bundle, the mesh first.
 
     Args:
-        path: of the mesh file.
         found: what its bytes say.
         consumer: that must be able to read it.
-        stem: for its name.
         is_visual: a visual uses it, whose materials are kept where the format has them.
 
     Raises:

@@ -65,7 +65,6 @@ def rewritten(
     """The expanded robot with other names of files.
 
     Args:
-        robot: as it was read.
         new_name: of a file, for a reference of the robot.
         for_mujoco: tell MuJoCo to keep the directories of mesh files, which it drops otherwise.
 

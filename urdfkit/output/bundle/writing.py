@@ -83,7 +83,6 @@ def staged(
     Nothing is left of it after an error.
 
     Args:
-        files: of the bundle.
         out: a directory, or a file that ends in ``.zip``.
         force: replace what is there, if it is a zip or a bundle.
         mark: the file that tells such a directory from others.

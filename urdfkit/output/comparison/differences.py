@@ -95,8 +95,6 @@ def differences(
     """What differs between two models by more than the tolerances.
 
     Args:
-        before: the one model.
-        after: the other one.
         allowed: what may differ.
         names: what is called otherwise, as ``urdfkit.output.comparison.renames`` knows it again.
     """

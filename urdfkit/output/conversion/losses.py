@@ -85,7 +85,6 @@ class LossTable:
         """Every element and attribute of a robot, in the order of the document.
 
         Args:
-            root: of the robot.
             otherwise: why a part is lost that was not marked.
         """
         lost = Result.LOST, otherwise

@@ -24,11 +24,7 @@ class TreeRow(Record):
 
 
 def rows(tree: KinematicTree) -> Iterator[TreeRow]:
-    """Every link, in the order of the document; what no root leads to comes last.
-
-    Args:
-        tree: of the model.
-    """
+    """Every link, in the order of the document; what no root leads to comes last."""
     seen: set[str] = set()
     for start in (*(root.name for root in tree.roots), *tree.children):
         if start in seen:

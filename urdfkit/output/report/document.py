@@ -72,7 +72,6 @@ def describe(
 
     Args:
         file: a URDF or xacro file, or a launch file that describes one robot.
-        options: of the check.
         quick: leave out what takes a while, which is all of `LONG`.
         progress: called with the number of steps done and of all, where it takes a while.
 

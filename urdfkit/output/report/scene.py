@@ -48,12 +48,7 @@ def surfaces(context: Context) -> Scene:
 
 
 def build(context: Context, built: Scene) -> PageScene:
-    """The scene of a robot; of one with very many triangles a coarse one.
-
-    Args:
-        context: the robot.
-        built: its triangles.
-    """
+    """The scene of a robot; of one with very many triangles a coarse one."""
     from urdfkit.output.report.gltf import write
     from urdfkit.render.coarse import coarsened
 

@@ -94,7 +94,6 @@ def rendered(reported: ReportInput, *, has_images: bool) -> RobotImages:
     """The drawings of a robot, and the robot in three dimensions; what cannot be had is left out.
 
     Args:
-        reported: the robot.
         has_images: with the images that take a while.
     """
     from urdfkit.output.report import data_uris, scene

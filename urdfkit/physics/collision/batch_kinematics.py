@@ -164,7 +164,6 @@ def slopes(
 
     Args:
         branches: to the two links, from `Chain.branches`.
-        columns: of the joints.
         frames: (n, 4, 4) of all links on the branches.
         points: (n, 3), fixed to both, in m.
         along: (n, 3), unit vectors.

@@ -62,7 +62,6 @@ def collision_bodies(robot: Robot, *, unit: bool) -> Iterator[CollisionBody]:
     """The collision bodies of a robot that can be used.
 
     Args:
-        robot: with its meshes.
         unit: apply the unit that a COLLADA file states.
     """
     for link in robot.model.links_by_name.values():

@@ -215,8 +215,6 @@ class Contacts:
         """The signed distance of two bodies: exact where they overlap, else only more than 0.
 
         Args:
-            first: a body.
-            second: another one.
             at: the frame of the second in that of the first.
         """
         found = signed_distance(first.kind, first.size, second.kind, second.size, at)
@@ -240,7 +238,6 @@ class Contacts:
         """True if two links overlap.
 
         Args:
-            names: of the links.
             given: positions of joints between the two; the others are where they begin.
         """
         placed = {

@@ -48,8 +48,6 @@ def solids(
     """The collision bodies of a model, and those that cannot be used.
 
     Args:
-        model: the robot.
-        meshes: its meshes.
         unit: apply the unit that a COLLADA file states, as RViz and Gazebo do; MoveIt and
             Pinocchio take the numbers as metres.
     """

@@ -49,7 +49,6 @@ def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
     """The nearest that two links are found to come; any collision will do.
 
     Args:
-        examiner: of the robot.
         pair: numbers of links, with a joint that moves between them.
     """
     columns = examiner.chain.between(*pair)
@@ -100,7 +99,6 @@ class _Bodies:
         """At some positions (n, k): of the hulls, or where these overlap of the bodies themselves.
 
         Args:
-            positions: of the joints between.
             inside: (n,), where the hulls are known to overlap.
         """
         of_links = self._of_links(positions)

@@ -111,7 +111,6 @@ class PairQuery:
         """What some configurations (n, dof) show, for each pair.
 
         Args:
-            configurations: of the robot.
             pairs: some of them; all if None.
             count: find all collisions, not only one.
         """

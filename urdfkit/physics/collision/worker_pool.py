@@ -74,7 +74,6 @@ class WorkerPool:
         """The answers to some tasks, in their order; None for a pair that crashes coal.
 
         Args:
-            tasks: of this robot.
             done: called after each.
 
         Raises:

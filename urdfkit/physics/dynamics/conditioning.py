@@ -27,11 +27,7 @@ class Conditioning(Record):
 
 
 def conditioning(robot: Dynamics) -> Conditioning:
-    """Of the coordinates that move some mass.
-
-    Args:
-        robot: at its zero pose.
-    """
+    """Of the coordinates that move some mass."""
     matrix = robot.mass_matrix({})
     diagonal = np.diag(matrix)
     moving = np.flatnonzero(diagonal)

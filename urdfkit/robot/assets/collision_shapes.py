@@ -70,7 +70,6 @@ def propose(
     """A simple collision for links whose collision is missing or is the visual mesh itself.
 
     Args:
-        robot: the robot.
         error: how far a shape may stick out, in m; a twentieth of each mesh if not given.
         links: these links instead, whatever their collision is.
         most: convex pieces at most, of a visual.

@@ -90,9 +90,6 @@ def generate_missing(robot: Robot) -> GeneratedMeshes:
     """Make a mesh for every file that a robot names and that is missing, empty or broken.
 
     Nothing is written: see `GeneratedMesh.write`.
-
-    Args:
-        robot: the robot.
     """
     return GeneratedMeshes.of([_make(robot, *unusable_file) for unusable_file in unusable(robot)])
 
@@ -108,11 +105,9 @@ def generate(
     """Make a mesh for one file that a robot names.
 
     Args:
-        robot: the robot.
         reference: as its ``filename`` says.
         part: what to make; chosen by the names if not given.
         size: edges in m, along the axes of the visual or collision; by the link if not given.
-        force: also where the file is a good mesh.
 
     Raises:
         NoSuchMesh: no shape of the robot has this reference.
@@ -140,10 +135,8 @@ def generate_part(
     """Make a part for a file that no robot names yet.
 
     Args:
-        path: of the file.
         part: what to make.
         size: its edges in m, along its own axes; true to life if not given.
-        force: also where the file is a good mesh.
 
     Raises:
         NoSuchSize: an edge is out of all bounds.

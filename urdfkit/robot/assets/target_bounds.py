@@ -36,8 +36,6 @@ def target_bounds(
     """The bounds of a shape of a link, from its other shapes, else from its inertia.
 
     Args:
-        robot: the robot.
-        link: of it.
         body: the visual or collision whose bounds are wanted.
         axes: of the bounds, as columns, in the frame of that body.
     """

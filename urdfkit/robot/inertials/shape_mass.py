@@ -44,7 +44,6 @@ def shape_mass(link: Link, source: str, measures: Measure) -> ShapeMass | str:
     """What the shapes of a link enclose, or why that is not known.
 
     Args:
-        link: the link.
         source: one of `SOURCES`; ``auto`` is the collision, else the visual, and ``hull`` is the
             convex hull of every mesh of those.
         measures: measures a mesh, or says why it cannot: `Context.measures`.

@@ -118,7 +118,6 @@ def propose(
     """Declared against computed, for every link that has a shape or an inertia.
 
     Args:
-        robot: the robot.
         source: what to compute from, one of `urdfkit.robot.inertials.shape_mass.SOURCES`.
         mass: of each link in kg, instead of the declared one.
         density: in kg/m³, that gives the mass instead.

@@ -43,12 +43,7 @@ class ResourcePaths(Record):
 
 
 def survey(root: str, directories: Directories) -> ResourcePaths:
-    """Look through the text files of a workspace, within bounds.
-
-    Args:
-        root: the directory.
-        directories: cached listings of directories.
-    """
+    """Look through the text files of a workspace, within bounds."""
     files = [
         path for path in directories.files_below(root, MAX_DIRECTORIES) if path.endswith(_TEXTS)
     ]

@@ -51,7 +51,6 @@ def rejections(diagnostics: Iterable[Diagnostic], conversion: Conversion) -> lis
 
     Args:
         diagnostics: of the rules in `CODES`, at least.
-        conversion: of the robot.
     """
     found = list(_reported(diagnostics))
     if not found and not (conversion.links or conversion.added_links):

@@ -41,7 +41,6 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
     other robots of the package: an argument of a launch file may choose which one it starts.
 
     Args:
-        robot: path of the URDF or xacro.
         needed: names of the arguments that it lacks.
         resolver: finds packages, and reads files.
     """
@@ -69,7 +68,6 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
     """The values that launch files about the package of a robot declare for their own arguments.
 
     Args:
-        robot: path of the URDF or xacro.
         resolver: finds packages, and reads files.
 
     Yields:
@@ -159,7 +157,6 @@ def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
     """The choices of the arguments of a launch file.
 
     Args:
-        source: of the launch file.
         with_defaults: also those of arguments with a default, and defaults without choices.
     """
     found: dict[str, list[str]] = {}

@@ -42,7 +42,6 @@ def formatted(source: Source, width: int = WIDTH) -> bytes:
     </robot>
 
     Args:
-        source: URDF or xacro.
         width: columns of a line.
 
     Raises:
@@ -233,7 +232,6 @@ def _holds_meaning(token: Token, path: list[str]) -> bool:
 
     Args:
         token: any but tags.
-        path: names of the elements around it.
     """
     if token.kind is TokenKind.CDATA:
         return True
