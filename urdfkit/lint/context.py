@@ -356,7 +356,7 @@ class Context(DescriptionFile):
         return MeasuredMeshes(self.model, self.files, kept, self._progress)
 
     def measures(self, shape: Shape) -> Measures | str:
-        """Of the mesh of a shape; or why there are none, as a predicate whose subject is the file."""
+        """Of a mesh; or why there are none, as a predicate whose subject is the file."""
         if reason := libraries.why_unmeasured():
             return f"is {reason}"
         return self.measured.measures(shape)
