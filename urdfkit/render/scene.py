@@ -16,7 +16,7 @@ from urdfkit.mesh.normals import shaded
 from urdfkit.mesh.transforms import scaled_part
 from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds
-from urdfkit.render.materials import PLACEHOLDER, ModelMaterials, SurfaceMaterial
+from urdfkit.render.materials import PLACEHOLDER, Colour, ModelMaterials, SurfaceMaterial
 from urdfkit.robot import kinematics
 from urdfkit.robot.model import Body, Link, Shape
 
@@ -103,6 +103,7 @@ class Scene(NamedTuple):
         missing: the meshes that placeholders stand for.
         labels: words to write.
         notes: what there was nothing of to draw, or is not as it looks, a sentence each.
+        legend: what colours mean: a colour and a word each.
     """
 
     items: tuple[SceneItem, ...]
@@ -110,6 +111,7 @@ class Scene(NamedTuple):
     missing: tuple[MissingMesh, ...] = ()
     labels: tuple[Label, ...] = ()
     notes: tuple[str, ...] = ()
+    legend: tuple[tuple[Colour, str], ...] = ()
 
     def points(self) -> Floats:
         """All vertices of the robot in the world, (n, 3), in m; overlays are no part of it."""
@@ -119,6 +121,11 @@ class Scene(NamedTuple):
             if not item.material.overlay
         ]
         return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
+
+    def level(self) -> float:
+        """The height of the lowest vertex of the robot in the world, in m; 0 without one."""
+        points = self.points()
+        return float(points[:, 2].min()) if len(points) else 0.0
 
 
 @np.errstate(over="ignore", invalid="ignore")  # of sizes that no robot has
