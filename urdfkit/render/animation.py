@@ -56,13 +56,7 @@ def swept_circle(points: Floats) -> Floats:
 
 
 def orbit(scene: Scene, camera: Camera, frames: int = FRAMES) -> list[Shot]:
-    """One turn of a camera about a robot; lamps turn with it, as before a turntable.
-
-    Args:
-        scene: the robot.
-        camera: for the first image.
-        frames: images of the turn.
-    """
+    """One turn of a camera about a robot; lamps turn with it, as before a turntable."""
     points = scene.points()
     middle = (points.min(axis=0) + points.max(axis=0)) / 2 if len(points) else np.zeros(3)
     shots = []
@@ -87,9 +81,6 @@ def sweep(
     A joint without limits makes one turn.
 
     Args:
-        scene: the robot.
-        context: its description.
-        joint: name of the joint.
         given: positions of the others, in rad or m.
         frames: how many images.
 

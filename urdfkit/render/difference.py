@@ -38,9 +38,7 @@ def difference(
     the second one does, amber what looks different in both.
 
     Args:
-        before: the first state.
         after: the second one.
-        view: name of a view.
         size: of all three images together, in pixels.
         camera_options: as `place_camera` takes it.
         drawing: as `draw` takes it.

@@ -47,14 +47,10 @@ _OPAQUE, _CLEAR, _OVERLAY = range(3)
 
 
 class Quality(NamedTuple):
-    """How much work an image is worth.
+    """How much work an image is worth."""
 
-    Attributes:
-        samples: of a pixel, for smooth edges.
-        sky, sun: samples of what hides the sky and the sun; none are taken for 0.
-    """
-
-    samples: int
+    samples: int  # of a pixel, for smooth edges
+    #: sky and sun: samples of what hides the sky and the sun; none are taken for 0.
     sky: int
     sun: int
 
@@ -202,7 +198,6 @@ class _Drawing:
 
         Args:
             near: of the vertices, as the camera projects them.
-            everything: the triangles.
             middle: of the robot, in the world.
         """
         step = np.float32(LIFT * self.size)

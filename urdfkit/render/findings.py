@@ -26,11 +26,6 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
     """A scene in which the links with errors are red and those with warnings orange.
 
     Findings that concern no link, such as those about a macro, have no place in it.
-
-    Args:
-        scene: the robot.
-        context: its description.
-        diagnostics: of a check of it.
     """
     found = by_link(context, diagnostics)
     items = tuple(

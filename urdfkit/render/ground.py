@@ -33,21 +33,13 @@ DENSE, SPARSE = 3, 9
 
 
 class Ground(NamedTuple):
-    """A level floor.
+    """A level floor."""
 
-    Attributes:
-        height: in the world, in m.
-        origin: x and y of the map's corner in the world.
-        cell: edge of a cell in m.
-        shade: (c, c), from 0, not darkened, to 1, black.
-        step: edge of a square of the grid in m; 0 without a grid.
-    """
-
-    height: float
-    origin: tuple[float, float]
-    cell: float
-    shade: Floats
-    step: float
+    height: float  # in the world, in m
+    origin: tuple[float, float]  # x and y of the map's corner in the world
+    cell: float  # edge of a cell in m
+    shade: Floats  # (c, c), from 0, not darkened, to 1, black
+    step: float  # edge of a square of the grid in m; 0 without a grid
 
     def seen(self, camera: Camera, first: int, last: int) -> tuple[Floats, Floats]:
         """The floor in a band of an image: its depth in m, and how dark it is, (rows, w) each.
@@ -128,7 +120,6 @@ def ground(
     Args:
         points: (n, 3), vertices in the world.
         faces: (m, 3), of what casts shadows.
-        pieces: where their vertices are.
         map_: what the sun sees.
         camera: in whose frame that is given.
         level: height of the floor; that of the robot's lowest point if None.

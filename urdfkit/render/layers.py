@@ -59,8 +59,6 @@ def explained(
     """A scene with layers over it.
 
     Args:
-        scene: the robot.
-        context: its description.
         layers: names of `LAYERS`.
         given: positions of joints, as for the scene.
 

@@ -14,17 +14,12 @@ Colour = tuple[float, float, float, float]
 
 
 class SurfaceMaterial(NamedTuple):
-    """The colour or the texture of a surface.
+    """The colour or the texture of a surface."""
 
-    Attributes:
-        rgba: each part from 0 to 1, as written (sRGB); multiplied with the texture.
-        texture: path of an image, or its bytes; None without one.
-        overlay: True for what explains the robot and is no part of it: it casts no shadow, and is
-            seen through what hides it.
-    """
-
-    rgba: Colour
-    texture: str | bytes | None = None
+    rgba: Colour  # each part from 0 to 1, as written (sRGB); multiplied with the texture
+    texture: str | bytes | None = None  # path of an image, or its bytes; None without one
+    #: True for what explains the robot and is no part of it: it casts no shadow, and is seen
+    #: through what hides it.
     overlay: bool = False
 
 
@@ -64,10 +59,7 @@ class ModelMaterials:
         """The material of triangles.
 
         Args:
-            link: name of the link.
             role: ``visual`` or ``collision``.
-            body: the visual or collision.
-            embedded: the material in the mesh file.
         """
         if role == "collision":
             return self._collision

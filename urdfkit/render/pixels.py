@@ -99,7 +99,6 @@ def summed(some: Fragments, light: Floats, start: int, count: int) -> tuple[Floa
     """Fragments in their pixels: light (p, 3), times coverage, and the coverage (p,).
 
     Args:
-        some: the fragments.
         light: (k, 3), that they send.
         start: number of the first pixel.
         count: of pixels.

@@ -84,7 +84,6 @@ def sample(image: Texture, uv: Floats, spread: Floats) -> Floats:
     """The colours at texture coordinates, (k, 3), in linear light; images repeat.
 
     Args:
-        image: the texture.
         uv: (k, 2), v upwards.
         spread: (k,), the edge of a pixel of the rendered image, as a part of the texture.
     """
