@@ -37,7 +37,6 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     Of a convex mesh, its hull.
 
     Args:
-        mesh: best a solid.
         most: pieces at most.
         engine: as for `cut`.
 
@@ -60,7 +59,6 @@ def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     pieces are grown.
 
     Args:
-        mesh: best a solid.
         most: pieces at most.
         engine: ``vhacd`` (K. Mamou's V-HACD 4), quick; or ``coacd`` (X. Wei et al., "Approximate
             Convex Decomposition for 3D Meshes with Collision-Aware Concavity", 2022), which keeps

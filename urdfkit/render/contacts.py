@@ -12,26 +12,18 @@ from urdfkit.robot.adjacency import Adjacency
 
 
 class Overlap(NamedTuple):
-    """Two links whose collision shapes are in one another.
+    """Two links whose collision shapes are in one another."""
 
-    Attributes:
-        first: name of a link.
-        second: of the other one.
-        depth: in m.
-        is_held: True if the links are adjacent, so that programs ignore it.
-    """
-
-    first: str
-    second: str
-    depth: float
-    is_held: bool
+    first: str  # name of a link
+    second: str  # of the other one
+    depth: float  # in m
+    is_held: bool  # True if the links are adjacent, so that programs ignore it
 
 
 def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
     """The pairs of links that overlap.
 
     Args:
-        context: the robot.
         given: positions of joints, in rad or m; the others are at 0.
 
     Raises:

@@ -22,17 +22,11 @@ def without_meshes() -> str:
 
 
 class RobotExtent(Record):
-    """What some shapes take up.
+    """What some shapes take up."""
 
-    Attributes:
-        box: around them, along the axes of their root; None without any.
-        measured: how many links have a shape in it.
-        left_out: why shapes are not in the box, by link.
-    """
-
-    box: BoundingBox | None
-    measured: int
-    left_out: dict[str, str]
+    box: BoundingBox | None  # around them, along the axes of their root; None without any
+    measured: int  # how many links have a shape in it
+    left_out: dict[str, str]  # why shapes are not in the box, by link
 
 
 def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
@@ -42,7 +36,6 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
     counts.
 
     Args:
-        robot: the robot.
         placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
     """
     boxes: list[BoundingBox] = []
@@ -73,8 +66,6 @@ def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
     """The box around a visual or collision of a link, or why there is none.
 
     Args:
-        robot: the robot.
-        body: the visual or collision.
         link: the frame of the link, in which the box is wanted.
     """
     shape = body.shape

@@ -25,7 +25,6 @@ def local(models: Iterable[Model], settings: Settings, jobs: int) -> Iterator[Mo
     """The rows of models, as they are done by processes of this machine.
 
     Args:
-        models: on disk.
         settings: how they are checked.
         jobs: how many processes.
 

@@ -20,9 +20,6 @@ _CHUNK = 1000
 def write_tables(directory: str) -> None:
     """Write the Parquet files next to the results that they are made of, whole or not at all.
 
-    Args:
-        directory: of the results of a scan.
-
     Raises:
         MissingLibrary: pyarrow is not installed.
         UnreadableFile: the directory holds no scan.

@@ -238,9 +238,6 @@ def serve(
     """Show a robot until Ctrl-C.
 
     Args:
-        file: a URDF or xacro file.
-        options: of its check.
-        translator: into the reader's language.
         port: to listen at; a free one if 0.
         opened: called with the address when the page is to be had.
 

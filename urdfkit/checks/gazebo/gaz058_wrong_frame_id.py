@@ -70,12 +70,9 @@ def _unknown(context: Context) -> Findings:
         elif bare not in known and name not in known and not _is_of_the_world(name):
             suggested = suggester.suggested(name)
             help = f"did you mean '{suggested}'?" if suggested else "name a link of the robot"
+            message = f"{who}: frame_id '{name}' is not a link of the robot"
             yield Finding(
-                at,
-                f"{who}: frame_id '{name}' is not a link of the robot",
-                help,
-                fix_value(at, suggested),
-                confidence=Confidence.INFERRED,
+                at, message, help, fix_value(at, suggested), confidence=Confidence.INFERRED
             )
 
 

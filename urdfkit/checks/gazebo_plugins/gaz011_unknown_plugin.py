@@ -53,10 +53,8 @@ def check(context: Context) -> Findings:
             yield _misspelt(use, system)._replace(fix=None)
         elif use.filename not in reported:
             reported.add(use.filename)  # one robot may use a library a hundred times
-            yield Finding(
-                use.at.attributes["filename"],
-                f"unknown plugin library '{use.filename}'",
-            )
+            message = f"unknown plugin library '{use.filename}'"
+            yield Finding(use.at.attributes["filename"], message)
 
 
 def _misspelt(use: PluginUse, suggested: str) -> Finding:

@@ -116,11 +116,9 @@ def _noise_without_type(sensor: Sensor, noise: Element) -> Finding:
     type = child.text.strip() if child else "gaussian"
     source, _, end = noise.tag_at.name_span
     title = f'write <noise type="{type}">'
+    message = f"{sensor.who}: <noise> has no type: {REJECTED}"
     return Finding(
-        noise,
-        f"{sensor.who}: <noise> has no type: {REJECTED}",
-        title,
-        Fix(title, (Edit(Span(source, end, end), f' type="{type}"'),)),
+        noise, message, title, Fix(title, (Edit(Span(source, end, end), f' type="{type}"'),))
     )
 
 

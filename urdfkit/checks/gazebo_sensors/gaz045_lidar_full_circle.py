@@ -40,9 +40,5 @@ def check(context: Context) -> Findings:
             more = "the first and the last coincide"
             if span > 2 * pi + step / 2:
                 more = "the last repeat the first"
-            yield Finding(
-                last,
-                f"{sensor.who}: {count:g} beams over {span:g} rad: {more}",
-                f"write {text}",
-                fix_value(last.at, text),
-            )
+            message = f"{sensor.who}: {count:g} beams over {span:g} rad: {more}"
+            yield Finding(last, message, f"write {text}", fix_value(last.at, text))

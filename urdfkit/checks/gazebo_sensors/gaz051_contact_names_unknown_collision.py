@@ -57,11 +57,8 @@ def check(context: Context) -> Findings:
                 if renamed
                 else f"; did you mean '{suggested}'?"
             )
-            yield Finding(
-                named,
-                f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}",
-                fix=fix_value(named, suggested),
-            )
+            message = f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}"
+            yield Finding(named, message, fix=fix_value(named, suggested))
 
 
 def _called(collision: Element) -> tuple[str, ...]:

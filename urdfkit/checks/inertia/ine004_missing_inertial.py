@@ -143,10 +143,8 @@ def _finding(body: RigidBody, context: Context) -> Finding | None:
     if body.joint:  # a fixed one leads from the world
         verb = "held" if body.joint.kind == "fixed" else "moved"
         by = f"{verb} by the {body.joint.kind} joint '{body.joint.name}'"
-    return Finding(
-        body.top.at,
-        f"link '{name}' is {by} and has no mass: Gazebo drops it{others}",
-    )
+    message = f"link '{name}' is {by} and has no mass: Gazebo drops it{others}"
+    return Finding(body.top.at, message)
 
 
 def _of_tiny_mass(context: Context) -> Findings:

@@ -37,10 +37,8 @@ def check(context: Context) -> Findings:
 
 
 def _finding(one: LinkInertia) -> Finding:
-    return Finding(
-        one.at,
+    message = (
         f"link '{one.link.name}' of {one.mass:g} kg: placeholder inertia "
-        f"{values(one.diagonal)} (radius of gyration {one.radius_of_gyration:.3g} m)",
-        confidence=Confidence.INFERRED,
-        weight=one.radius_of_gyration,
+        f"{values(one.diagonal)} (radius of gyration {one.radius_of_gyration:.3g} m)"
     )
+    return Finding(one.at, message, confidence=Confidence.INFERRED, weight=one.radius_of_gyration)

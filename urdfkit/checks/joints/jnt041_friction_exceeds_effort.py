@@ -48,11 +48,9 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
     friction, damping = (number(dynamics.get(key)) or 0.0 for key in ("friction", "damping"))
     who, of = f"joint '{joint.name}'", effort_unit(joint)
     if friction > most:
+        message = f"{who}: friction {friction:g} {of} exceeds the effort limit of {most:g} {of}"
         yield Finding(
-            dynamics.attributes["friction"],
-            f"{who}: friction {friction:g} {of} exceeds the effort limit of {most:g} {of}",
-            weight=friction / most,
-            group_key="friction",
+            dynamics.attributes["friction"], message, weight=friction / most, group_key="friction"
         )
     speed = joint.limit.velocity.value if joint.limit and joint.limit.velocity else 0.0
     reached = most / damping if damping > 0 else speed

@@ -26,8 +26,5 @@ def check(context: Context) -> Findings:
     if not copies:
         return
     (copy, first), *others = copies
-    yield Finding(
-        copy.at,
-        f"{copy.who} has the same content as '{first.at.value}'{more_like_this(len(others))}",
-        related=(Related(first.at.span, "the other file"),),
-    )
+    message = f"{copy.who} has the same content as '{first.at.value}'{more_like_this(len(others))}"
+    yield Finding(copy.at, message, related=(Related(first.at.span, "the other file"),))

@@ -67,11 +67,8 @@ def check(context: Context) -> Findings:
             home = context.resolver.packages.enclosing(path)
             yield Finding(mesh.at, message, f"write package://{home[0]}/..." if home else "")
     for mesh in context.files.ignored:
-        yield Finding(
-            mesh.at,
-            f"{mesh.who} is ignored by git: clones of the repository lack it",
-            "git add -f FILE, and an exception in .gitignore",
-        )
+        message = f"{mesh.who} is ignored by git: clones of the repository lack it"
+        yield Finding(mesh.at, message, "git add -f FILE, and an exception in .gitignore")
 
 
 def _is_absolute(mesh: MeshReference) -> bool:

@@ -56,12 +56,8 @@ def check(context: Context) -> Findings:
             fix = _fix(uses, suggester.suggested(word))
         visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
         who = owner(uses[0].element)
-        yield Finding(
-            uses[0],
-            f"{who}: material '{word}' has no colour in {visuals}; {reason}",
-            fix=fix,
-            related=related,
-        )
+        message = f"{who}: material '{word}' has no colour in {visuals}; {reason}"
+        yield Finding(uses[0], message, fix=fix, related=related)
 
 
 def _fix(uses: list[Attribute], suggested: str) -> Fix | None:

@@ -122,12 +122,8 @@ def _empty_range(part: ControlPart, interface: Interface) -> Findings:
     at = interface.parameter("min")
     if at and _is_empty(interface):
         least, greatest = interface.bound("min"), interface.bound("max")
-        yield Finding(
-            at,
-            f"{part.kind} '{part.name}', {interface.name}: min {least:g} > max {greatest:g}",
-            "swap min and max",
-            severity=Severity.ERROR,
-        )
+        message = f"{part.kind} '{part.name}', {interface.name}: min {least:g} > max {greatest:g}"
+        yield Finding(at, message, "swap min and max", severity=Severity.ERROR)
 
 
 def _initial_value(joint: Joint, interface: Interface) -> Findings:

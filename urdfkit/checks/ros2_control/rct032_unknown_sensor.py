@@ -59,11 +59,9 @@ def _not_in_gazebo(context: Context, blocks: list[Component]) -> Findings:
             if part.kind != "sensor" or name is None or name.value in simulated:
                 continue
             suggested, hint = suggester.suggested(name.value), suggester.hint(name.value)
+            message = f"sensor '{name.value}' of <ros2_control> does not exist in <gazebo>{hint}"
             yield Finding(
-                name,
-                f"sensor '{name.value}' of <ros2_control> does not exist in <gazebo>{hint}",
-                "use the same name for both sensors",
-                fix_value(name, suggested),
+                name, message, "use the same name for both sensors", fix_value(name, suggested)
             )
 
 

@@ -72,9 +72,7 @@ def check(context: Context) -> Findings:
     for (element, first, second), collision in zip(said, found, strict=True):
         if collision and collision.depth > _DEEP:
             pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())
-            yield Finding(
-                element,
-                f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}",
-                weight=collision.depth,
-                group_key="never",
+            message = (
+                f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}"
             )
+            yield Finding(element, message, weight=collision.depth, group_key="never")

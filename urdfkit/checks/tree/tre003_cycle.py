@@ -34,11 +34,8 @@ SHOWN = 8
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
         if joint.parent and joint.child and joint.parent.value == joint.child.value:
-            yield Finding(
-                joint.child,
-                f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child",
-                "name the link that this joint moves as its child",
-            )
+            message = f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child"
+            yield Finding(joint.child, message, "name the link that this joint moves as its child")
     for loop in context.tree.cycles:
         yield Finding(
             loop[-1].child or loop[-1].at,

@@ -131,8 +131,6 @@ def _lifted_wheels(
     Wheels turn without end about a level axis, and there are two or more at one height.
 
     Args:
-        tree: of the robot.
-        footprint: the link on the ground.
         robot: names of the links that count.
         lowest: the link that reaches lowest.
         height: of its lowest point over the footprint, in m.

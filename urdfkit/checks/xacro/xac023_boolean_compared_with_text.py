@@ -38,10 +38,8 @@ def check(context: Context) -> Findings:
         for name, operator, span in _compared(source):
             if not _is_text(name, context):
                 result = "False" if operator == "==" else "True"
-                yield Finding(
-                    Location(span),
-                    f"'{span.text}' is always {result}: xacro makes a boolean of '{name}'",
-                )
+                message = f"'{span.text}' is always {result}: xacro makes a boolean of '{name}'"
+                yield Finding(Location(span), message)
 
 
 def _compared(source: Source) -> Iterator[tuple[str, str, Span]]:

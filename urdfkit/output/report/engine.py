@@ -22,17 +22,11 @@ _TEMPLATE = "templates/viewer.zip"
 
 
 class PageEngine(Record):
-    """A 3D engine.
+    """A 3D engine."""
 
-    Attributes:
-        script: that makes ``THREE`` and ``THREE.GLTFLoader``, with its copyright notice.
-        package: that it comes from, with its version.
-        licence: the text of the licence.
-    """
-
-    script: str
-    package: str
-    licence: str
+    script: str  # that makes ``THREE`` and ``THREE.GLTFLoader``, with its copyright notice
+    package: str  # that it comes from, with its version
+    licence: str  # the text of the licence
 
 
 def load() -> PageEngine:

@@ -51,8 +51,6 @@ def render(
     """A whole page.
 
     Args:
-        document: its contents.
-        translator: into the reader's language.
         drawings: addresses of images, by name.
         scene: the robot in three dimensions; None for a page without.
         engine: that draws the scene.
@@ -81,8 +79,6 @@ def render_plain(template: str, translator: Translator, **context: object) -> st
     """A page without a 3D view, of another template.
 
     Args:
-        template: its file.
-        translator: into the reader's language.
         context: what it shows, by name.
     """
     scripts = [_read("page.js")]

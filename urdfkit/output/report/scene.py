@@ -30,15 +30,10 @@ def without_report() -> str:
 
 
 class PageScene(Record):
-    """What the engine draws.
+    """What the engine draws."""
 
-    Attributes:
-        model: binary glTF, packed with gzip; each surface in the frame of its link.
-        robot: links, and joints with parents before children, as plain values.
-    """
-
-    model: bytes
-    robot: dict[str, Any]
+    model: bytes  # binary glTF, packed with gzip; each surface in the frame of its link
+    robot: dict[str, Any]  # links, and joints with parents before children, as plain values
 
 
 def surfaces(context: Context) -> Scene:
@@ -57,12 +52,7 @@ def surfaces(context: Context) -> Scene:
 
 
 def build(context: Context, built: Scene) -> PageScene:
-    """The scene of a robot; of one with very many triangles a coarse one.
-
-    Args:
-        context: the robot.
-        built: its triangles.
-    """
+    """The scene of a robot; of one with very many triangles a coarse one."""
     from urdfkit.output.report.gltf import write
     from urdfkit.render.coarse import coarsened
 
