@@ -20,6 +20,7 @@ from urdfkit.render.camera import Camera, CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import opaque, write
 from urdfkit.render.pixels import STUDIO
+from urdfkit.render.scale import write_scale
 from urdfkit.render.scene import Scene
 from urdfkit.robot import kinematics
 from urdfkit.robot.joints import bounds
@@ -121,13 +122,14 @@ def animated(
         progress: called with the number of images done and of all.
         drawing: as `draw` takes it.
     """
-    level = min((float(s.points()[:, 2].min()) for s, _ in shots if len(s.points())), default=None)
+    level = min(scene.level() for scene, _ in shots)
     has_background = drawing.get("background", STUDIO) is not None
     images = []
     for number, (scene, camera) in enumerate(shots):
         image = Image.fromarray(draw(scene, camera, level=level, **drawing))
-        if scene.labels:
-            write(image, scene, camera)
+        write(image, scene, camera)
+        if has_background and drawing.get("floor", True):
+            write_scale(image, camera, level)
         images.append(image.convert("RGB") if has_background else image)
         if progress is not None:
             progress(number + 1, len(shots))

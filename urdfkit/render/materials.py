@@ -27,7 +27,7 @@ class SurfaceMaterial(NamedTuple):
 PLAIN = SurfaceMaterial((0.72, 0.74, 0.77, 1.0))
 #: For the box that stands for a missing mesh; the name is drawn as stripes.
 STRIPES = "urdfkit:stripes"
-PLACEHOLDER = SurfaceMaterial((1.0, 1.0, 1.0, 1.0), STRIPES)
+PLACEHOLDER = SurfaceMaterial((1.0, 0.48, 0.0, 1.0), STRIPES)
 #: Collisions are seen through where visuals are shown, too.
 COLLISION = SurfaceMaterial((0.93, 0.42, 0.12, 0.45))
 

@@ -16,7 +16,7 @@ from urdfkit.mesh.normals import shaded
 from urdfkit.mesh.transforms import scaled_part
 from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds
-from urdfkit.render.materials import PLACEHOLDER, ModelMaterials, SurfaceMaterial
+from urdfkit.render.materials import PLACEHOLDER, Colour, ModelMaterials, SurfaceMaterial
 from urdfkit.robot import kinematics
 from urdfkit.robot.model import Body, Link, Shape
 
@@ -79,6 +79,7 @@ class Scene(NamedTuple):
     labels: tuple[Label, ...] = ()  # words to write
     #: What there was nothing of to draw, or is not as it looks, a sentence each.
     notes: tuple[str, ...] = ()
+    legend: tuple[tuple[Colour, str], ...] = ()  # what colours mean
 
     def points(self) -> Floats:
         """All vertices of the robot in the world, (n, 3), in m; overlays are no part of it."""
@@ -88,6 +89,11 @@ class Scene(NamedTuple):
             if not item.material.overlay
         ]
         return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
+
+    def level(self) -> float:
+        """The height of the lowest vertex of the robot in the world, in m; 0 without one."""
+        points = self.points()
+        return float(points[:, 2].min()) if len(points) else 0.0
 
 
 @np.errstate(over="ignore", invalid="ignore")  # of sizes that no robot has
