@@ -74,7 +74,6 @@ command = click.Command(
 
 
 def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:
-    """The lines of the summary."""
     yield from _applied(fixes, "would fix" if is_dry else "fixed")
     made = list(_meshes(fixes, "would generate" if is_dry else "generated"))
     yield from (*made, "") if made else ()

@@ -119,7 +119,6 @@ def _link(link: SimulatedLink) -> Iterator[str]:
 
 
 def as_json(conversion: Conversion, rejected: list[Rejection]) -> dict[str, Any]:
-    """The same for programs."""
     return {
         "version": VERSION,
         "converter": conversion.converter.name,

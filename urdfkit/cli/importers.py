@@ -127,7 +127,6 @@ def _letter(number: int) -> str:
 
 
 def _moving(one: Imported) -> list[str]:
-    """The bodies that are not the world."""
     world = one.facts.merges_into_world
     return [body.name for body in one.bodies if not (world and body.name == "world")]
 
@@ -279,7 +278,6 @@ def _map_csv(found: IndexMap) -> Iterator[str]:
 
 
 def _map_line(found: IndexMap) -> str:
-    """One line to paste into Python."""
     source, target = found.source.replace("-", "_"), found.target.replace("-", "_")
     name = f"{source}_to_{target}"
     return f"{name} = {list(found.indices)}  # q_{target} = q_{source}[{name}]"

@@ -156,7 +156,6 @@ def _name(one: InertiaProposal) -> str:
 
 
 def as_json(proposals: Sequence[InertiaProposal]) -> dict[str, Any]:
-    """The same for programs."""
     return {
         "version": VERSION,
         "links": [

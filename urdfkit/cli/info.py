@@ -51,7 +51,6 @@ def command(asked: dict[str, Any], form: str) -> int:
 
 
 def render(found: Overview) -> Iterator[str]:
-    """The lines of the page."""
     kind = "xacro" if found.is_xacro else "URDF"
     yield f"{found.name or '(no name)'}: {kind}, {shown(found.file)}"
     targets = ", ".join(found.targets) or "not detected; select it with --target"

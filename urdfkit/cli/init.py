@@ -53,7 +53,6 @@ def command(directory: str, only_print: bool) -> int:
 
 
 def render(found: DirectoryContents, directory: str) -> str:
-    """The text of a configuration."""
     resolver = Resolver()
     robots = [_ConfiguredRobot(robot.file, directory, resolver) for robot in found.robots]
     lines = [
@@ -125,7 +124,6 @@ def _key(name: str) -> str:
 
 
 def _quoted(text: str) -> str:
-    """A text as TOML writes it."""
     import json  # a JSON text is a TOML text
 
     return json.dumps(text, ensure_ascii=False)

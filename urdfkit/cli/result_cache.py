@@ -81,7 +81,6 @@ def replay(words: list[str]) -> int | None:
 
 
 def _write(entry: ResultEntry) -> int:
-    """Write everything as the check did."""
     for path, data in entry.outputs:
         if path:
             from urdfkit.core import atomic

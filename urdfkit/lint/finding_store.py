@@ -43,7 +43,6 @@ class FindingStore:
             self._spilled.close()
 
     def add(self, path: str, variant: str, diagnostics: Iterable[Diagnostic]) -> None:
-        """The findings in one description."""
         self._variants.setdefault(path, set()).add(variant)
         for one in diagnostics:
             self.add_finding(one, [(path, variant)])
@@ -51,7 +50,6 @@ class FindingStore:
             self._spill(next(iter(self._memory)))
 
     def add_finding(self, one: Diagnostic, found_in: list[tuple[str, str]]) -> None:
-        """A finding in some descriptions."""
         path = one.span.source.path
         file = disk.real(path)
         of_file = self._memory[file] = self._of_file(file)

@@ -38,7 +38,6 @@ _ITEMS = {
 
 
 def make() -> Server:
-    """A server with all its features."""
     server = Server()
     _add_documents(server)
     triggers = lsp.CompletionOptions(trigger_characters=["<", '"', "'", "/", "{", "(", " ", ":"])

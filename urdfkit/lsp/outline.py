@@ -40,7 +40,6 @@ class OutlineEntry:
 
 
 def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
-    """The entries of a file."""
     top = [_definition(node) for node in page.nodes if _is_definition(node)]
     if robot.document is None:
         plain = [node for node in page.nodes if node.name in ("link", "joint") and _is_top(node)]

@@ -56,7 +56,6 @@ def take_apart(places: Floats, edges: Edges) -> Pieces:
 def _extents(
     places: Floats, faces: Integers, of_face: Integers, number: int
 ) -> tuple[Floats, Floats]:
-    """The bounding box of each piece."""
     low, high = np.full((number, 3), np.inf), np.full((number, 3), -np.inf)
     for corner in range(3):
         np.minimum.at(low, of_face, places[faces[:, corner]])

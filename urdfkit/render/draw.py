@@ -283,7 +283,6 @@ class _Drawing:
         sun: Floats,
         background: Background | None,
     ) -> Bytes:
-        """The pixels of a band."""
         width = self.camera.size[0]
         some, there = band.opaque
         start, count = first * width, (last - first) * width

@@ -39,12 +39,10 @@ def box(x: float, y: float, z: float) -> Triangles:
 
 
 def cylinder(radius: float, length: float) -> Triangles:
-    """A cylinder along z, about its centre."""
     return revolved((0, radius, radius, 0), (-length / 2, -length / 2, length / 2, length / 2))
 
 
 def sphere(radius: float) -> Triangles:
-    """A sphere about its centre."""
     return capsule(radius, 0.0)
 
 

@@ -87,7 +87,6 @@ def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
 
 
 def chosen_triangles(whole: CameraTriangles, chosen: Bools | Integers) -> CameraTriangles:
-    """Some of the triangles, with all vertices."""
     return whole._replace(
         faces=whole.faces[chosen], item=whole.item[chosen], flat=whole.flat[chosen]
     )

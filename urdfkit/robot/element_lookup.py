@@ -33,7 +33,6 @@ class ElementLookup:
         return _nearest(self._links, element)
 
     def joint(self, element: str) -> str | None:
-        """The joint that an element belongs to."""
         return _nearest(self._joints, element)
 
 

@@ -99,7 +99,6 @@ def unit(joint: Joint) -> str:
 
 
 def effort_unit(joint: Joint) -> str:
-    """Of what moves it."""
     return "N" if joint.kind == "prismatic" else "N·m"
 
 

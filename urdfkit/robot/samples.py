@@ -6,7 +6,6 @@ from collections.abc import Iterable
 
 
 def robot_xml(*parts: str) -> str:
-    """Elements one below the other."""
     return "\n".join(parts)
 
 

@@ -22,7 +22,6 @@ _Table = tuple[str, Sequence[str], list[tuple[object, ...]]]
 
 
 def text(summary: Summary) -> Iterator[str]:
-    """The lines of the summary."""
     yield from _counts(summary)
     for heading, columns, rows in _tables(summary):
         if rows:
@@ -41,7 +40,6 @@ def text(summary: Summary) -> Iterator[str]:
 
 
 def html(summary: Summary, title: str) -> str:
-    """The page."""
     parts = [
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>',
         f"<style>{_STYLE}</style><h1>{escape(title)}</h1>",

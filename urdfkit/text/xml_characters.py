@@ -12,7 +12,6 @@ _HYPHENS = re.compile(rb"--+|-\Z")
 
 
 def control_characters(data: bytes) -> list[tuple[int, int]]:
-    """The characters that XML forbids."""
     return [found.span() for found in _CONTROLS.finditer(data)]
 
 
@@ -49,7 +48,6 @@ def hyphen_mistake(data: bytes, start: int, end: int) -> SyntaxMistake | None:
 
 
 def is_character(code: int) -> bool:
-    """True if XML allows the character."""
     return (
         code in (0x9, 0xA, 0xD)
         or 0x20 <= code <= 0xD7FF

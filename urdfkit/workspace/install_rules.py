@@ -95,7 +95,6 @@ class InstallRules:
         return re.search(_MAKES, self._text) is not None
 
     def advice(self, top: str) -> str:
-        """How to install a directory."""
         if self.file.endswith(".py"):
             return f"add the files of {top} to data_files in setup.py"
         return f"write install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}})"

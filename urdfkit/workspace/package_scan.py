@@ -43,7 +43,6 @@ class PackageScan:
         return self._found.get(name)
 
     def all(self) -> dict[str, str]:
-        """Directories of all packages by name."""
         self.find("")
         return self._found
 

@@ -92,7 +92,6 @@ def _top(path: str) -> str:
 
 
 def _commit(top: str, revision: str) -> str:
-    """The hash of a revision's commit."""
     words = ("rev-parse", "--verify", "--end-of-options", f"{revision}^{{commit}}")
     try:
         return _git(top, *words).decode().strip()

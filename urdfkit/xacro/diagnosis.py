@@ -28,7 +28,6 @@ _UNKNOWN_ATTRIBUTE = re.compile(r"unknown attribute\(s\): ([\w:.-]+)")
 
 
 def related(span: Span, message: str) -> tuple[Related, ...]:
-    """One related place."""
     return (Related(span, message),)
 
 
@@ -153,7 +152,6 @@ def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Prob
 
 
 def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]:
-    """Code, message and help of an error."""
     cause = root_cause(error)
     if isinstance(cause, (UnsafeExpression, EnvironmentRefused)):
         rejected = "rejected: " if isinstance(cause, UnsafeExpression) else ""

@@ -35,7 +35,6 @@ def command(files: tuple[str, ...], form: str) -> int:
 
 
 def render(found: MeshDescription) -> Iterator[str]:
-    """The lines about one file."""
     yield f"{found.path}: {found.format}, {found.bytes} bytes"
     if found.defect:
         yield from output.indented(f"broken: {found.defect}")

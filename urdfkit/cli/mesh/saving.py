@@ -37,7 +37,6 @@ def destination(file: str, out: str | None, in_place: bool, force: bool) -> str 
 
 
 def save(mesh: Mesh, path: str | None) -> Iterator[str]:
-    """Write a mesh, and say so."""
     if path is None:
         yield "nothing written; use --output OUT or --write"
         return

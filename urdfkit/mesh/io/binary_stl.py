@@ -31,7 +31,6 @@ def whole_size(data: bytes) -> int:
 
 
 def _count(data: bytes) -> int:
-    """The declared number of triangles."""
     return int.from_bytes(data[80:HEADER], "little")
 
 

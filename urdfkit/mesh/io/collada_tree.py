@@ -79,7 +79,6 @@ def parse(data: bytes, *, recover: bool = False) -> Element:
 
 
 def tag(element: Element) -> str:
-    """The tag without its namespace."""
     return str(element.tag).rpartition("}")[2]
 
 

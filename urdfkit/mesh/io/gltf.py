@@ -14,7 +14,6 @@ _JSON_CHUNK = 0x4E4F534A
 
 
 def judge_glb(data: bytes) -> tuple[Defect | None, str]:
-    """What is wrong with a GLB file."""
     if len(data) < _HEADER + _CHUNK_HEADER:
         return truncated(f"ends after {counted(len(data), 'byte')}, inside its header"), ""
     version, length = unpack_from("<II", data, 4)

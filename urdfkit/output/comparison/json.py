@@ -15,7 +15,6 @@ VERSION = 1
 
 
 def render(comparison: Comparison, *, width: int = 80) -> str:
-    """The whole comparison."""
     document = {
         "version": VERSION,
         "before": comparison.before,

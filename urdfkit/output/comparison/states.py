@@ -55,7 +55,6 @@ class RobotState:
 
     @cached_property
     def report(self) -> Report:
-        """What ``urdfkit check`` says."""
         return check(self.context.source, options=self._options)
 
     def rename_sources(self) -> None:

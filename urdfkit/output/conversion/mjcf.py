@@ -155,7 +155,6 @@ class MjcfRobot:
                 self.losses.keep(attribute, field)
 
     def _fill(self, link: Link) -> None:
-        """What a link holds, in its body."""
         body = self.bodies[link.name]
         self.losses.keep(link.at, f"body '{body.name}'")
         if link.inertial and body is self.spec.worldbody:

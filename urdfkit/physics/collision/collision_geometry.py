@@ -57,7 +57,6 @@ class CollisionGeometry(NamedTuple):
 
 
 def form(solid: CollisionArrays) -> CollisionGeometry:
-    """A body for coal."""
     if solid.kind == "mesh":
         return _mesh(solid)
     exact = _PRIMITIVES[solid.kind](*solid.size)

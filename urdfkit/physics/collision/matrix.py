@@ -87,7 +87,6 @@ class Matrix(NamedTuple):
     applies_units: bool  # True if that unit was applied
 
     def of(self, verdict: PairVerdict) -> list[PairResult]:
-        """The pairs with a verdict."""
         return [pair for pair in self.pairs if pair.verdict is verdict]
 
     @property

@@ -65,7 +65,6 @@ class LinkInertia:
 
     @property
     def name(self) -> str:
-        """Of the link."""
         return self.link.name
 
     @cached_property

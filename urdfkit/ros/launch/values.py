@@ -142,7 +142,6 @@ class Values:
 
 
 def called(call: ast.Call) -> str:
-    """The last part of what is called."""
     function = call.func
     if isinstance(function, ast.Attribute):
         return function.attr

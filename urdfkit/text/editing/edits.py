@@ -98,7 +98,6 @@ def escaped(text: str) -> str:
 
 
 def replace_value(attribute: Attribute, value: str) -> tuple[Edit, ...] | None:
-    """Give an attribute another value."""
     if attribute.span.text.split() != attribute.value.split():
         return None
     escaped = value.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
@@ -298,7 +297,6 @@ def indent_of(span: Span) -> str | None:
 
 
 def newline(source: Source) -> str:
-    """The line end of a source."""
     return "\r\n" if b"\r\n" in source.data else "\n"
 
 

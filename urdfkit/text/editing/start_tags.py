@@ -141,7 +141,6 @@ def _rest(line: str) -> str:
 
 @cache
 def _grammars() -> dict[str, schema.Grammar]:
-    """The grammars of URDF's elements by tag."""
     return dict(schema.elements())
 
 
