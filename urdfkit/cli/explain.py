@@ -1,7 +1,5 @@
 """``urdfkit explain``."""
 
-from __future__ import annotations
-
 import re
 from textwrap import fill, indent
 

@@ -1,7 +1,5 @@
 """``urdfkit fix``: apply fixes, and report what was fixed, what is left, and why."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Any
 

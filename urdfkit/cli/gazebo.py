@@ -1,7 +1,5 @@
 """``urdfkit gazebo``: what Gazebo makes of a robot."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

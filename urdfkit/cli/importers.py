@@ -1,7 +1,5 @@
 """``urdfkit importers``: what simulators and dynamics libraries make of a robot."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import groupby
 from typing import Any

@@ -1,7 +1,5 @@
 """``urdfkit inertia``: declared masses and moments, compared with those of the shapes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from math import inf
 from typing import Any

@@ -1,7 +1,5 @@
 """``urdfkit info``: a robot on one page."""
 
-from __future__ import annotations
-
 import os
 import textwrap
 from collections import Counter

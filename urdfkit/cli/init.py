@@ -1,7 +1,5 @@
 """``urdfkit init``: a first configuration from what is found."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator
 

@@ -9,8 +9,6 @@ damaged, or that answers another question is as good as none.
 This module runs before anything else is imported, and imports next to nothing.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 import time

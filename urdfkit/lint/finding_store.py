@@ -1,7 +1,5 @@
 """The findings of a check, each once, with the robots that it is found in."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import IO, overload

@@ -8,8 +8,6 @@ the same functions. ``NAME`` is the name of the example's file where it is no ``
 ``TARGETS`` are the consumers that it is checked for where they are not detected.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import sys

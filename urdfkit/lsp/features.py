@@ -1,7 +1,5 @@
 """What the server can do: a handler for every request and notification."""
 
-from __future__ import annotations
-
 import re
 
 from lsprotocol import types as lsp

@@ -1,7 +1,5 @@
 """The outline of a file: the kinematic tree of what it makes, and what else it defines."""
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.lsp.markup import Page, TagNode

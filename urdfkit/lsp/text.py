@@ -1,7 +1,5 @@
 """Places as editors have them: lines from 0, and characters counted in units of an encoding."""
 
-from __future__ import annotations
-
 import os
 from urllib.parse import quote, unquote, urlsplit
 

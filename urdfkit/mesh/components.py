@@ -1,7 +1,5 @@
 """The pieces of a mesh: what each encloses, which are flat, and which look inwards."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

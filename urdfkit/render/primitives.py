@@ -1,7 +1,5 @@
 """URDF's shapes as triangles, with the normals of the true surface. Lengths in m."""
 
-from __future__ import annotations
-
 from functools import cache
 from math import pi
 from typing import NamedTuple

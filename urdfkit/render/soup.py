@@ -1,7 +1,5 @@
 """All triangles of a scene in one list, in the frame of a camera, cut at its near plane."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import accumulate, pairwise
 from typing import NamedTuple

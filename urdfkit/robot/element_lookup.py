@@ -1,7 +1,5 @@
 """Which links and joints a finding concerns, by the address of its element."""
 
-from __future__ import annotations
-
 from urdfkit.robot.model import RobotModel
 
 

@@ -1,7 +1,5 @@
 """Limits, ranges and units of joints, as URDF parsers take them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from math import pi
 

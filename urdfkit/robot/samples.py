@@ -1,7 +1,5 @@
 """Small robots as text, for the examples of rules."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 

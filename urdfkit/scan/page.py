@@ -1,7 +1,5 @@
 """A summary of a scan for people: as text, and as one HTML file that opens offline."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 

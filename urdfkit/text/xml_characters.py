@@ -1,7 +1,5 @@
 """Characters that XML forbids, and hyphens that it forbids in comments."""
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.text.tag_matching import SyntaxMistake

@@ -3,8 +3,6 @@
 The answer is "yes" wherever the build file says something that is not understood here.
 """
 
-from __future__ import annotations
-
 import os
 import posixpath
 import re

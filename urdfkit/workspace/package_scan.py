@@ -1,7 +1,5 @@
 """Scanning a directory for packages, breadth first and within bounds."""
 
-from __future__ import annotations
-
 import os
 import time
 

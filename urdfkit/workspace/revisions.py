@@ -1,7 +1,5 @@
 """Files as they were in a git revision."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 

@@ -1,7 +1,5 @@
 """xacro's errors and warnings as Problems: what went wrong, where, and what to do."""
 
-from __future__ import annotations
-
 import math
 import os
 import re

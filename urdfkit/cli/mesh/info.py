@@ -1,7 +1,5 @@
 """``urdfkit mesh info``: what mesh files hold."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import click

@@ -1,7 +1,5 @@
 """Where commands about meshes write: a new file, or the file itself."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import click

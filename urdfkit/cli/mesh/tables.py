@@ -1,7 +1,5 @@
 """Numbers of meshes as people read them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from urdfkit.mesh.health import Health

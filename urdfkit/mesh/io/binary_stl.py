@@ -4,8 +4,6 @@
 triangle 50 bytes: normal and three corners as 12 floats of 32 bits, and 2 bytes of colour.
 """
 
-from __future__ import annotations
-
 from math import isfinite
 from struct import unpack_from
 

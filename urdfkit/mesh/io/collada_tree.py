@@ -1,7 +1,5 @@
 """The elements of a COLLADA file, found by tag and by id."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any, TypeAlias
 from urllib.parse import unquote

@@ -1,7 +1,5 @@
 """Judging glTF 2.0 files from their bytes: JSON, or the binary container GLB."""
 
-from __future__ import annotations
-
 from struct import unpack_from
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A comparison for programs: one JSON document; lengths in m, angles in rad, masses in kg."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from urdfkit.core.strict_json import dumped

@@ -1,7 +1,5 @@
 """One state of a robot: a file, or a file as git has it."""
 
-from __future__ import annotations
-
 import os
 from functools import cached_property
 

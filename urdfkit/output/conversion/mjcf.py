@@ -1,7 +1,5 @@
 """A robot as MuJoCo's MJCF: bodies, joints, geoms and their meshes, by MuJoCo's own `MjSpec`."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator, Mapping
 from itertools import chain, count

@@ -1,7 +1,5 @@
 """What MJCF has besides bodies: friction, actuators, sensors, cameras, exclusions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from math import atan, degrees, tan
 from typing import Any

@@ -1,7 +1,5 @@
 """Short simulations of a robot in MuJoCo. Lengths in m, angles in rad, energies in J."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Which links of a robot can collide with one another, as sampling has shown it."""
 
-from __future__ import annotations
-
 from enum import Enum
 from typing import NamedTuple
 

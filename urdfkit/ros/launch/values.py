@@ -1,7 +1,5 @@
 """The texts that expressions of a Python launch file give, as far as constants reach."""
 
-from __future__ import annotations
-
 import ast
 import os
 from collections.abc import Iterable, Mapping

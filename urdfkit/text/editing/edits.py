@@ -5,8 +5,6 @@ the value came out of a xacro expression, and a person must decide where to chan
 wrote may be edited: the edit is kept only if all uses agree on it (`urdfkit.lint.fix`).
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 
