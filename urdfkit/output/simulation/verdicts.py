@@ -12,10 +12,11 @@ class Verdict(Record):
     """One statement.
 
     Attributes:
-        test: ``overlap``, ``stability``, ``energy`` or ``hold``.
+        test: ``overlap``, ``energy``, ``stability``, ``drive``, ``sweep``, ``mimic``, ``hold`` or
+            ``drop``.
         passes: False if the robot does not behave.
         message: what happens, how much, and the bound.
-        value: that was measured, in m, J, rad or m.
+        value: that was measured, in the unit of the message.
         bound: of the value.
         names: of the links or joints that it is about.
         span: where the cause is written; None where it has no place.
@@ -28,6 +29,10 @@ class Verdict(Record):
     bound: float
     names: tuple[str, ...] = ()
     span: Span | None = None
+
+    def __str__(self) -> str:
+        where = f" ({self.span})" if self.span else ""
+        return f"{'passes' if self.passes else 'FAILS'} {self.test}: {self.message}{where}"
 
 
 class Simulation(Record):
