@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @with_examples(
     "convert",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf",
-    "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --base free --fixed merge",
+    "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --fixed merge",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf --collision primitives",
 )
 @one_robot

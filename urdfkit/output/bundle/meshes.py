@@ -71,12 +71,10 @@ def bundled(
         is_visual: a visual uses it, whose materials are kept where the format has them.
 
     Raises:
-        UrdfkitError: it is broken, or cannot be written in another format.
+        UrdfkitError: it cannot be written in another format.
     """
     suffix = os.path.splitext(path)[1].lower()
     is_readable = found.format in consumer.reads and found.format in facts.BY_SUFFIX.get(suffix, ())
-    if found.defect:
-        raise UrdfkitError(f"{path}: {found.defect.reason}")
     if is_readable and found.format in _SINGLE:
         yield BundledFile(f"meshes/{stem}{suffix}", disk.read(path), path)
         return
