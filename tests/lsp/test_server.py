@@ -18,6 +18,7 @@ import urdfkit
 from tests.conftest import ROOT
 from tests.lsp.edited import MISSION
 from tests.lsp.editor import PATIENCE, Editor, talk
+from urdfkit.core.installation import install_command
 from urdfkit.lsp.text import to_uri
 from urdfkit.lsp.workspace import slow_rules
 from urdfkit.text.editing.formatter import formatted
@@ -303,7 +304,7 @@ def test_without_pygls_it_says_what_to_install(tmp_path: Path) -> None:
     (tmp_path / "pygls").mkdir()
     (tmp_path / "pygls" / "__init__.py").write_text("raise ModuleNotFoundError(name='pygls')")
     done = asyncio.run(_run(tmp_path))
-    assert done == (2, "error: urdfkit lsp needs pygls: pip install 'urdfkit[lsp]'\n")
+    assert done == (2, f"error: urdfkit lsp needs pygls: {install_command('lsp')}\n")
 
 
 async def _run(directory: Path) -> tuple[int | None, str]:

@@ -23,25 +23,15 @@ if TYPE_CHECKING:
 
 
 class Option(Record):
-    """One option.
+    """One option."""
 
-    Attributes:
-        flag: as it is typed.
-        help: one sentence.
-        metavar: stands for the value; empty for a switch.
-        choices: the values there are; any if empty.
-        many: may be given several times.
-        default: of an option with choices.
-        short: the same with one letter.
-    """
-
-    flag: str
-    help: str
-    metavar: str = ""
-    choices: tuple[str, ...] = ()
-    many: bool = False
-    default: str | None = None
-    short: str = ""
+    flag: str  # as it is typed
+    help: str  # one sentence
+    metavar: str = ""  # stands for the value; empty for a switch
+    choices: tuple[str, ...] = ()  # the values there are; any if empty
+    many: bool = False  # may be given several times
+    default: str | None = None  # of an option with choices
+    short: str = ""  # the same with one letter
 
     @property
     def key(self) -> str:

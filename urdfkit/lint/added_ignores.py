@@ -17,17 +17,11 @@ from urdfkit.workspace.resolve import Resolver
 
 
 class AddedIgnores(Record):
-    """What ignore comments do; nothing is written.
+    """What ignore comments do; nothing is written."""
 
-    Attributes:
-        files: that change.
-        suppressed: the findings that a check does not report any more.
-        left: the others, each with the reason.
-    """
-
-    files: tuple[Rewrite, ...]
-    suppressed: tuple[Diagnostic, ...]
-    left: tuple[tuple[Diagnostic, str], ...]
+    files: tuple[Rewrite, ...]  # that change
+    suppressed: tuple[Diagnostic, ...]  # what a check does not report any more
+    left: tuple[tuple[Diagnostic, str], ...]  # the others, each with the reason
 
 
 def add_ignores(

@@ -23,18 +23,13 @@ _CODE = re.compile(rb"[A-Za-z0-9_-]+")
 
 
 class Ignore(Record):
-    """One ignore comment.
+    """One ignore comment."""
 
-    Attributes:
-        span: of the comment.
-        codes: as written, each with its place; beginnings of codes and names count too.
-        reason: as written.
-        start, end: bytes of the source that it holds for.
-    """
-
-    span: Span
+    span: Span  # of the comment
+    #: As written, each with its place; beginnings of codes and names count too.
     codes: tuple[tuple[str, Span], ...]
-    reason: str
+    reason: str  # as written
+    #: start and end: bytes of the source that it holds for.
     start: int
     end: int
 

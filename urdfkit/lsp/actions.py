@@ -11,19 +11,12 @@ from urdfkit.text.diagnostic import Diagnostic, Edit, Fix
 
 
 class QuickFix(Record):
-    """Something to do about a finding.
+    """Something to do about a finding."""
 
-    Attributes:
-        title: for the menu.
-        edits: of any files.
-        diagnostic: that it is about.
-        preferred: True if it cannot change what the robot does.
-    """
-
-    title: str
-    edits: tuple[Edit, ...]
-    diagnostic: Diagnostic
-    preferred: bool = False
+    title: str  # for the menu
+    edits: tuple[Edit, ...]  # of any files
+    diagnostic: Diagnostic  # that it is about
+    preferred: bool = False  # True if it cannot change what the robot does
 
 
 def actions(page: Page, diagnostic: Diagnostic) -> Iterator[QuickFix]:

@@ -39,24 +39,15 @@ _SAME_KINDS = {
 
 
 class NameUse(Record):
-    """One place of a name.
+    """One place of a name."""
 
-    Attributes:
-        kind: one of ``KINDS``.
-        text: as written.
-        span: the name.
-        is_definition: True where it is given.
-        node: the element that it is in.
-        attribute: the name of the attribute whose whole value it is; empty elsewhere.
-        macro: of a parameter, the path of its macro's file and the start of its macro's tag.
-    """
-
-    kind: str
-    text: str
-    span: Span
-    is_definition: bool
-    node: TagNode
-    attribute: str = ""
+    kind: str  # one of ``KINDS``
+    text: str  # as written
+    span: Span  # the name
+    is_definition: bool  # True where it is given
+    node: TagNode  # the element that it is in
+    attribute: str = ""  # the name of the attribute whose whole value it is; empty elsewhere
+    #: Of a parameter, the path of its macro's file and the start of its macro's tag.
     macro: tuple[str, int] | None = None
 
     @property

@@ -27,24 +27,16 @@ _DEFINITIONS = {
 
 
 class OutlineEntry:
-    """An entry of the outline.
-
-    Attributes:
-        name: shown.
-        detail: shown after the name.
-        kind: ``robot``, ``link``, ``joint``, ``macro``, ``property`` and so on.
-        span: the element, or the macro call in this file that makes it.
-        children: below it.
-    """
+    """An entry of the outline."""
 
     __slots__ = ("children", "detail", "kind", "name", "span")
 
     def __init__(self, name: str, detail: str, kind: str, span: Span) -> None:
-        self.name = name or "?"
-        self.detail = detail
-        self.kind = kind
-        self.span = span
-        self.children: list[OutlineEntry] = []
+        self.name = name or "?"  # shown
+        self.detail = detail  # shown after the name
+        self.kind = kind  # ``robot``, ``link``, ``joint``, ``macro``, ``property`` and so on
+        self.span = span  # the element, or the macro call in this file that makes it
+        self.children: list[OutlineEntry] = []  # below it
 
 
 def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:

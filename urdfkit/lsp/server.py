@@ -85,7 +85,6 @@ class Server(LanguageServer):
         """Let the worker answer a kind of requests.
 
         Args:
-            request: the method of the protocol.
             question: computes the answer of the parameters of a request.
             otherwise: the answer where that fails.
             options: of the method, which the client is sent.

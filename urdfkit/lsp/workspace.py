@@ -40,15 +40,10 @@ _SLOW = frozenset((Need.MESHES, Need.DYNAMICS, Need.COLLISIONS))
 
 
 class CheckedFile(Record):
-    """What is wrong with the robots of a file.
+    """What is wrong with the robots of a file."""
 
-    Attributes:
-        diagnostics: by real path, of every file in which there are some.
-        failure: why something could not be checked; empty if all was.
-    """
-
-    diagnostics: dict[str, list[Diagnostic]]
-    failure: str = ""
+    diagnostics: dict[str, list[Diagnostic]]  # by real path, of every file in which there are some
+    failure: str = ""  # why something could not be checked; empty if all was
 
 
 class Workspace:

@@ -42,12 +42,6 @@ _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 class MjcfRobot:
     """The specification of a robot, built from the model that a check reads.
 
-    Attributes:
-        spec: MuJoCo's.
-        bodies: of the links, by name.
-        excluded: pairs of links that do not collide.
-        losses: what became of each part.
-
     Args:
         tree: of the robot, sound.
         files: where the file of each mesh and texture lies, by the ``id`` of the reference.
@@ -61,15 +55,15 @@ class MjcfRobot:
     def __init__(
         self, tree: KinematicTree, files: Mapping[int, str], directory: str, *, is_free: bool
     ) -> None:
-        self.losses = LossTable()
-        self.bodies: dict[str, Any] = {}
-        self.excluded: set[frozenset[str]] = set()
+        self.losses = LossTable()  # what became of each part
+        self.bodies: dict[str, Any] = {}  # of the links, by name
+        self.excluded: set[frozenset[str]] = set()  # pairs of links that do not collide
         self._files = files
         self._colours = Colours(tree.model)
         self._inertials = dict(_inertials(tree))
         self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
         self._names: set[str] = set()
-        self.spec = _empty(tree.model.name, directory)
+        self.spec = _empty(tree.model.name, directory)  # MuJoCo's
         self._build(tree, is_free)
         self._couple(tree)
 

@@ -45,21 +45,13 @@ _ELEMENT = re.compile(r"Element name '([^']+)'.*")
 
 
 class Conversion(Record):
-    """What was written.
+    """What was written."""
 
-    Attributes:
-        file: of the robot, in the directory.
-        is_free: the root floats.
-        counts: of links, joints, geoms and devices, by what one of them is called.
-        entries: what became of each part of the robot.
-        proof: how far MuJoCo and Pinocchio are apart.
-    """
-
-    file: str
-    is_free: bool
-    counts: dict[str, int]
-    entries: tuple[Entry, ...]
-    proof: Proof
+    file: str  # of the robot, in the directory
+    is_free: bool  # the root floats
+    counts: dict[str, int]  # of links, joints, geoms and devices, by what one of them is called
+    entries: tuple[Entry, ...]  # what became of each part of the robot
+    proof: Proof  # how far MuJoCo and Pinocchio are apart
 
     @property
     def facts(self) -> dict[str, Any]:
