@@ -41,7 +41,7 @@ def run_check(values: Mapping[str, Any]) -> int:
     if values["watch"]:
         from urdfkit.cli.watch import watch
 
-        return watch(values)
+        return watch(run_check, values)
     chosen = choices(values)
     if values["show_files"]:
         output.write(_files(values, chosen))

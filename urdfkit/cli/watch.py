@@ -10,9 +10,9 @@ import multiprocessing
 import os
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from multiprocessing.connection import Connection
-from typing import Any
+from typing import Any, TypeAlias
 
 from urdfkit.cli import guarded, options, output
 from urdfkit.core import disk
@@ -24,13 +24,16 @@ from urdfkit.errors import UrdfkitError
 EVERY = 0.3
 
 #: Kind, path and answer of what a check has asked, and nanoseconds since the epoch before it did.
-_Asked = tuple[list[tuple[str, str, str]], int]
+_Asked: TypeAlias = "tuple[list[tuple[str, str, str]], int]"
+#: Prints what is wrong with the values of a command line; its exit code.
+Check: TypeAlias = "Callable[[Mapping[str, Any]], int]"
 
 
-def watch(values: Mapping[str, Any]) -> int:
+def watch(check: Check, values: Mapping[str, Any]) -> int:
     """Check until Ctrl-C.
 
     Args:
+        check: what is run, again and again.
         values: of the options and files, by key.
 
     Raises:
@@ -44,7 +47,7 @@ def watch(values: Mapping[str, Any]) -> int:
     while True:
         if sys.stdout is not None and sys.stdout.isatty():
             output.write("\x1b[2J\x1b[H")
-        answers, since = _checked({**values, "watch": False})
+        answers, since = _checked(check, {**values, "watch": False})
         files = {path for kind, path, _ in answers if kind[0] == "r"}
         output.note(f"watching {counted(len(files), 'file')}; Ctrl-C ends")
         while (again := answers_again(answers, since)) is not None:
@@ -52,11 +55,11 @@ def watch(values: Mapping[str, Any]) -> int:
             time.sleep(EVERY)
 
 
-def _checked(values: Mapping[str, Any]) -> _Asked:
+def _checked(check: Check, values: Mapping[str, Any]) -> _Asked:
     """Check in a process of its own, which keeps nothing from one check to the next."""
     context: Any = multiprocessing.get_context("fork" if hasattr(os, "fork") else "spawn")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_check, args=(values, sender))
+    process = context.Process(target=_check, args=(check, values, sender))
     process.start()
     sender.close()
     try:
@@ -70,11 +73,9 @@ def _checked(values: Mapping[str, Any]) -> _Asked:
     return asked
 
 
-def _check(values: Mapping[str, Any], sender: Connection) -> None:
-    from urdfkit.cli.checking import run_check
-
+def _check(check: Check, values: Mapping[str, Any], sender: Connection) -> None:
     log, since = FileLog(), time.time_ns()
     disk.log_to(log)
-    if guarded(lambda _: run_check(values), []) != 130:
+    if guarded(lambda _: check(values), []) != 130:
         answers = [(kind, path, answer) for (kind, path), answer in log.answers.items()]
         sender.send((answers, since))
