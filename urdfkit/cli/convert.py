@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     "convert",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --fixed merge",
-    "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf --collision primitives",
+    "urdfkit convert robot.urdf.xacro --to mjcf -o arm --collision primitives",
 )
 @one_robot
 @click.option("--to", type=click.Choice(list(FORMATS)), required=True, help="Format to write.")

@@ -6,6 +6,7 @@ import os
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from urdfkit.core.installation import install_command
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.lint.context import Context
@@ -55,7 +56,7 @@ def convert(
         module = import_module(f"{__name__}.{FORMATS[to].module}")
     except ModuleNotFoundError as error:
         raise MissingLibrary(
-            f"to convert a robot needs {error.name}: pip install 'urdfkit[{FORMATS[to].extra}]'"
+            f"to convert a robot needs {error.name}: {install_command(FORMATS[to].extra)}"
         ) from error
     context = robot if isinstance(robot, Context) else read(robot)
     options = Options(base, fixed, collision, exclude)

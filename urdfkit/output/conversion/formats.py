@@ -6,17 +6,11 @@ from urdfkit.core.record import Record
 
 
 class Format(Record):
-    """A format.
+    """A format."""
 
-    Attributes:
-        name: as ``--to`` takes it.
-        module: below this package; loaded when the format is asked for, since it is heavy.
-        extra: of urdfkit, with the libraries that it needs.
-    """
-
-    name: str
-    module: str
-    extra: str
+    name: str  # as --to takes it
+    module: str  # below this package; loaded when the format is asked for, since it is heavy
+    extra: str  # of urdfkit, with the libraries that it needs
 
 
 FORMATS = {one.name: one for one in (Format("mjcf", "writing", "simulate"),)}

@@ -36,13 +36,6 @@ _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 class MjcfRobot:
     """The specification of a robot, built from the model that a check reads.
 
-    Attributes:
-        spec: MuJoCo's.
-        bodies: of the links, by name; several where fixed links are merged.
-        frames: of the links, in those of their bodies.
-        geoms: that collide, of the links.
-        losses: what became of each part.
-
     Args:
         robot: with a sound tree.
         files: where the file of each mesh and texture lies, by the ``id`` of the reference.
@@ -64,11 +57,11 @@ class MjcfRobot:
         is_free: bool,
     ) -> None:
         tree = robot.tree
-        self.losses = LossTable()
-        self.bodies: dict[str, Any] = {}
-        self.frames: dict[str, Transform] = {}
-        self.spec = _empty(tree.model.name, directory)
-        self.geoms: dict[str, list[Any]] = {}
+        self.losses = LossTable()  # what became of each part
+        self.spec = _empty(tree.model.name, directory)  # MuJoCo's
+        self.bodies: dict[str, Any] = {}  # of the links; several have one where they are merged
+        self.frames: dict[str, Transform] = {}  # of the links, in those of their bodies
+        self.geoms: dict[str, list[Any]] = {}  # that collide, of the links
         self._tree = tree
         self._merged = merged(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))

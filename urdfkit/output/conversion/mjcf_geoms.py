@@ -46,19 +46,12 @@ _NO_SIZE = (0.0, 0.0, 0.0)
 
 
 class Piece(Record):
-    """A geom in the frame of its visual or collision.
+    """A geom in the frame of its visual or collision."""
 
-    Attributes:
-        kind: of the shape.
-        size: MuJoCo's: half the edges of a box, radius and half the length of what has them.
-        frame: of the geom.
-        mesh: the name of its mesh; empty for a primitive.
-    """
-
-    kind: str
-    size: tuple[float, ...]
+    kind: str  # of the shape
+    size: tuple[float, ...]  # MuJoCo's: half the edges; radius and half the length
     frame: Transform = Transform()
-    mesh: str = ""
+    mesh: str = ""  # the name of its mesh; empty for a primitive
 
 
 class Geoms:

@@ -26,20 +26,14 @@ _REACH = 3.0
 
 
 class Proof(Record):
-    """The largest differences.
+    """The largest differences."""
 
-    Attributes:
-        mass: of links that are fixed together, in kg.
-        frames: of the placement of a link, in m and of entries of its rotation.
-        mass_matrix, gravity: as a part of the largest entry.
-        link: whose placement differs most.
-    """
-
-    mass: float
-    frames: float
+    mass: float  # of links that are fixed together, in kg
+    frames: float  # of the placement of a link, in m and of entries of its rotation
+    #: mass_matrix and gravity: as a part of the largest entry.
     mass_matrix: float
     gravity: float
-    link: str
+    link: str  # whose placement differs most
 
     @property
     def holds(self) -> bool:

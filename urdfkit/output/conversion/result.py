@@ -35,24 +35,14 @@ class Proof(Protocol):
 
 
 class Conversion(Record):
-    """What was written.
+    """What was written."""
 
-    Attributes:
-        to: the format.
-        file: of the robot, in the directory.
-        root: how the root link stands in the world: ``free``, ``fixed``; empty for a format that
-            does not say it.
-        counts: of links, joints, geoms and devices, by what one of them is called.
-        entries: what became of each part of the robot.
-        proof: how far what was written is from the robot.
-    """
-
-    to: str
-    file: str
-    root: str
-    counts: dict[str, int]
-    entries: tuple[Entry, ...]
-    proof: Proof
+    to: str  # the format
+    file: str  # of the robot, in the directory
+    root: str  # "free" or "fixed" to the world; empty for a format that does not say it
+    counts: dict[str, int]  # of links, joints, geoms and devices, by what one of them is called
+    entries: tuple[Entry, ...]  # what became of each part of the robot
+    proof: Proof  # how far what was written is from the robot
 
     @property
     def facts(self) -> dict[str, Any]:
