@@ -10,8 +10,6 @@ Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.context import Unavailable
