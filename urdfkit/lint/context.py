@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
-from urdfkit.lint.requirements import WITHOUT_PINOCCHIO, need_coal
+from urdfkit.lint.requirements import need_coal, without_pinocchio
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source
 
@@ -313,7 +313,7 @@ class Context(DescriptionFile):
         try:
             from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
         except ImportError as error:
-            raise Unavailable(WITHOUT_PINOCCHIO.format(error)) from error
+            raise Unavailable(without_pinocchio(error)) from error
         try:
             return Dynamics(self.tree)
         except Unsuitable as reason:

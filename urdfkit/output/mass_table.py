@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Transform, Vector
 from urdfkit.lint.context import Context
-from urdfkit.robot.bounding_box import WITHOUT_MESHES
+from urdfkit.robot.bounding_box import without_meshes
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.inertia import MassProperties, principal_axes
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
@@ -75,7 +75,7 @@ def _row(context: Context, link: Link) -> MassRow:
     try:
         found = shape_mass(link, "auto", context.measures)
     except ImportError:
-        found = WITHOUT_MESHES
+        found = without_meshes()
     if isinstance(found, str):
         return MassRow(link.name, properties, moments, axes, None, found)
     return MassRow(link.name, properties, moments, axes, found, "")

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
-from urdfkit.robot.bounding_box import WITHOUT_MESHES, extent_of
+from urdfkit.robot.bounding_box import extent_of, without_meshes
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.joints import driven
 from urdfkit.robot.kinematics import frames
@@ -185,7 +185,7 @@ def _shapes(context: Context, placed: Mapping[str, Transform]) -> tuple[Shapes, 
     try:
         triangles: dict[str, int] | None = _triangles(context)
     except ImportError:
-        triangles, skipped = None, (f"triangles: {WITHOUT_MESHES}",)
+        triangles, skipped = None, (f"triangles: {without_meshes()}",)
     extent = extent_of(context, placed)
     return Shapes(
         _kinds(body for link in model.links for body in link.visuals),

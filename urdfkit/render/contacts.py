@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Context
 from urdfkit.robot.adjacency import Adjacency
@@ -34,7 +35,7 @@ def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
         from urdfkit.physics.collision.geometry_arrays import solids
         from urdfkit.physics.collision.pair_queries import Examiner
     except ImportError as error:
-        raise MissingLibrary("contacts need coal: pip install 'urdfkit[dynamics]'") from error
+        raise MissingLibrary(f"contacts need coal: {install_command('dynamics')}") from error
     moving = chain(context.tree)
     bodies, _ = solids(context.model, context.meshes)
     known = set(moving.links)

@@ -13,8 +13,12 @@ from urdfkit.robot.shapes import BoundingBox, solid
 if TYPE_CHECKING:
     from urdfkit.robot import Robot
 
-#: Why a mesh is not measured where numpy or the readers of meshes are not installed.
-WITHOUT_MESHES = "meshes are not read without: pip install 'urdfkit[meshes]'"
+
+def without_meshes() -> str:
+    """Why a mesh is not measured where numpy or the readers of meshes are not installed."""
+    from urdfkit.core.installation import install_command
+
+    return f"meshes are not read without: {install_command('meshes')}"
 
 
 class RobotExtent(Record):
@@ -73,7 +77,7 @@ def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
     try:
         vertices = robot.meshes.vertices(shape)
     except ImportError:
-        return WITHOUT_MESHES
+        return without_meshes()
     if vertices is None:
         return robot.meshes.reason(shape)
     rotation, position = link @ body.origin

@@ -11,8 +11,6 @@ Sources:
     robotology/icub-models#121: https://github.com/robotology/icub-models/issues/121
 """
 
-from __future__ import annotations
-
 from math import isinf
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule

@@ -11,8 +11,6 @@ Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import Suggester, did_you_mean, nearest

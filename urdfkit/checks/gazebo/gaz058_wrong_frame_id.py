@@ -17,8 +17,6 @@ Sources:
     measured: 13 of 676 public models name a frame that does not exist
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester

@@ -1,7 +1,5 @@
 """Values in the settings of sensors that SDF does not accept, and bounds that are swapped."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import isnan
 

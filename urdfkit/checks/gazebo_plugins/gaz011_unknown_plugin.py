@@ -17,8 +17,6 @@ Sources:
     measured: half of the 66 plugins that 213 public models use are a vendor's
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule

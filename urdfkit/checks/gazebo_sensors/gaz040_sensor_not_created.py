@@ -21,8 +21,6 @@ Sources:
     measured: libsdformat 12.3 rejects a model with a noise without a type
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 
 from urdfkit.core.suggest import did_you_mean, nearest

@@ -9,8 +9,6 @@ Sources:
     gazebosim/gz-sim#2743: https://github.com/gazebosim/gz-sim/issues/2743
 """
 
-from __future__ import annotations
-
 from math import pi
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule

@@ -10,8 +10,6 @@ Sources:
     ros-simulation/gazebo_ros_pkgs#260: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/260
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import collision_xml, robot_xml

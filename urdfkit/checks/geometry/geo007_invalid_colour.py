@@ -12,8 +12,6 @@ Sources:
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
-from __future__ import annotations
-
 import re
 from itertools import chain
 

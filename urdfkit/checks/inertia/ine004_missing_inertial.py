@@ -23,8 +23,6 @@ Sources:
     gazebosim/gz-sim#2815: https://github.com/gazebosim/gz-sim/issues/2815
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import few, listed
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody

@@ -18,8 +18,6 @@ Sources:
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.inertia.copies import together

@@ -10,8 +10,6 @@ Sources:
     measured: a tensor of ones in 122 of 676 public models
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE

@@ -19,8 +19,6 @@ Sources:
     Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
 """
 
-from __future__ import annotations
-
 from math import hypot
 
 from urdfkit.core.spatial import Vector, length

@@ -21,8 +21,6 @@ Sources:
     measured: of 1300 public descriptions none has such a velocity
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import lru_cache
 from math import pi, radians

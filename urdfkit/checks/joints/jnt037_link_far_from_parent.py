@@ -8,8 +8,6 @@ Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.spatial import Transform

@@ -11,8 +11,6 @@ Sources:
     measured: of 1300 public descriptions one hand has it, with friction of 5 and effort of 0.7 N·m.
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.joints import MOVING, effort_unit, unit

@@ -15,8 +15,6 @@ Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot

@@ -25,8 +25,6 @@ Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
 """
 
-from __future__ import annotations
-
 import posixpath
 import re
 

@@ -9,8 +9,6 @@ Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml

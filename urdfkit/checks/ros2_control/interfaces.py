@@ -1,7 +1,5 @@
 """Interfaces of joints and sensors that hardware and controllers do not have."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from urdfkit.core.suggest import nearest

@@ -16,8 +16,6 @@ Sources:
     MoveIt, check_start_state_bounds.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_bounds.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.model import Joint

@@ -12,8 +12,6 @@ Sources:
     force_torque_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/force_torque_sensor_broadcaster/src/force_torque_sensor_broadcaster.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml

@@ -11,8 +11,6 @@ Sources:
     REP 105, frames of mobile robots: http://www.ros.org/reps/rep-0105.html
 """
 
-from __future__ import annotations
-
 from math import hypot
 
 from urdfkit.core.spatial import Rotation, Transform, Vector, dot, rotate

@@ -21,8 +21,6 @@ Sources:
     sensors: https://gazebosim.org/docs/harmonic/sensors
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots

@@ -21,8 +21,6 @@ Sources:
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
 """
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterator

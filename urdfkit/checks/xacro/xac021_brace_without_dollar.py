@@ -9,8 +9,6 @@ Sources:
     measured: 7 of 676 public models
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import NAMES, Context, Finding, Findings, Need, Severity, rule

@@ -11,8 +11,6 @@ Sources:
     ros/xacro#145: https://github.com/ros/xacro/issues/145
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 

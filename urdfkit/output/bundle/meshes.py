@@ -8,6 +8,7 @@ from itertools import chain, count
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.core.installation import install_command
 from urdfkit.core.record import Record
 from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.mesh.io import facts, referenced_files
@@ -95,7 +96,7 @@ def _loaded(path: str) -> Mesh:
         from urdfkit.mesh.io.load import load
     except ImportError as error:
         raise MissingLibrary(
-            f"{path}: to read it needs {error.name}: pip install 'urdfkit[meshes]'"
+            f"{path}: to read it needs {error.name}: {install_command('meshes')}"
         ) from error
     return load(path)
 

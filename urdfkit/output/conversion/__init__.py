@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
@@ -41,7 +42,7 @@ def convert(
         from urdfkit.output.conversion.writing import write
     except ModuleNotFoundError as error:
         raise MissingLibrary(
-            f"to convert a robot needs {error.name}: pip install 'urdfkit[simulate]'"
+            f"to convert a robot needs {error.name}: {install_command('simulate')}"
         ) from error
     context = robot if isinstance(robot, Context) else read(robot)
     return write(context, os.path.abspath(out), base=base, force=force)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from importlib.metadata import PackageNotFoundError, distribution
 
+from urdfkit.core.installation import install_command
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 
@@ -37,7 +38,7 @@ def load() -> PageEngine:
     try:
         from trimesh.resources import get_bytes
     except ImportError as error:
-        raise UrdfkitError("the 3D view needs trimesh: pip install 'urdfkit[report]'") from error
+        raise UrdfkitError(f"the 3D view needs trimesh: {install_command('report')}") from error
     match = _SCRIPT.search(_page(get_bytes(_TEMPLATE)))
     script, end, _ = match.group(1).partition(_END) if match else ("", "", "")
     package = distribution("trimesh")

@@ -15,6 +15,7 @@ from math import degrees, log10
 from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__
+from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
 from urdfkit.output.report.document import ReportDocument
 from urdfkit.output.report.translations import Translator
@@ -185,7 +186,7 @@ def _environment() -> Environment:
     try:
         from jinja2 import Environment, FileSystemLoader, StrictUndefined
     except ImportError as error:
-        raise UrdfkitError("HTML reports need Jinja: pip install 'urdfkit[report]'") from error
+        raise UrdfkitError(f"HTML reports need Jinja: {install_command('report')}") from error
     environment = Environment(
         autoescape=True,
         loader=FileSystemLoader(_DIRECTORY),

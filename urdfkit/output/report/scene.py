@@ -6,6 +6,7 @@ import gzip
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.core.installation import install_command
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.errors import MissingLibrary
@@ -19,10 +20,13 @@ if TYPE_CHECKING:
     from urdfkit.render import Scene
     from urdfkit.robot.model import Link
 
-INSTALL = "images and the 3D view need: pip install 'urdfkit[report]'"
-
 #: A page of more links is too slow to open, one of more triangles too large to send.
 MAX_LINKS, MAX_TRIANGLES = 5000, 1_500_000
+
+
+def without_report() -> str:
+    """Why there is no 3D view where what draws it is not installed."""
+    return f"images and the 3D view need: {install_command('report')}"
 
 
 class PageScene(Record):
@@ -43,7 +47,7 @@ def surfaces(context: Context) -> Scene:
     try:
         from urdfkit.render import build as build_surfaces
     except (ImportError, MissingLibrary) as error:
-        raise Unavailable(INSTALL) from error
+        raise Unavailable(without_report()) from error
     return build_surfaces(context, roles=("visual", "collision"))
 
 
@@ -74,7 +78,7 @@ def nothing() -> PageScene:
     try:
         from urdfkit.output.report.gltf import write
     except (ImportError, MissingLibrary) as error:
-        raise Unavailable(INSTALL) from error
+        raise Unavailable(without_report()) from error
     model, triangles = write(())
     return PageScene(
         packed(model), {"links": [], "joints": [], "triangles": triangles, "missing": []}
