@@ -153,7 +153,9 @@ def robot_dynamics(marked_urdf: Description) -> Dynamics:
 
     The test is skipped where Pinocchio is not installed.
     """
-    pytest.importorskip("pinocchio", reason="needs pip install 'urdfkit[dynamics]'")
+    from urdfkit.core.installation import install_command
+
+    pytest.importorskip("pinocchio", reason=f"needs {install_command('dynamics')}")
     return marked_urdf.dynamics
 
 
@@ -196,7 +198,9 @@ def simulate(urdf: Callable[..., Description]) -> Callable[..., Simulation]:
 
     What ``urdfkit simulate`` finds; the test is skipped where MuJoCo is not installed.
     """
-    pytest.importorskip("mujoco", reason="needs pip install 'urdfkit[simulate]'")
+    from urdfkit.core.installation import install_command
+
+    pytest.importorskip("mujoco", reason=f"needs {install_command('simulate')}")
     from urdfkit.output.simulation import simulate as simulated
 
     def run(path: str | Path, /, **arguments: object) -> Simulation:

@@ -6,6 +6,7 @@ import os
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
@@ -46,6 +47,6 @@ def _running() -> ModuleType:
         from urdfkit.output.simulation import running
     except ModuleNotFoundError as error:
         raise MissingLibrary(
-            f"to simulate a robot needs {error.name}: pip install 'urdfkit[simulate]'"
+            f"to simulate a robot needs {error.name}: {install_command('simulate')}"
         ) from error
     return running

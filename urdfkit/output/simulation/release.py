@@ -70,10 +70,9 @@ def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
     overlaps = robot.overlaps(robot.started())
     if not overlaps:
         return ", but not without contacts", (), None
-    names = max(overlaps, key=lambda pair: overlaps[pair])
-    links = " and ".join(f"'{name}'" for name in names)
-    text = f", but not without contacts: {links} push each other away"
-    return text, names, robot.collision(names[0])
+    first, second = max(overlaps, key=lambda pair: overlaps[pair])
+    text = f", but not without contacts: '{first}' and '{second}' push each other away"
+    return text, (first, second), robot.collision(first)
 
 
 def _released(robot: SimulatedRobot, step: float, *, contacts: bool = True) -> _Release:

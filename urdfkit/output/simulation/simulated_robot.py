@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import mujoco
@@ -36,18 +36,17 @@ _BAD = (
 class SimulatedRobot:
     """A robot in MuJoCo.
 
-    Attributes:
-        robot: as it was read.
-        model: MuJoCo's, with a floor under a robot that floats.
-        is_free: the root floats.
-        leaders: the joints that one number moves and that follow none.
-        followers: the joints that follow another one, by name, with that one.
-        neighbours: pairs of links with a joint between them.
-        negative_damping: joints that are driven by what should slow them down.
-
     Raises:
         UrdfkitError: as `urdfkit.output.conversion.convert`.
     """
+
+    robot: Context  # as it was read
+    model: Any  # MuJoCo's, with a floor under a robot that floats
+    is_free: bool  # the root floats
+    leaders: list[Joint]  # the joints that one number moves and that follow none
+    followers: dict[str, str]  # the joints that follow another one, with that one
+    neighbours: set[frozenset[str]]  # pairs of links with a joint between them
+    negative_damping: list[Joint]  # joints that are driven by what should slow them down
 
     def __init__(self, robot: Context, base: str) -> None:
         mujoco.set_mju_user_warning(_ignore)
@@ -85,7 +84,7 @@ class SimulatedRobot:
                 made.spec.worldbody.add_geom(type=plane, size=(0, 0, 1), pos=(0, 0, height))
             return compiled(made, self.robot)
 
-    def _apply_negative_damping(self) -> Any:
+    def _apply_negative_damping(self) -> Iterator[Joint]:
         """As written: MJCF has no such value."""
         for joint in self.leaders:
             dynamics = joint.at.child("dynamics")
@@ -109,9 +108,9 @@ class SimulatedRobot:
         What follows another joint is where that takes it.
         """
         data = mujoco.MjData(self.model)
-        for number_ in np.flatnonzero(self.model.jnt_limited):
-            at = self.model.jnt_qposadr[number_]
-            data.qpos[at] = np.clip(data.qpos[at], *self.model.jnt_range[number_])
+        for index in np.flatnonzero(self.model.jnt_limited):
+            at = self.model.jnt_qposadr[index]
+            data.qpos[at] = np.clip(data.qpos[at], *self.model.jnt_range[index])
         self.place(data, {joint.name: self.position(data, joint.name) for joint in self.leaders})
         mujoco.mj_forward(self.model, data)
         return data
@@ -167,9 +166,9 @@ class SimulatedRobot:
     def frames(self, data: Any) -> dict[str, Transform]:
         """Where the links are in the world."""
         return {
-            name: Transform(_rotation(data.xmat[number_]), vector(data.xpos[number_]))
+            name: Transform(_rotation(data.xmat[index]), vector(data.xpos[index]))
             for name in self.robot.tree.below(self.robot.tree.roots[0].name)
-            for number_ in [self.model.body(name).id]
+            for index in [self.model.body(name).id]
         }
 
     def collision(self, link: str) -> Span | None:
