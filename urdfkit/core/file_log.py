@@ -103,6 +103,24 @@ class FileLog:
             self.answers.clear()
 
 
+def answers_again(
+    answers: Iterable[tuple[str, str, str]], since: int
+) -> list[tuple[str, str, str]] | None:
+    """The answers as they are now, if all mean the same; None if one is another one.
+
+    Args:
+        answers: kind, path and answer.
+        since: nanoseconds since the epoch, before the answers were given.
+    """
+    found = []
+    for kind, path, answer in answers:
+        again = answer_again(kind, path, answer, since)
+        if again is None:
+            return None
+        found.append((kind, path, again))
+    return found
+
+
 def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
     """The answer as it is now, if it means the same; None if it is another one.
 

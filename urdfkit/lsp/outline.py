@@ -1,6 +1,7 @@
 """The outline of a file: the kinematic tree of what it makes, and what else it defines."""
 
 import os
+from collections.abc import Iterable
 
 from urdfkit.lsp.markup import Page, TagNode
 from urdfkit.lsp.open_robot import OpenRobot
@@ -10,6 +11,9 @@ from urdfkit.text.source import Span
 
 #: Depth of the outline; deeper joints are listed at this depth.
 MAX_DEPTH = 60
+#: Names that answer one query.
+MAX_SYMBOLS = 500
+_SYMBOLS = ("link", "joint", "material", "macro", "property", "arg")
 
 _DEFINITIONS = {
     "xacro:macro": "macro",
@@ -43,6 +47,23 @@ def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
         plain = [node for node in page.nodes if node.name in ("link", "joint") and _is_top(node)]
         return top + [OutlineEntry(node.get("name"), "", node.name, node.span) for node in plain]
     return [*_tree(robot, page), *top]
+
+
+def symbols(robots: Iterable[OpenRobot], query: str) -> list[tuple[str, str, Span]]:
+    """Kind, name and place of what robots define, of names with the letters of a query in order."""
+    found: dict[tuple[str, str, Span], None] = {}
+    for robot in robots:
+        for one in robot.names.all:
+            if one.is_definition and one.kind in _SYMBOLS:
+                for name in sorted(robot.names.values(one)):
+                    if _matches(query.lower(), name.lower()):
+                        found[one.kind, name, one.span] = None
+    return sorted(found, key=lambda one: (len(one[1]), one[1]))[:MAX_SYMBOLS]
+
+
+def _matches(query: str, name: str) -> bool:
+    letters = iter(name)
+    return all(letter in letters for letter in query)
 
 
 def _is_definition(node: TagNode) -> bool:

@@ -156,6 +156,17 @@ class Workspace:
             self._robots[entry.file] = OpenRobot(entry, self._resolver(config), config, before)
         return self._robots[entry.file]
 
+    def open_robots(self) -> Iterator[OpenRobot]:
+        """The first robot of each open file, each once."""
+        found: dict[str, OpenRobot] = {}
+        for path in self.texts:
+            try:
+                robot = self.robot(path)
+            except UrdfkitError:  # the file of none, or one that cannot be read
+                continue
+            found[robot.path] = robot
+        yield from found.values()
+
     def _resolver(self, config: Config) -> Resolver:
         """Directories are listed once, until files on disk change: there may be thousands."""
         if config.path not in self._resolvers:
