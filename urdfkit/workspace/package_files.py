@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.workspace.directories import Directories
-from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.packages import Candidate, Packages
 from urdfkit.workspace.references import spellings
 
@@ -16,7 +15,6 @@ if TYPE_CHECKING:
     from urdfkit.workspace.installs import Installed
 
 _BUILD_FILES = ("CMakeLists.txt", "setup.py")
-_MAX_BYTES = 1024 * 1024
 
 
 class PackageFiles:
@@ -78,8 +76,7 @@ class PackageFiles:
         """The files that a setup.py installs at a path."""
         from urdfkit.workspace.python_installs import patterns_of
 
-        text = read_head(join(directory, "setup.py"), _MAX_BYTES).decode("utf-8", "replace")
-        for pattern in patterns_of(text, name, relative):
+        for pattern in patterns_of(directory, name, relative):
             above, star, rest = pattern.partition("*/")
             inside = self._directories.entries(join(directory, above)) if star else None
             for one in sorted(inside or {}) if star else [""]:

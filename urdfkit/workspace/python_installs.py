@@ -3,34 +3,38 @@
 from __future__ import annotations
 
 import ast
+import os
 import posixpath
 from collections.abc import Iterator
 from fnmatch import fnmatchcase
 
 from urdfkit.text import python_source
+from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.installs import MAX_BYTES
 
 _MAX_DEPTH = 20
 
 
-def patterns_of(text: str, package: str, relative: str) -> Iterator[str]:
+def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
     """Paths below a package's directory, with wildcards, that are installed at a path of it.
 
     setuptools puts the files of a list into its directory by their last names alone:
     ``glob('launch/*/*.py')`` makes one flat directory.
 
     Args:
-        text: of the setup.py.
+        directory: of the package, with its setup.py.
         package: its name.
         relative: a path in the installed package.
     """
+    text = read_head(os.path.join(directory, "setup.py"), MAX_BYTES).decode("utf-8", "replace")
     try:
         tree = python_source.parse(text)
     except SyntaxError:
         return
-    directory, name = posixpath.split(posixpath.normpath(f"share/{package}/{relative}"))
+    wanted, name = posixpath.split(posixpath.normpath(f"share/{package}/{relative}"))
     reader = _Reader(tree)
     for target, files in reader.data_files():
-        if posixpath.normpath(reader.text(target) or "") != directory:
+        if posixpath.normpath(reader.text(target) or "") != wanted:
             continue
         for pattern in reader.patterns(files):
             parent, last = posixpath.split(posixpath.normpath(pattern))
