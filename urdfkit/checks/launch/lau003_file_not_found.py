@@ -4,7 +4,8 @@ RViz starts with an empty view when its configuration is missing; a missing para
 file stops the launch, and Gazebo does not start without its world. What the build of a package may
 make is not reported, nor an absolute path outside of the repository or workspace, such as
 `/etc/clearpath`: the computer of the robot has it. Nor is a file that git ignores, since everybody
-makes it for himself.
+makes it for himself. In Python, a part that begins with a slash makes `os.path.join` and
+`PathJoinSubstitution` drop all before it (error).
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -16,7 +17,16 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Severity,
+    reported,
+    rule,
+)
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.worlds import GZ, worlds
@@ -44,6 +54,7 @@ def check(context: Context) -> Findings:
             hint = f"did you mean '{suggested}'?" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
     yield from _worlds(context)
+    yield from reported(context, "LAU003")
 
 
 def _outside(what: str, span: Span) -> Finding:

@@ -12,6 +12,7 @@ from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import PARAMETERS, IncludedFile, Parameters, StartedProgram
+from urdfkit.ros.launch.python_mistakes import dropped_directory, mistakes, not_started
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import JOINED, Values, argument, called
@@ -95,8 +96,21 @@ class _Reader:
                 handle(call)
             elif called(call) in _SCOPES:
                 self.collector.has_scopes = True
+        if self.frame is None:
+            self._mistakes()
         self._mentions()
         self.collector.problems += self.configurations.undeclared()
+
+    def _mistakes(self) -> None:
+        """What is wrong with the calls themselves; of an included file when it is read itself."""
+        problems = self.collector.problems
+        for call in self.calls:
+            if call not in self._idle:
+                problems += mistakes(call, self.values)
+            if dropped := dropped_directory(call, self.values):
+                problems.append(dropped)
+        if self._is_complete:
+            problems += not_started(self._idle, self.values)
 
     def _declare(self, call: ast.Call) -> None:
         if call in self._idle and self._is_complete:
