@@ -5,7 +5,8 @@ file stops the launch, and Gazebo does not start without its world. What the bui
 make is not reported, nor an absolute path outside of the repository or workspace, such as
 `/etc/clearpath`: the computer of the robot has it. Nor is a file that git ignores, since everybody
 makes it for himself. In Python, a part that begins with a slash makes `os.path.join` and
-`PathJoinSubstitution` drop all before it (error).
+`PathJoinSubstitution` drop all before it (error). An executable or a launch file that a package
+of ROS does not have is reported, too.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -67,6 +68,10 @@ def _worlds(context: Context) -> Findings:
     packages = context.resolver.packages
     for started in worlds(context.launch):
         name = started.name
+        if started.is_glued and started.span.source is context.source:
+            message = f"missing space between '-r' and the world '{name}'"
+            yield Finding(Location(started.span), message, "write '-r ' with a space")
+            continue
         if started.span.source is not context.source or name.startswith(UNKNOWN):
             continue
         if os.path.isabs(name):
