@@ -29,7 +29,6 @@ def readers_of(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, 
     Programs are looked for in the packages of a workspace, for a file in one of them.
 
     Args:
-        tags: of elements.
         near: path of a file in the workspace that is searched.
         resolver: finds the workspace, and knows which files may be read.
     """

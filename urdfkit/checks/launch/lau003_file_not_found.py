@@ -12,8 +12,6 @@ Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

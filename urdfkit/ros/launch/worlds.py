@@ -27,31 +27,18 @@ _RUN = re.compile(r"-[a-z]*r[a-z]*\d*$")
 
 
 class StartedWorld(Record):
-    """A world that Gazebo is started with.
+    """A world that Gazebo is started with."""
 
-    Attributes:
-        generation: ``gz`` or ``classic``.
-        name: a path, or the name of a world that comes with Gazebo; empty for the default one.
-        engine: the render engine that the command line chooses; empty if it chooses none.
-        libraries: that Gazebo Classic loads besides the plugins of the world.
-        has_window: False if only the server is started.
-        span: where the world is named.
-        frame: the launch files that led there.
-        is_sure: False if a condition decides that is known at run time only.
-        is_paused: True if gz sim waits until somebody presses its button.
-        is_glued: True if there is no space between the option ``-r`` and the path of the world.
-    """
-
-    generation: str
-    name: str
-    engine: str
-    libraries: tuple[str, ...]
-    has_window: bool
-    span: Span
-    frame: CallFrame | None
-    is_sure: bool
-    is_paused: bool = False
-    is_glued: bool = False
+    generation: str  # ``gz`` or ``classic``
+    name: str  # a path, or the name of a world that comes with Gazebo; empty for the default one
+    engine: str  # the render engine that the command line chooses; empty if it chooses none
+    libraries: tuple[str, ...]  # that Gazebo Classic loads besides the plugins of the world
+    has_window: bool  # False if only the server is started
+    span: Span  # where the world is named
+    frame: CallFrame | None  # the launch files that led there
+    is_sure: bool  # False if a condition decides that is known at run time only
+    is_paused: bool = False  # True if gz sim waits until somebody presses its button
+    is_glued: bool = False  # True if no space parts ``-r`` from the path of the world
 
     @property
     def is_shipped(self) -> bool:
