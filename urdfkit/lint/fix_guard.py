@@ -8,7 +8,6 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import chain, zip_longest
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.errors import UnreadableFile
@@ -19,11 +18,9 @@ from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Need
 from urdfkit.text.diagnostic import Diagnostic, Edit
+from urdfkit.text.document import Element
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
-
-if TYPE_CHECKING:
-    from urdfkit.text.document import Element
 
 #: A finding in any round: its code, its file and its message, since places move.
 FindingKey = tuple[str, str, str]

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from urdfkit.text.source import Span
+from urdfkit.text.source import Span
 
 
 class FailedValue(str):

@@ -12,12 +12,13 @@ from __future__ import annotations
 import json
 import os
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from manifold3d import Manifold, OpType
 
 from urdfkit.core.spatial import Vector, vector
 from urdfkit.mesh.geometry import Mesh, MeshMaterial
+from urdfkit.mesh.parts import RealPart
 from urdfkit.mesh.solids import (
     SIDES,
     assembled,
@@ -29,9 +30,6 @@ from urdfkit.mesh.solids import (
     revolved,
     rounded_box,
 )
-
-if TYPE_CHECKING:
-    from urdfkit.mesh.parts import RealPart
 
 
 def built(part: RealPart, size: Vector) -> Mesh:
