@@ -1,7 +1,5 @@
 """Why a fix is dropped: it causes a regression in some robot, or has no effect."""
 
-from __future__ import annotations
-
 import os
 from bisect import bisect_left
 from collections import Counter

@@ -1,7 +1,5 @@
 """Why a robot is not checked, and what to do about it."""
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.lint.argument_values import found_values, reported

@@ -5,8 +5,6 @@ Parameters are typed when a node starts: an integer is rejected where the node d
 Source: ``rcl_yaml_param_parser/src/parse.c`` of ros2/rcl.
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.text.located_yaml import Node, Value

@@ -1,7 +1,5 @@
 """Errors that arise inside an expansion, and the value of an expression that failed."""
 
-from __future__ import annotations
-
 from urdfkit.text.source import Span
 
 

@@ -4,8 +4,6 @@ An expression that fails is reported with its place, and its value becomes FAILE
 value is no further error, so that one run finds all errors.
 """
 
-from __future__ import annotations
-
 import re
 import sys
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """The files of all attempts at one expansion, within the workspace and within bounds."""
 
-from __future__ import annotations
-
 import fnmatch
 import os
 import re

@@ -1,7 +1,5 @@
 """A file that is a part of a robot: what it lacks comes from the file that includes it."""
 
-from __future__ import annotations
-
 import os
 import re
 

@@ -4,8 +4,6 @@ Tracing is an expansion of its own, run on request: it notes which names every e
 looks up, and how each of them got its value.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from types import FrameType
 from typing import Any

@@ -7,8 +7,6 @@ a ``box`` (edges; with ``radius`` and ``chamfer``, rounded), a ``cylinder`` (rad
 about z. Where solids overlap, the first has the place.
 """
 
-from __future__ import annotations
-
 import json
 import os
 from functools import cache

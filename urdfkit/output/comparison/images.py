@@ -1,7 +1,5 @@
 """Both states of a robot, seen by the same camera, with what differs in colour."""
 
-from __future__ import annotations
-
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Context
 from urdfkit.output.comparison import Comparison

@@ -1,7 +1,5 @@
 """What became of the meshes: how far the surfaces are apart, not whether the bytes differ."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """The parts of a report that are computed from the robot: rows of plain values."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from urdfkit.errors import MissingLibrary

@@ -1,7 +1,5 @@
 """What both kinds of launch file share: packages, files, and the xacro command line."""
 
-from __future__ import annotations
-
 import os
 import shlex
 from collections.abc import Callable, Mapping
