@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, vector
 from urdfkit.lint.rules import Finding, Findings, Related, Severity, rule
-from urdfkit.robot.ray_casting import beams_on, interval, shape_of
+from urdfkit.robot.ray_casting import beams_on, crosses_plane, intervals, is_within_reach, shape_of
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import Primitive
 from urdfkit.ros.gazebo.samples import SCANNER, solid_xml
@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from urdfkit.robot.ray_casting import Scan
     from urdfkit.ros.gazebo.sensors import Sensor
 
-#: The part of the beams of a lidar from which it is an info and a warning; of a camera's rays.
-SOME, MANY, ALL = 0.1, 0.3, 0.99
+#: The part of the beams of a lidar from which it is an info and a warning.
+SOME, MANY = 0.1, 0.3
 #: In m: what a camera sees farther away is what it is for, such as the hand of its robot.
 NEAR = 0.5
 _CLIP = 0.1
@@ -77,7 +77,7 @@ def _of_lidar(context: Context, sensor: Sensor, frame: Transform, scan: Scan) ->
         found: set[int] = set()
         if shape is not None:
             found = set(beams_on(shape, scan, directions, sees_inside=sees_inside))
-        elif (box := _box(context, body, at)) and _crosses(box):
+        elif (box := _box(context, body, at)) and crosses_plane(box):
             ends = {"low": scan.low, "high": scan.high}
             found = _on_mesh(context, body, at, directions, **ends, both_sides=sees_inside)
         if found:
@@ -96,20 +96,37 @@ def _of_camera(context: Context, sensor: Sensor, frame: Transform) -> Findings:
     rays = image_rays(sensor)
     clip = sensor.number("camera/clip/near")
     low = clip.value if clip else _CLIP
+    near = [
+        (name, body, at, shape)
+        for name, body, at in _bodies(context, frame, visuals=True)
+        if (shape := shape_of(body, at) or _box(context, body, at)) and is_within_reach(shape, NEAR)
+    ]
+    # One ray that passes all shapes, and the boxes around meshes, is enough: nothing is loaded.
+    by_ray = zip(*(_hits(body, shape, rays, low) for _, body, _, shape in near), strict=True)
+    if not all(any(hits) for hits in by_ray):
+        return
     blocked: dict[str, set[int]] = {}
-    for name, body, at in _bodies(context, frame, visuals=True):
-        own = shape_of(body, at)
-        shape = own or _box(context, body, at)
-        met = [interval(shape, ray) for ray in rays] if shape else []
-        if own is None and any(one and one[0] <= NEAR and one[1] >= low for one in met):
-            found = _on_mesh(context, body, at, rays, low=low, high=NEAR, both_sides=False)
+    for name, body, at, shape in near:
+        if shape_of(body, at):
+            found = {number for number, hit in enumerate(_hits(body, shape, rays, low)) if hit}
         else:
-            found = {i for i, one in enumerate(met) if own and one and low <= one[0] <= NEAR}
+            found = _on_mesh(context, body, at, rays, low=low, high=NEAR, both_sides=False)
         if found:
             blocked.setdefault(name, set()).update(found)
-    if rays and len(set().union(*blocked.values())) >= ALL * len(rays):
+    if blocked and len(set().union(*blocked.values())) == len(rays):
         message = f"{sensor.who} sees nothing but the robot itself"
         yield _finding(context, sensor, message, blocked)
+
+
+def _hits(body: Body, shape: Primitive, rays: list[Vector], low: float) -> Iterator[bool]:
+    """Whether each ray meets a shape near the camera; of a mesh, whether it meets its box."""
+    is_mesh = body.shape is not None and bool(body.shape.filename)
+    for found in intervals(shape, rays):
+        if found is None:
+            yield False
+            continue
+        enters, leaves = found
+        yield enters <= NEAR and (leaves if is_mesh else enters) >= low
 
 
 def _finding(
@@ -146,13 +163,6 @@ def _box(context: Context, body: Body, at: Transform) -> Primitive | None:
     size = vector(high - low for low, high in pairs)
     center = vector((high + low) / 2 for low, high in pairs)
     return Primitive("box", size, 0.0, 0.0, at @ body.origin @ Transform(IDENTITY, center))
-
-
-def _crosses(box: Primitive) -> bool:
-    """True if a box reaches into the plane of a scan."""
-    row = box.origin.rotation[2]
-    reach = sum(abs(part) * edge / 2 for part, edge in zip(row, box.size, strict=True))
-    return abs(box.origin.position[2]) <= reach
 
 
 def _on_mesh(

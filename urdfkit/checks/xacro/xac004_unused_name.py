@@ -20,7 +20,6 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, 
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.editing.edits import remove_spans
-from urdfkit.workspace.includes import is_included
 from urdfkit.xacro import Xacro
 from urdfkit.xacro.definitions import Definition
 
@@ -45,7 +44,7 @@ def check(context: Context) -> Findings:
         return
     found = [one for one in _unused(context) if isinstance(one.at, Location)]
     found = [one for one in found if one.at.span.source is context.source]
-    if found and not is_included(context.source.path, context.resolver.packages):
+    if found and not context.is_included:
         yield from found
 
 
