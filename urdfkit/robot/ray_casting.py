@@ -7,7 +7,7 @@ Lengths in m, directions of length 1. Primitives are met in closed form; for mes
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import cos, hypot, inf, sin, sqrt
+from math import cos, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
@@ -114,25 +114,18 @@ def crosses_plane(shape: Primitive) -> bool:
     return shape.reach(_UP) >= 0 and shape.reach(_DOWN) >= 0
 
 
-def is_within_reach(shape: Primitive, distance: float) -> bool:
-    """False if a shape is farther away from the origin than some distance, in m."""
-    return hypot(*shape.origin.position) - shape.longest <= distance
-
-
 def beams_on(
     shape: Primitive, scan: Scan, directions: Sequence[Vector], *, sees_inside: bool
 ) -> Iterator[int]:
     """The numbers of the beams that end at a primitive.
 
     Args:
-        shape: in the frame of the sensor.
+        shape: in the frame of the sensor, which crosses the plane of the scan.
         scan: the beams.
         directions: of the scan.
         sees_inside: True if a beam that begins in the shape ends where it leaves it, as in Gazebo
             Classic; rendered shapes are seen from outside only.
     """
-    if not crosses_plane(shape) or not is_within_reach(shape, scan.high):
-        return
     for number, found in enumerate(intervals(shape, directions)):
         if found is None:
             continue
