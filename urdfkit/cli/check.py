@@ -14,7 +14,7 @@ from urdfkit.cli.options import CHECK, FILES, Option
 def click_option(option: Option) -> click.Option:
     """An option of the table, for click."""
     return click.Option(
-        [option.flag],
+        [flag for flag in (option.short, option.flag) if flag],
         help=option.help,
         is_flag=not option.metavar,
         metavar=option.metavar or None,

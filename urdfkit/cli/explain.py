@@ -19,11 +19,11 @@ _NEEDS = {
     Need.XACRO: "a xacro that expands",
     Need.MODEL: "a readable robot model",
     Need.FILES: "the files that the robot references",
-    Need.MESHES: "readable meshes (pip install 'urdfkit[meshes]')",
+    Need.MESHES: "readable meshes (extra 'meshes')",
     Need.LAUNCH: "a launch file",
     Need.SRDF: "an SRDF of the robot",
-    Need.DYNAMICS: "Pinocchio (pip install 'urdfkit[dynamics]')",
-    Need.COLLISIONS: "coal (pip install 'urdfkit[dynamics]')",
+    Need.DYNAMICS: "Pinocchio (extra 'dynamics')",
+    Need.COLLISIONS: "coal (extra 'dynamics')",
 }
 
 

@@ -41,7 +41,6 @@ def show(context: Context, form: str, *, old: bool) -> int:
     """Print what Gazebo makes of a robot.
 
     Args:
-        context: the robot.
         form: ``text`` or ``json``.
         old: convert as sdformat did before 9.10.1 and 12.7.2.
     """

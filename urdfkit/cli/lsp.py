@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
 
 
@@ -31,6 +32,6 @@ def command(stdio: bool) -> int:
     except ModuleNotFoundError as error:
         if error.name not in ("lsprotocol", "pygls"):
             raise
-        raise NotInstalled("urdfkit lsp needs pygls: pip install 'urdfkit[lsp]'") from error
+        raise NotInstalled(f"urdfkit lsp needs pygls: {install_command('lsp')}") from error
     serve(make())
     return 0

@@ -11,7 +11,7 @@ from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.progress import shown as progress
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.output.conversion import BASES
+from urdfkit.output.conversion.options import BASES
 from urdfkit.output.simulation import simulate
 
 if TYPE_CHECKING:

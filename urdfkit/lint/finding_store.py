@@ -24,15 +24,12 @@ class FindingStore:
     Two robots of one run may include the same file, each in its own words; its defect is reported
     once.
 
-    Attributes:
-        counts: how many findings of each severity.
-
     Args:
         spills: write the findings of files that were not met for long to a temporary file.
     """
 
     def __init__(self, *, spills: bool) -> None:
-        self.counts = dict.fromkeys(Severity, 0)
+        self.counts = dict.fromkeys(Severity, 0)  # how many findings of each severity
         self._spills = spills
         self._memory: dict[str, _OfFile] = {}  # met last at the end
         self._disk: dict[str, int] = {}  # where each begins
@@ -117,14 +114,10 @@ class FindingStore:
 
 
 class StoredFindings(Sequence[Diagnostic]):
-    """The findings of very many robots, read from disk again each time they are gone through.
-
-    Attributes:
-        counts: how many findings of each severity.
-    """
+    """The findings of very many robots, read from disk again each time they are gone through."""
 
     def __init__(self, store: FindingStore) -> None:
-        self.counts = store.counts
+        self.counts = store.counts  # how many findings of each severity
         self._store = store
 
     def __len__(self) -> int:

@@ -16,7 +16,6 @@ def without_inconsistent_fixes(findings: list[Finding], uses: Mapping[Tag, int])
     """The findings, those without their fix whose place is used elsewhere without that fix.
 
     Args:
-        findings: all of one rule.
         uses: how often each tag stands in the document that they are about.
     """
     in_favour: dict[tuple[object, ...], set[int]] = {}

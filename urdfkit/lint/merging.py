@@ -26,7 +26,6 @@ def merged_report(
     """The report on all descriptions of a plan.
 
     Args:
-        plan: of the check.
         checked: the descriptions with their results, in the order of the plan.
         unchecked: findings about what nothing was checked of.
         spills: of very many robots, keep the findings on disk, and in the report nothing that only
@@ -55,16 +54,11 @@ def _is_skipped(result: FileResult) -> bool:
 
 
 class _Merger:
-    """Gathers the results of descriptions, and keeps no more of them than the report needs.
-
-    Attributes:
-        findings: all of them.
-        read: the real paths of the descriptions that were not skipped.
-    """
+    """Gathers the results of descriptions, and keeps no more of them than the report needs."""
 
     def __init__(self, plan: Plan, *, spills: bool) -> None:
-        self.findings = FindingStore(spills=spills)
-        self.read: set[str] = set()
+        self.findings = FindingStore(spills=spills)  # all of them
+        self.read: set[str] = set()  # the real paths of the descriptions that were not skipped
         self._plan = plan
         self._spills = spills
         self._skipped = list(plan.skipped)

@@ -35,7 +35,6 @@ def add(names: Iterable[str], *, modules: bool, directory: str = "") -> list[str
     Args:
         names: of entry points; or of modules, each a rule or a package that holds rules.
         modules: whether modules may be named. To import one runs its code.
-        directory: searched for modules after the directories of Python.
 
     Returns:
         The codes of the rules.

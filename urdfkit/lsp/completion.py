@@ -48,21 +48,13 @@ _FILES = {
 
 
 class CompletionItem(Record):
-    """Something that may be written.
+    """Something that may be written."""
 
-    Attributes:
-        text: to insert, and the label.
-        kind: ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``directory`` or ``end``.
-        detail: a few words about it.
-        start: offset of the word that it takes the place of; it ends at the cursor.
-        needed: True for what must be there, which is offered first.
-    """
-
-    text: str
-    kind: str
-    detail: str
-    start: int
-    needed: bool = False
+    text: str  # to insert, and the label
+    kind: str  # ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``directory`` or ``end``
+    detail: str  # a few words about it
+    start: int  # offset of the word that it takes the place of; it ends at the cursor
+    needed: bool = False  # True for what must be there, which is offered first
 
 
 def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:

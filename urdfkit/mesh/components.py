@@ -14,20 +14,14 @@ ROUNDING = 1e-7
 
 
 class Pieces(NamedTuple):
-    """The pieces of a mesh that edges hold together.
+    """The pieces of a mesh that edges hold together."""
 
-    Attributes:
-        of_face: (m,), the number of the piece that each triangle belongs to.
-        volumes: (p,), signed; without meaning for one that is open.
-        low, high: (p, 3), the corners of the bounding box of each.
-        is_closed: (p,), True where every edge has as many triangles one way as the other.
-    """
-
-    of_face: Integers
-    volumes: Floats
+    of_face: Integers  # (m,), the number of the piece that each triangle belongs to
+    volumes: Floats  # (p,), signed; without meaning for one that is open
+    #: low and high: (p, 3), the corners of the bounding box of each.
     low: Floats
     high: Floats
-    is_closed: Flags
+    is_closed: Flags  # (p,), True where every edge has as many triangles one way as the other
 
     @property
     def is_hollow(self) -> Flags:
@@ -98,7 +92,6 @@ def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0
     Args:
         places: (n, 3).
         faces: (m, 3).
-        pieces: of them.
         least: the volume up to which a piece does not matter.
     """
     found = np.zeros(len(pieces.volumes), dtype=bool)

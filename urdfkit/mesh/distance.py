@@ -31,8 +31,6 @@ def distance(
     Args:
         vertices: (n, 3).
         faces: (m, 3), indices of vertices.
-        other_vertices: of the other surface.
-        other_faces: of the other.
     """
     return max(
         one_way(vertices, faces, other_vertices, other_faces),

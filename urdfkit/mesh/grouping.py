@@ -36,7 +36,6 @@ def components(number: int, links: Integers) -> Integers:
     rounds. scipy does the same, and takes longer to import than this to run.
 
     Args:
-        number: of things.
         links: (k, 2), things that are connected.
     """
     label = np.arange(number)

@@ -146,7 +146,6 @@ def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
 
     Args:
         profile: a closed polygon of (distance from z, height).
-        sides: of its circles.
     """
     return on_grid(_section(profile).revolve(sides))
 

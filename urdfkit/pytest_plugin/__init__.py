@@ -152,7 +152,9 @@ def robot_dynamics(marked_urdf: Description) -> Dynamics:
 
     The test is skipped where Pinocchio is not installed.
     """
-    pytest.importorskip("pinocchio", reason="needs pip install 'urdfkit[dynamics]'")
+    from urdfkit.core.installation import install_command
+
+    pytest.importorskip("pinocchio", reason=f"needs {install_command('dynamics')}")
     return marked_urdf.dynamics
 
 

@@ -22,7 +22,6 @@ def coarsened(items: Sequence[SceneItem], limit: int) -> Sequence[SceneItem]:
     """Surfaces with a number of triangles in all, or near it; the same if they have fewer.
 
     Args:
-        items: the surfaces.
         limit: how many triangles are enough.
     """
     for cells in CELLS:

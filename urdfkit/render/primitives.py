@@ -15,19 +15,12 @@ SIDES, RINGS = 96, 24
 
 
 class Triangles(NamedTuple):
-    """Triangles with normals.
+    """Triangles with normals."""
 
-    Attributes:
-        vertices: (n, 3), in m.
-        faces: (m, 3), indices of vertices, counter-clockwise from outside.
-        normals: (n, 3), unit vectors; None if every face is flat.
-        uv: (n, 2), texture coordinates with v upwards; None without them.
-    """
-
-    vertices: Floats
-    faces: Integers
-    normals: Floats | None = None
-    uv: Floats | None = None
+    vertices: Floats  # (n, 3), in m
+    faces: Integers  # (m, 3), indices of vertices, counter-clockwise from outside
+    normals: Floats | None = None  # (n, 3), unit vectors; None if every face is flat
+    uv: Floats | None = None  # (n, 2), texture coordinates with v upwards; None without them
 
 
 def box(x: float, y: float, z: float) -> Triangles:

@@ -30,17 +30,11 @@ ZERO = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class MassProperties(Record):
-    """A rigid body as dynamics sees it.
+    """A rigid body as dynamics sees it."""
 
-    Attributes:
-        mass: in kg.
-        center: of mass, in m.
-        tensor: about the centre of mass, along the axes of the same frame, in kg·m².
-    """
-
-    mass: float
-    center: Vector
-    tensor: Tensor
+    mass: float  # in kg
+    center: Vector  # of mass, in m
+    tensor: Tensor  # about the centre of mass, along the axes of the same frame, in kg·m²
 
     def moved(self, frame: Transform) -> MassProperties:
         """The same, given in a frame, in the parent of that frame."""

@@ -51,9 +51,6 @@ def largest(tree: KinematicTree) -> dict[str, float]:
     """The upper bound of what each joint must hold, in N·m or N, by its name.
 
     Joints that follow another one load that one, as if a linkage joined them.
-
-    Args:
-        tree: of a sound model.
     """
     mass: dict[str, float] = {}
     lever: dict[str, float] = {}  # the sum of mass times distance from the origin of a link

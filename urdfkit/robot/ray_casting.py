@@ -24,17 +24,13 @@ _DOWN: Vector = (0.0, 0.0, -1.0)
 
 
 class Scan(Record):
-    """The beams of a planar lidar, in its own frame: x forwards, z across the plane.
+    """The beams of a planar lidar, in its own frame: x forwards, z across the plane."""
 
-    Attributes:
-        first, last: directions of the outermost beams in rad, counter-clockwise from x.
-        samples: how many beams there are, more than one.
-        low, high: range in m.
-    """
-
+    #: first and last: directions of the outermost beams in rad, counter-clockwise from x.
     first: float
     last: float
-    samples: int
+    samples: int  # how many beams there are, more than one
+    #: low and high: range in m.
     low: float
     high: float
 
@@ -52,7 +48,6 @@ def shape_of(body: Body, at: Transform) -> Primitive | None:
     """A primitive in the frame of a sensor; None for a mesh, and without sizes.
 
     Args:
-        body: a visual or collision.
         at: the frame of its link in that of the sensor.
     """
     return primitive(body._replace(origin=at @ body.origin))
@@ -121,8 +116,6 @@ def beams_on(
 
     Args:
         shape: in the frame of the sensor, which crosses the plane of the scan.
-        scan: the beams.
-        directions: of the scan.
         sees_inside: True if a beam that begins in the shape ends where it leaves it, as in Gazebo
             Classic; rendered shapes are seen from outside only.
     """

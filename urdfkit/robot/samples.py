@@ -46,8 +46,6 @@ def hand_xml(kind: str, left: Iterable[str], right: Iterable[str], *finger: str)
 
     Args:
         kind: the type of ``left_joint`` and ``right_joint``.
-        left: elements of the left joint.
-        right: elements of the right joint.
         finger: elements of each of the three links.
     """
     return robot_xml(

@@ -69,19 +69,12 @@ class ControlPart(Record):
 
 
 class Component(Record):
-    """A ``<ros2_control>`` block.
+    """A ``<ros2_control>`` block."""
 
-    Attributes:
-        at: the block.
-        name: empty where there is none.
-        plugin: the element that names the hardware class, or None.
-        parts: joints, sensors and GPIOs, in the order of the document.
-    """
-
-    at: Element
-    name: str
-    plugin: Element | None
-    parts: tuple[ControlPart, ...]
+    at: Element  # the block
+    name: str  # empty where there is none
+    plugin: Element | None  # the element that names the hardware class, or None
+    parts: tuple[ControlPart, ...]  # joints, sensors and GPIOs, in the order of the document
 
     @property
     def hardware(self) -> str:
@@ -99,17 +92,11 @@ class Component(Record):
 
 
 class ControlPlugin(Record):
-    """A plugin of Gazebo that runs controllers.
+    """A plugin of Gazebo that runs controllers."""
 
-    Attributes:
-        at: the ``<plugin>``.
-        kind: its name in the catalogue, such as ``gz_ros2_control``.
-        filename: as written.
-    """
-
-    at: Element
-    kind: str
-    filename: str
+    at: Element  # the ``<plugin>``
+    kind: str  # its name in the catalogue, such as ``gz_ros2_control``
+    filename: str  # as written
 
 
 def components(model: RobotModel) -> list[Component]:

@@ -32,7 +32,6 @@ def scan(
         settings: how models are checked.
         engine: ``local`` or ``dask``.
         address: of a scheduler of Dask; a cluster on this machine if empty.
-        jobs: processes on this machine.
         progress: called with the number of models done in this run, and of all that it does; 0
             until these are counted.
 

@@ -9,10 +9,6 @@ import warnings
 def parse(text: bytes | str, path: str = "<unknown>") -> ast.Module:
     """The syntax tree of a Python file.
 
-    Args:
-        text: of the file.
-        path: for messages.
-
     Raises:
         SyntaxError: it is no Python, or nested too deeply to be read.
     """

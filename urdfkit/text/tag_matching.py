@@ -15,23 +15,17 @@ LOOK_BACK = 2000
 
 
 class SyntaxMistake(Record):
-    """One error of syntax.
+    """One error of syntax."""
 
-    Attributes:
-        start, end: bytes of the text that are wrong; equal where something is missing.
-        message: what is wrong.
-        notes: other places that explain it, as (start, end, message).
-        trailing: True for what follows the end of the root element.
-        help: what to do; empty where the message says it.
-        fix: texts that put it right, as (start, end, text); empty where they are not known.
-    """
-
+    #: start and end: bytes of the text that are wrong; equal where something is missing.
     start: int
     end: int
-    message: str
+    message: str  # what is wrong
+    #: Other places that explain it, as (start, end, message).
     notes: tuple[tuple[int, int, str], ...] = ()
-    trailing: bool = False
-    help: str = ""
+    trailing: bool = False  # True for what follows the end of the root element
+    help: str = ""  # what to do; empty where the message says it
+    #: Texts that put it right, as (start, end, text); empty where they are not known.
     fix: tuple[tuple[int, int, str], ...] = ()
 
 

@@ -26,17 +26,11 @@ _MODEL_PATH = rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 
 
 class Candidate(Record):
-    """A directory that may be the package of a name.
+    """A directory that may be the package of a name."""
 
-    Attributes:
-        directory: the package's directory.
-        certain: False if it only has the name of the package, without a ``package.xml``.
-        trusted: True if the environment of the user names it.
-    """
-
-    directory: str
-    certain: bool = True
-    trusted: bool = False
+    directory: str  # the package's directory
+    certain: bool = True  # False if it only has the name of the package, without a ``package.xml``
+    trusted: bool = False  # True if the environment of the user names it
 
 
 class Packages:
@@ -71,7 +65,6 @@ class Packages:
         """The directories that may be a package, the best first of those that are certain.
 
         Args:
-            name: of the package.
             near: path of the file that refers to it.
         """
         if name in self.explicit:

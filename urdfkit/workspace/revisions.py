@@ -22,7 +22,6 @@ def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES
     Args:
         path: of a file in the repository, that may be gone by now.
         revision: a tag, branch or commit.
-        directory: to write into.
         largest: files over so many bytes are left out.
 
     Returns:

@@ -30,7 +30,6 @@ def readers_of(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, 
     robot, and in those that its ``package.xml`` names, if their directories are called so.
 
     Args:
-        tags: of elements.
         near: path of the file; for one in no package nothing is searched.
         resolver: finds the workspace, and knows which files may be read.
     """

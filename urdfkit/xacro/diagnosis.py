@@ -221,8 +221,6 @@ def warning(text: str, node: Node, local: dict[str, Any]) -> Problem | None:
     """What xacro warns of, at the element it works on; None if it has no effect.
 
     Args:
-        text: as xacro words it.
-        node: the element.
         local: the variables of the function that works on it.
     """
     if text.startswith("redefining global symbol: "):

@@ -31,7 +31,6 @@ def parse(
         The DOM, what is odd about the text, and the ``xacro:arg`` elements.
 
     Args:
-        source: the file.
         frame: the include that names it; None for the checked file.
         budget: what the expansion may make.
 

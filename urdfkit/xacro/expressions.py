@@ -181,9 +181,7 @@ def evaluate(text: str, names: Any, sandbox: Sandbox) -> Any:
     """The value of an expression; of an iterator the list.
 
     Args:
-        text: of it.
         names: what it may look up; raises KeyError.
-        sandbox: bounds it.
 
     Raises:
         Exception: whatever goes wrong in it.

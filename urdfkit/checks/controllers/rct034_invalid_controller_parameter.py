@@ -22,8 +22,6 @@ Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import nearest

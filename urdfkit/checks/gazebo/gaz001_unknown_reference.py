@@ -10,8 +10,6 @@ Sources:
     gazebosim/gz-sim#2961: https://github.com/gazebosim/gz-sim/issues/2961
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import robot_xml

@@ -24,8 +24,6 @@ Sources:
     open-rmf/rmf_simulation#109: https://github.com/open-rmf/rmf_simulation/issues/109
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule

@@ -31,8 +31,6 @@ Sources:
     measured: libsdformat 12.3 switches gravity off for the merged link, loses mu1 and material
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.gazebo.force_sensors import merged_force_sensors
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.model import RobotModel

@@ -17,8 +17,6 @@ Sources:
     measured: half of the 66 plugins that 213 public models use are a vendor's
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -53,10 +51,8 @@ def check(context: Context) -> Findings:
             yield _misspelt(use, system)._replace(fix=None)
         elif use.filename not in reported:
             reported.add(use.filename)  # one robot may use a library a hundred times
-            yield Finding(
-                use.at.attributes["filename"],
-                f"unknown plugin library '{use.filename}'",
-            )
+            message = f"unknown plugin library '{use.filename}'"
+            yield Finding(use.at.attributes["filename"], message)
 
 
 def _misspelt(use: PluginUse, suggested: str) -> Finding:

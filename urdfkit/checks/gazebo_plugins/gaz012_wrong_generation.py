@@ -15,8 +15,6 @@ Sources:
     jackal/jackal#129: https://github.com/jackal/jackal/issues/129
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find

@@ -22,8 +22,6 @@ Sources:
     osrf/vrx#867: https://github.com/osrf/vrx/issues/867
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.robot.model import Joint

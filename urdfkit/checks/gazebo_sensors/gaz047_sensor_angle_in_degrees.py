@@ -11,8 +11,6 @@ Sources:
     SDF, camera.sdf: https://github.com/gazebosim/sdformat/blob/main/sdf/1.9/camera.sdf
 """
 
-from __future__ import annotations
-
 from math import pi, radians
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule

@@ -10,8 +10,6 @@ Sources:
     ros-simulation/gazebo_ros_pkgs#260: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/260
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import collision_xml, robot_xml
@@ -57,11 +55,8 @@ def check(context: Context) -> Findings:
                 if renamed
                 else f"; did you mean '{suggested}'?"
             )
-            yield Finding(
-                named,
-                f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}",
-                fix=fix_value(named, suggested),
-            )
+            message = f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}"
+            yield Finding(named, message, fix=fix_value(named, suggested))
 
 
 def _called(collision: Element) -> tuple[str, ...]:

@@ -56,16 +56,11 @@ GOOD = BAD.replace("0 0 0.05", "0 0 0.25")
 
 
 class _Obstacle(Record):
-    """A shape of the robot that may be in the way.
-
-    Attributes:
-        link: its name.
-        body: a visual or collision.
-        shape: as a primitive, or the box around its mesh, in the frame of the root or of a sensor.
-    """
+    """A shape of the robot that may be in the way."""
 
     link: str
-    body: Body
+    body: Body  # a visual or collision
+    #: The same, or the box around a mesh, in the frame of the root or of a sensor.
     shape: Primitive
 
     @property

@@ -16,8 +16,6 @@ Sources:
     Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml

@@ -12,8 +12,6 @@ Sources:
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
-from __future__ import annotations
-
 import re
 from itertools import chain
 
@@ -55,11 +53,9 @@ def _invisible(model: RobotModel) -> Findings:
         if rgba.at not in reported and not re.search(_INTENDED, name):
             reported.add(rgba.at)
             called = f" '{name}'" if name else ""
+            message = f"link '{link.name}': the material{called} of a visual has an alpha of 0"
             yield Finding(
-                rgba,
-                f"link '{link.name}': the material{called} of a visual has an alpha of 0",
-                "write 1 as the fourth number of rgba",
-                severity=Severity.INFO,
+                rgba, message, "write 1 as the fourth number of rgba", severity=Severity.INFO
             )
 
 

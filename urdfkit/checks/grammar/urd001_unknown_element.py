@@ -18,8 +18,6 @@ Sources:
     urdf-usd-converter, benchmarks: misplaced in 74 of 408 public models: https://github.com/newton-physics/urdf-usd-converter
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from urdfkit.core.words import more_like_this

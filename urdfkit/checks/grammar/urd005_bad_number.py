@@ -18,8 +18,6 @@ Sources:
     ros/urdfdom#98: https://github.com/ros/urdfdom/issues/98
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import counted
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml

@@ -18,8 +18,6 @@ Sources:
     MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value

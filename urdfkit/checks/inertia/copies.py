@@ -1,7 +1,5 @@
 """Findings about copies of one tensor, reported as one."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 
 from urdfkit.core.words import few, listed

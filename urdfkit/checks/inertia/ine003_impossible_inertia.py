@@ -21,8 +21,6 @@ Sources:
     gazebosim/ros_gz#155: https://github.com/gazebosim/ros_gz/issues/155
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect

@@ -25,8 +25,6 @@ Sources:
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.checks.inertia.copies import together

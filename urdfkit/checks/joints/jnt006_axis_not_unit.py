@@ -19,8 +19,6 @@ Sources:
     Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
 """
 
-from __future__ import annotations
-
 from math import hypot
 
 from urdfkit.core.spatial import Vector, length
@@ -54,12 +52,8 @@ def check(context: Context) -> Findings:
         if at is None or joint.kind not in (*MOVING, "planar"):
             continue
         if "xyz" not in at.attributes:
-            yield Finding(
-                at,
-                f"joint '{joint.name}': <axis> has no xyz and is read as 0 0 0",
-                "write the direction of the axis",
-                severity=Severity.ERROR,
-            )
+            message = f"joint '{joint.name}': <axis> has no xyz and is read as 0 0 0"
+            yield Finding(at, message, "write the direction of the axis", severity=Severity.ERROR)
         elif joint.axis:
             yield from _findings(joint, joint.axis)
 
@@ -68,12 +62,8 @@ def _findings(joint: Joint, axis: Placed[Vector]) -> Findings:
     norm = length(axis.value)
     who = f"joint '{joint.name}': axis {' '.join(f'{value:g}' for value in axis.value)}"
     if norm < _ZERO:
-        yield Finding(
-            axis,
-            f"{who} has length 0",
-            "write the direction of the axis",
-            severity=Severity.ERROR,
-        )
+        message = f"{who} has length 0"
+        yield Finding(axis, message, "write the direction of the axis", severity=Severity.ERROR)
     elif abs(norm - 1) > _TOLERANCE:
         normalized = " ".join(f"{part / norm + 0.0:.10g}" for part in axis.value)  # + 0.0: no -0
         yield Finding(

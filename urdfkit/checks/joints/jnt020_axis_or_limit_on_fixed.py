@@ -9,8 +9,6 @@ Sources:
     measured: in 143 of 676 public models
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.editing.edits import remove_element

@@ -17,8 +17,6 @@ Sources:
     gazebo_ros_camera.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_camera.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.spatial import Rotation, multiply, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Joint

@@ -12,8 +12,6 @@ Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from urdfkit.core.spatial import Vector, dot, rotate

@@ -10,8 +10,6 @@ Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

@@ -16,8 +16,6 @@ Sources:
     launch, command.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/command.py
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"

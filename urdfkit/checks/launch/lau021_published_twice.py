@@ -15,8 +15,6 @@ Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import dist
 

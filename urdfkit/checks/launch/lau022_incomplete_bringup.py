@@ -23,8 +23,6 @@ Sources:
     ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.meeting_points import other_manager, unpublished_description
 from urdfkit.checks.launch.simulated_time import by_wall_clock, without_clock

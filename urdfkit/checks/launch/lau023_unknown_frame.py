@@ -20,8 +20,6 @@ Sources:
     RViz, frame_manager.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_common/src/rviz_common/frame_manager.cpp
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean

@@ -1,7 +1,5 @@
 """Programs that look for one another under different names."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related

@@ -25,8 +25,6 @@ Sources:
     measured: 380 of 1 513 public collision meshes are open
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import counted
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import BOX, box, stl

@@ -22,8 +22,6 @@ Sources:
     measured: 60 of 548 public models with meshes
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

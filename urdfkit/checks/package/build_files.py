@@ -1,7 +1,5 @@
 """Build files that do not fit the package.xml: another name, or no registration with ROS."""
 
-from __future__ import annotations
-
 import os
 import re
 

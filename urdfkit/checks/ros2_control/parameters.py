@@ -1,7 +1,5 @@
 """Attributes and parameters in ``<ros2_control>`` with invalid values."""
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number

@@ -17,8 +17,6 @@ Sources:
     gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.core.suggest import nearest

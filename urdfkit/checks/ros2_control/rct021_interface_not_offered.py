@@ -19,8 +19,6 @@ Sources:
     gripper_action_controller_impl.hpp: https://github.com/ros-controls/ros2_controllers/blob/humble/gripper_controllers/include/gripper_controllers/gripper_action_controller_impl.hpp
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule

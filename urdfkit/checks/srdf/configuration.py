@@ -1,7 +1,5 @@
 """Names in MoveIt's YAML files that neither the robot nor the SRDF has."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable
 

@@ -11,8 +11,6 @@ Sources:
     xacro: https://wiki.ros.org/xacro
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.core.suggest import is_typo

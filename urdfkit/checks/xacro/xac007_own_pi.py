@@ -8,8 +8,6 @@ Sources:
     xacro: https://wiki.ros.org/xacro
 """
 
-from __future__ import annotations
-
 import re
 from math import pi
 

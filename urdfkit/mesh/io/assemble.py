@@ -17,15 +17,10 @@ MAX_TRIANGLES = 20_000_000
 
 
 class Stream(NamedTuple):
-    """Values, and which of them each corner of each triangle takes.
+    """Values, and which of them each corner of each triangle takes."""
 
-    Attributes:
-        values: (n, k).
-        rows: (m, 3), of the values.
-    """
-
-    values: Floats
-    rows: Integers
+    values: Floats  # (n, k)
+    rows: Integers  # (m, 3), of the values
 
 
 class LostData:

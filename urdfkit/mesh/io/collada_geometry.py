@@ -25,19 +25,14 @@ _MOST_OFFSETS = 64
 
 
 class ColladaTriangles(NamedTuple):
-    """One list of triangles with the same material.
+    """One list of triangles with the same material."""
 
-    Attributes:
-        symbol: that stands for its material.
-        position: its corners.
-        normals, colors: of its corners, or None.
-        uvs: texture coordinates by the number of their set, in the order of the file.
-    """
-
-    symbol: str
-    position: Stream
+    symbol: str  # that stands for its material
+    position: Stream  # its corners
+    #: normals and colors: of its corners, or None.
     normals: Stream | None
     colors: Stream | None
+    #: Texture coordinates by the number of their set, in the order of the file.
     uvs: dict[str, Stream]
 
 

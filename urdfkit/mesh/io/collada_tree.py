@@ -18,14 +18,10 @@ _LONG_TEXT = 10_000_000
 
 
 class ColladaTree:
-    """A COLLADA file.
-
-    Attributes:
-        root: its root element.
-    """
+    """A COLLADA file."""
 
     def __init__(self, data: bytes, *, recover: bool = False) -> None:
-        self.root = parse(data, recover=recover)
+        self.root = parse(data, recover=recover)  # its root element
         self._by_id: dict[str, Element] = {}
         for element in self.root.iter(etree.Element):
             identity = element.get("id")

@@ -97,7 +97,6 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
     """Judge the bytes of a mesh file.
 
     Args:
-        data: the whole file.
         suffix: of its name, such as ``.stl``; says what broken content was meant to be.
     """
     form = recognise(data, len(data))

@@ -31,7 +31,6 @@ def _senses(number: int, pairs: Integers, twisted: Flags) -> tuple[Integers, Fla
     """The pieces of a surface, and which faces do not agree with the first one of their piece.
 
     Args:
-        number: of faces.
         pairs: (k, 2), faces that share an edge.
         twisted: (k,), True for those that see it in the same direction.
 

@@ -76,7 +76,6 @@ def losses(mesh: Mesh, name: str) -> list[str]:
 
     Args:
         mesh: that is to be written.
-        name: of the file.
     """
     suffix = os.path.splitext(name)[1].lower()
     lost = []

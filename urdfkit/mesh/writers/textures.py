@@ -32,10 +32,6 @@ def texture_bytes(material: MeshMaterial | None) -> bytes | None:
 def texture_files(mesh: Mesh, name: str) -> tuple[dict[int, str], dict[str, bytes]]:
     """Names for the textures of a mesh, next to its file.
 
-    Args:
-        mesh: with materials.
-        name: of the mesh file.
-
     Returns:
         The name of the texture of each part that has one, and the contents by name. Equal
         contents are written once; a file keeps its name unless another one has it.

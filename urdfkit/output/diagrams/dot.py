@@ -7,11 +7,7 @@ from urdfkit.robot.tree import KinematicTree
 
 
 def render(tree: KinematicTree) -> str:
-    """The tree in the language of Graphviz: links are nodes, joints are edges.
-
-    Args:
-        tree: of the model.
-    """
+    """The tree in the language of Graphviz: links are nodes, joints are edges."""
     lines = [f"digraph {_quoted(tree.model.name)} {{", "  node [shape=box];"]
     lines += [f"  {_quoted(name)};" for name in tree.children]
     lines += [

@@ -15,11 +15,7 @@ VERSION = 1
 
 
 def render(tree: KinematicTree) -> str:
-    """Links with their parents, and joints with type, axis, limits and origin.
-
-    Args:
-        tree: of the model.
-    """
+    """Links with their parents, and joints with type, axis, limits and origin."""
     found = list(rows(tree))
     links = tree.model.links_by_name
     document = {

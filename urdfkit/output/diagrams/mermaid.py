@@ -8,11 +8,7 @@ from urdfkit.text.terminal import printable
 
 
 def render(tree: KinematicTree) -> str:
-    """The tree as a flow chart: links are nodes, joints are edges.
-
-    Args:
-        tree: of the model.
-    """
+    """The tree as a flow chart: links are nodes, joints are edges."""
     numbers = {name: f"n{number}" for number, name in enumerate(tree.children)}
     lines = ["flowchart TD"]
     lines += [f"  {number}[{_quoted(name)}]" for name, number in numbers.items()]

@@ -38,11 +38,7 @@ _STYLE = (
 
 
 def render(tree: KinematicTree) -> str:
-    """The tree as an SVG document.
-
-    Args:
-        tree: of the model.
-    """
+    """The tree as an SVG document."""
     found = list(rows(tree))
     body = list(_body(found))
     width = max((_right(row) for row in found), default=0.0) + MARGIN

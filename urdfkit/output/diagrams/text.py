@@ -20,7 +20,6 @@ def render(tree: KinematicTree, width: int = 80) -> str:
     """The tree as text.
 
     Args:
-        tree: of the model.
         width: columns; a longer description of a joint is wrapped.
     """
     return "".join(f"{printable(line)}\n" for line in _lines(tree, width))

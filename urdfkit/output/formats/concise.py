@@ -18,8 +18,13 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts."""
+    yield from findings(report, color=color)
+    yield summary(report, color=color, width=_WIDE)
+
+
+def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """The findings and crashed rules alone."""
     page = TextPage(color, _WIDE)
     for found in report.diagnostics:
         yield f"{page.head(found)}\n"
     yield from crashes(report, page)
-    yield summary(report, color=color, width=_WIDE)

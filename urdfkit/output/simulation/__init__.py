@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
@@ -30,6 +31,6 @@ def simulate(robot: Context | str | os.PathLike[str], *, base: str = "auto") -> 
         from urdfkit.output.simulation.running import run
     except ModuleNotFoundError as error:
         raise MissingLibrary(
-            f"to simulate a robot needs {error.name}: pip install 'urdfkit[simulate]'"
+            f"to simulate a robot needs {error.name}: {install_command('simulate')}"
         ) from error
     return run(robot if isinstance(robot, Context) else read(robot), base)

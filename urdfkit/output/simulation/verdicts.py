@@ -9,25 +9,15 @@ from urdfkit.text.source import Span, shown
 
 
 class Verdict(Record):
-    """One statement.
+    """One statement."""
 
-    Attributes:
-        test: ``overlap``, ``stability``, ``energy`` or ``hold``.
-        passes: False if the robot does not behave.
-        message: what happens, how much, and the bound.
-        value: that was measured, in m, J, rad or m.
-        bound: of the value.
-        names: of the links or joints that it is about.
-        span: where the cause is written; None where it has no place.
-    """
-
-    test: str
-    passes: bool
-    message: str
-    value: float
-    bound: float
-    names: tuple[str, ...] = ()
-    span: Span | None = None
+    test: str  # ``overlap``, ``stability``, ``energy`` or ``hold``
+    passes: bool  # False if the robot does not behave
+    message: str  # what happens, how much, and the bound
+    value: float  # that was measured, in m, J, rad or m
+    bound: float  # of the value
+    names: tuple[str, ...] = ()  # of the links or joints that it is about
+    span: Span | None = None  # where the cause is written; None where it has no place
 
 
 class Simulation(Record):

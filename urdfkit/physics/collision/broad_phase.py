@@ -22,8 +22,6 @@ def lower_bound(first: CollisionBody, second: CollisionBody, at: Transform) -> f
     """The signed distance of the boxes around two bodies, which that of the bodies is not below.
 
     Args:
-        first: a body.
-        second: another one.
         at: the frame of the second in that of the first.
     """
     between = Transform(at.rotation, minus(at.apply(second.center), first.center))

@@ -32,8 +32,6 @@ def signed_distance(
         kind: ``box``, ``sphere``, ``cylinder`` or ``capsule``, about its origin, its axis along z,
             or ``mesh``.
         size: the sides of a box; the radius, and the length of what has one.
-        other_kind: of the other primitive.
-        other_size: of the other.
         at: the frame of the other one in that of the first.
     """
     if "mesh" in (kind, other_kind):

@@ -43,8 +43,6 @@ class ExactDistances:
         """The signed distance of two bodies, in m; infinite for one that cannot be used.
 
         Args:
-            first: a body.
-            second: another one.
             at: the frame of the second in that of the first.
         """
         query = self._query(first, second)
@@ -61,8 +59,6 @@ class ExactDistances:
         """True if two bodies overlap by more than a depth.
 
         Args:
-            first: a body.
-            second: another one.
             at: the frame of the second in that of the first.
             depth: in m.
         """

@@ -54,7 +54,6 @@ class SampledPoses:
         """For each pair of links that move, a collision that no other one keeps the robot from.
 
         Args:
-            pairs: of links.
             samples: configurations that are looked at.
             is_checked: of two links, whether their collisions are avoided; where two of these
                 overlap, the robot never is.

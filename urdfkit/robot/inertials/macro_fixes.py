@@ -46,24 +46,17 @@ _PART = r"(?:\$\{[^}]*\}|\$\([^)]*\)|[^\s$])+"
 
 
 class _MacroCall(Record):
-    """A macro call that can be written anew.
+    """A macro call that can be written anew."""
 
-    Attributes:
-        at: its tag.
-        kind: of the shape of the links that it is for.
-        arguments: for the new macro, as text.
-    """
-
-    at: Tag
-    kind: str
-    arguments: tuple[tuple[str, str], ...]
+    at: Tag  # its tag
+    kind: str  # of the shape of the links that it is for
+    arguments: tuple[tuple[str, str], ...]  # for the new macro, as text
 
 
 def computing(description: DescribedRobot, links: list[Link], tensor: Tag) -> Fix | None:
     """Macros for the shapes of some links, and calls of these in the place of one.
 
     Args:
-        description: the description.
         links: those that the macro gives the tensor.
         tensor: the ``<inertia>`` in the macro.
     """

@@ -34,15 +34,10 @@ _DEFINITIONS = ("model.config", "model.sdf")
 
 
 class World(Record):
-    """A ``<world>``.
+    """A ``<world>``."""
 
-    Attributes:
-        at: its element.
-        source: the file.
-    """
-
-    at: Element
-    source: Source
+    at: Element  # its element
+    source: Source  # the file
 
     @property
     def name(self) -> str:

@@ -23,8 +23,6 @@ def read_launch(
     """Read a launch file, and those that it includes.
 
     Args:
-        source: the file.
-        resolver: finds packages.
         arguments: of the launch file, ``name:=value``.
     """
     from urdfkit.ros.launch.collect import Collector

@@ -24,13 +24,10 @@ MAX_FILES, MAX_DIRECTORIES = 500, 2000
 
 
 class ArgumentUses:
-    """The arguments that one launch file uses, in the order of the file.
-
-    Attributes:
-        declared: the names that are known so far, with those that the including file lends.
-    """
+    """The arguments that one launch file uses, in the order of the file."""
 
     def __init__(self, declared: set[str]) -> None:
+        #: The names that are known so far, with those that the including file lends.
         self.declared = declared
         self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
 

@@ -140,10 +140,8 @@ class Collector:
         The rest of it is reported when it is read by itself.
 
         Args:
-            path: of the included file.
             source: the file that includes it.
             arguments: that it is given; None for those that are known at run time only.
-            frame: the place of the include.
             is_sure: False if a condition decides that is known at run time only.
         """
         outer = (*self.outer, source.path)

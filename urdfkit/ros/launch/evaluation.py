@@ -25,7 +25,6 @@ def evaluate(
     """The text that an expression gives; None where only roslaunch knows it.
 
     Args:
-        text: the expression.
         arguments: of the launch file; they can be called by name.
         functions: such as ``find``, which take one text.
     """

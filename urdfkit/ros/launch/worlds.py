@@ -23,27 +23,16 @@ _COMMANDS = {("gz", "sim"): GZ, ("ign", "gazebo"): GZ, ("gazebo",): CLASSIC, ("g
 
 
 class StartedWorld(Record):
-    """A world that Gazebo is started with.
+    """A world that Gazebo is started with."""
 
-    Attributes:
-        generation: ``gz`` or ``classic``.
-        name: a path, or the name of a world that comes with Gazebo; empty for the default one.
-        engine: the render engine that the command line chooses; empty if it chooses none.
-        libraries: that Gazebo Classic loads besides the plugins of the world.
-        has_window: False if only the server is started.
-        span: where the world is named.
-        frame: the launch files that led there.
-        is_sure: False if a condition decides that is known at run time only.
-    """
-
-    generation: str
-    name: str
-    engine: str
-    libraries: tuple[str, ...]
-    has_window: bool
-    span: Span
-    frame: CallFrame | None
-    is_sure: bool
+    generation: str  # ``gz`` or ``classic``
+    name: str  # a path, or the name of a world that comes with Gazebo; empty for the default one
+    engine: str  # the render engine that the command line chooses; empty if it chooses none
+    libraries: tuple[str, ...]  # that Gazebo Classic loads besides the plugins of the world
+    has_window: bool  # False if only the server is started
+    span: Span  # where the world is named
+    frame: CallFrame | None  # the launch files that led there
+    is_sure: bool  # False if a condition decides that is known at run time only
 
     @property
     def is_shipped(self) -> bool:

@@ -44,7 +44,6 @@ def encoded(text: bytes, encoding: str, original: bytes) -> bytes:
 
     Args:
         text: in UTF-8.
-        encoding: of the source.
         original: the bytes of the file that it was read from.
 
     Raises:

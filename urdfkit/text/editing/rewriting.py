@@ -16,14 +16,10 @@ _CHANGED = "it has changed meanwhile; run it again"
 
 
 class Rewrite(Record):
-    """A new text for a file.
+    """A new text for a file."""
 
-    Attributes:
-        path: of the file, as a user would type it.
-        before, after: its bytes.
-    """
-
-    path: str
+    path: str  # of the file, as a user would type it
+    #: before and after: its bytes.
     before: bytes
     after: bytes
 
