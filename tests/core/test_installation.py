@@ -68,6 +68,11 @@ def test_the_program_is_that_which_made_the_environment(
     assert install_command("lsp") == f'{program} "urdfkit[lsp]"'
 
 
+def test_uvx_runs_another_environment(prefix: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "prefix", str(prefix / "archive-v0" / "c0ffee"))
+    assert install_command("lsp") == 'uvx --from "urdfkit[lsp]" urdfkit'
+
+
 def test_pre_commit_is_configured(prefix: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "prefix", str(prefix / "py_env-python3.12"))
     assert install_command("lsp") == (

@@ -5,8 +5,6 @@ environment that pre-commit, uv or pipx made. So a hint names from where this ur
 which program.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import sys
@@ -26,7 +24,10 @@ def install_command(extra: str) -> str:
         return "not possible in a browser"
     if os.path.basename(sys.prefix).startswith("py_env-"):  # pre-commit's, in a clone of its own
         return f'additional_dependencies: [".{extras}"] in .pre-commit-config.yaml'
-    return f"{_program()} {_requirement(extras)}"
+    requirement = _requirement(extras)
+    if "archive-v" in sys.prefix or "environments-v" in sys.prefix:  # of uv's cache
+        return f"uvx --from {requirement} urdfkit"
+    return f"{_program()} {requirement}"
 
 
 def _program() -> str:
@@ -35,8 +36,6 @@ def _program() -> str:
         return "uv tool install"
     if _in_prefix("pipx_metadata.json"):
         return "pipx install --force"
-    if "archive-v" in sys.prefix or "environments-v" in sys.prefix:  # of uv's cache
-        return "uvx --from"
     return "uv pip install" if "\nuv = " in _in_prefix("pyvenv.cfg") else "pip install"
 
 
