@@ -41,6 +41,12 @@ class Texture:
         self._levels[0].save(file, "JPEG", quality=88)
         return file.getvalue()
 
+    def png(self) -> bytes:
+        """The image as a file without losses."""
+        file = io.BytesIO()
+        self._levels[0].save(file, "PNG")
+        return file.getvalue()
+
 
 def srgb_to_linear(values: Floats) -> Floats:
     """Colours as written to amounts of light (IEC 61966-2-1)."""
