@@ -53,11 +53,9 @@ def without_clock(context: Context, started: tuple[StartedProgram, ...]) -> Find
     ):
         return
     where = bridges[0] if bridges else waiting
-    yield Finding(
-        Location(where.span, where.frame),
-        f"nothing publishes /clock, for which '{waiting.executable}' waits with {_SIM_TIME}",
-        "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock",
-    )
+    message = f"nothing publishes /clock, for which '{waiting.executable}' waits with {_SIM_TIME}"
+    help = "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"
+    yield Finding(Location(where.span, where.frame), message, help)
 
 
 def by_wall_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:

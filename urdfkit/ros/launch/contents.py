@@ -115,5 +115,4 @@ class Launch(Record):
 
     @property
     def parameters(self) -> tuple[FileUse, ...]:
-        """The files of parameters that it loads."""
         return tuple(file for file in self.files if file.purpose == PARAMETERS)

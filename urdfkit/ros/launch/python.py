@@ -1,7 +1,5 @@
 """Launch files in Python, of ROS 2: read as a syntax tree, never run."""
 
-from __future__ import annotations
-
 import ast
 import os
 from collections.abc import Iterator, Mapping

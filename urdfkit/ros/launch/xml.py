@@ -1,7 +1,5 @@
 """Launch files in XML, of ROS 1 and ROS 2, and in the YAML of ROS 2."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterable, Mapping
