@@ -1,7 +1,5 @@
 """``urdfkit doctor``: the environment and the optional dependencies."""
 
-from __future__ import annotations
-
 import os
 import platform
 import shutil

@@ -1,7 +1,5 @@
 """The ``urdfkit`` command as click has it: a group of commands, each imported when used."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import chain
 

@@ -1,7 +1,5 @@
 """The findings of a check, each once, with the robots that it is found in."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import IO, overload
@@ -43,7 +41,6 @@ class FindingStore:
             self._spilled.close()
 
     def add(self, path: str, variant: str, diagnostics: Iterable[Diagnostic]) -> None:
-        """The findings in one description."""
         self._variants.setdefault(path, set()).add(variant)
         for one in diagnostics:
             self.add_finding(one, [(path, variant)])
@@ -51,7 +48,6 @@ class FindingStore:
             self._spill(next(iter(self._memory)))
 
     def add_finding(self, one: Diagnostic, found_in: list[tuple[str, str]]) -> None:
-        """A finding in some descriptions."""
         path = one.span.source.path
         file = disk.real(path)
         of_file = self._memory[file] = self._of_file(file)

@@ -4,8 +4,6 @@ People read them so, in a terminal, a pull request or a page. A program gets eac
 editor marks every place, and a baseline must know the thirty-first as new.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 from urdfkit.core.words import more_like_this

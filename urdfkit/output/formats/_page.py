@@ -1,7 +1,5 @@
 """Findings on a page of text: places, lines of source, macro calls, notes, fixes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise, takewhile
 
