@@ -1,7 +1,5 @@
 """The ``urdfkit`` command as click has it: a group of commands, each imported when used."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import chain
 
@@ -31,7 +29,7 @@ SECTIONS = {
     ),
     "Show a robot": ("render", "view", "report"),
     "Mesh files and copies": ("mesh", "bundle", "convert"),
-    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "lsp"),
+    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "lsp", "mcp"),
 }
 COMMANDS = tuple(chain.from_iterable(SECTIONS.values()))
 

@@ -1,7 +1,5 @@
 """``urdfkit lsp``: the language server for editors."""
 
-from __future__ import annotations
-
 import click
 
 from urdfkit.core.installation import install_command

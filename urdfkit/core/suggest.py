@@ -1,7 +1,5 @@
 """The word that was probably meant."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Collection, Iterable

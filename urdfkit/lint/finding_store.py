@@ -1,7 +1,5 @@
 """The findings of a check, each once, with the robots that it is found in."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import IO, overload
@@ -44,7 +42,6 @@ class FindingStore:
             self._spilled.close()
 
     def add(self, path: str, variant: str, diagnostics: Iterable[Diagnostic]) -> None:
-        """The findings in one description."""
         self._variants.setdefault(path, set()).add(variant)
         for one in diagnostics:
             self.add_finding(one, [(path, variant)])
@@ -52,7 +49,6 @@ class FindingStore:
             self._spill(next(iter(self._memory)))
 
     def add_finding(self, one: Diagnostic, found_in: list[tuple[str, str]]) -> None:
-        """A finding in some descriptions."""
         file, name = self._real_and_shown(one.span.source.path)
         of_file = self._memory[file] = self._of_file(file)
         key = (one.code, *one.span[1:], one.message)

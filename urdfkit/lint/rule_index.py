@@ -72,7 +72,6 @@ def _known() -> dict[str, str]:
 
 
 def codes() -> list[str]:
-    """The codes of urdfkit's own rules, sorted."""
     return [code for code in _known() if code not in _external]
 
 

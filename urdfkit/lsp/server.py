@@ -102,7 +102,6 @@ class Server(LanguageServer):
         self.feature(request, options)(handle)
 
     def path(self, uri: str) -> str:
-        """The real path of a URI."""
         path = to_path(uri)
         return os.path.realpath(path) if path != uri else uri
 
@@ -206,7 +205,6 @@ class Server(LanguageServer):
             self.publish(file, found)
 
     def publish(self, file: str, found: list[Diagnostic]) -> None:
-        """Publish the findings of a file."""
         uri = self.uris.get(file)
         if uri is None:
             if "://" in file or file.startswith("untitled:"):

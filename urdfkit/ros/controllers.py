@@ -39,7 +39,6 @@ class Section(Record):
     at: Span | None  # where it begins; None if the file has no parameters for the node
 
     def add(self, node: dict[str, Node]) -> None:
-        """Take over the parameters in a mapping."""
         stack: list[tuple[str, dict[str, Node]]] = [("", node)]
         while stack:
             above, mapping = stack.pop()

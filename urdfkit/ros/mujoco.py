@@ -53,7 +53,6 @@ class Compiler(Record):
 
 
 def compiler_of(model: RobotModel) -> Compiler:
-    """The settings in a model."""
     block = model.document.root.child("mujoco")
     element = block.child("compiler") if block else None
     if element is None:

@@ -46,7 +46,6 @@ class Interface(Record):
     name: str
 
     def parameter(self, name: str) -> Element | None:
-        """The ``<param>`` of a name."""
         return parameter(self.at, name)
 
     def bound(self, name: str) -> float | None:
@@ -87,7 +86,6 @@ class Component(Record):
 
     @property
     def called(self) -> str:
-        """For messages."""
         return f"<ros2_control> '{self.name}'" if self.name else "<ros2_control>"
 
 
@@ -100,7 +98,6 @@ class ControlPlugin(Record):
 
 
 def components(model: RobotModel) -> list[Component]:
-    """The ``<ros2_control>`` blocks of a model."""
     return [_component(element) for element in model.ros2_controls]
 
 
@@ -117,7 +114,6 @@ def control_plugins(model: RobotModel) -> list[ControlPlugin]:
 
 
 def parameter(element: Element, name: str) -> Element | None:
-    """The first ``<param>`` of a name."""
     for found in element.all("param"):
         if found.get("name") == name:
             return found

@@ -60,7 +60,6 @@ class Targets(Record):
 
     @property
     def facts(self) -> tuple[TargetFacts, ...]:
-        """What is known of each of them."""
         return tuple(map(facts_of, self.names))
 
     def that(self, fact: str) -> tuple[str, ...]:
@@ -122,7 +121,6 @@ class TargetFacts(Record):
 
 @cache
 def facts_of(name: str) -> TargetFacts:
-    """The facts of a target."""
     return record(TargetFacts, data(f"targets/{name}"), name=name)
 
 

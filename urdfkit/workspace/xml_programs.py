@@ -1,13 +1,14 @@
-"""The words that programs of a workspace look for in XML files, such as tags of their own."""
+"""The words that programs of a workspace name as strings, such as tags of their own in XML."""
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.manifest import manifest_of
 
@@ -33,15 +34,37 @@ def readers_of(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, 
         near: path of the file; for one in no package nothing is searched.
         resolver: finds the workspace, and knows which files may be read.
     """
-    words = b"|".join(re.escape(tag.encode()) for tag in tags)
-    quoted = re.compile(rb"""(["'])[./]*(""" + words + rb""")\1""")
     found: dict[str, str] = {}
+    for path, data, named in _naming(tags, rb"[./]*", near, resolver):
+        if not named <= found.keys() and _READS_XML.search(data):
+            found = dict.fromkeys(named, path) | found
+    return found
+
+
+def named_in_programs(words: Collection[str], near: str, resolver: Resolver) -> set[str]:
+    """Those of some words that a program of a workspace, not a launch file, names as a string.
+
+    Args:
+        words: such as the names of frames.
+        near: path of a file in the workspace that is searched.
+        resolver: finds the workspace, and knows which files may be read.
+    """
+    if not words:
+        return set()
+    found = _naming(words, b"/?", near, resolver)
+    return {word for path, _, named in found if not is_launch(path) for word in named}
+
+
+def _naming(
+    words: Iterable[str], before: bytes, near: str, resolver: Resolver
+) -> Iterator[tuple[str, bytes, set[str]]]:
+    """The source files that name words as strings, their text, and these words."""
+    either = b"|".join(re.escape(word.encode()) for word in words)
+    quoted = re.compile(rb"""(["'])""" + before + b"(" + either + rb""")\1""")
     for path in filter(resolver.admits, islice(_sources(near, resolver), MAX_FILES)):
         data = read_head(path, MAX_BYTES)
-        named = {match[2].decode() for match in quoted.finditer(data)} - found.keys()
-        if named and _READS_XML.search(data):
-            found.update(dict.fromkeys(named, path))
-    return found
+        if named := {match[2].decode() for match in quoted.finditer(data)}:
+            yield path, data, named
 
 
 def _sources(near: str, resolver: Resolver) -> Iterator[str]:

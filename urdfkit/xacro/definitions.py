@@ -64,13 +64,11 @@ class Definitions:
         self.argument_nodes: list[Node] = []  # their elements
 
     def add_arguments(self, nodes: Iterable[Node]) -> None:
-        """Add the ``xacro:arg`` elements of a file."""
         for node in nodes:
             self.argument_nodes.append(node)
             self.arguments.append(_definition(node))
 
     def add_macro(self, node: Node) -> None:
-        """Add a macro."""
         name = node.getAttribute("name").removeprefix("xacro:")
         self.macros.append(_definition(node)._replace(name=name))
 

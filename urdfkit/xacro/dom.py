@@ -296,7 +296,6 @@ def comments(dom: Dom) -> Iterator[str]:
 
 
 def to_document(dom: Dom, sources: tuple[Source, ...]) -> Document:
-    """The expanded DOM as a Document."""
     root = _to_element(dom.documentElement, None)
     stack = [(dom.documentElement, root)]
     while stack:

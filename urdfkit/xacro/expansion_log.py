@@ -62,7 +62,6 @@ class ExpansionLog:
         return len(self._problems) >= MAX_PROBLEMS
 
     def say(self, message: Message) -> None:
-        """Keep a message."""
         if len(self.messages) < MAX_MESSAGES:
             self.messages.append(message)
 

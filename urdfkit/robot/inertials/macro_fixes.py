@@ -195,7 +195,6 @@ def _is_only_use(description: DescribedRobot, tensor: Tag, links: list[Link]) ->
 
 
 def _macro(kind: str, name: str) -> list[str]:
-    """The lines of a macro."""
     parameters, (ixx, iyy, izz) = _MOMENTS[kind]
     params = f"mass {' '.join(parameters)} xyz:='0 0 0' rpy:='0 0 0'"
     return [
@@ -221,7 +220,6 @@ def _defined(definition: Tag, lines: list[str], *, instead: bool) -> tuple[Edit,
 
 
 def _edit(call: _MacroCall, names: dict[str, str]) -> Edit:
-    """The new call."""
     whole: Span = call.at.whole_span
     arguments = "".join(f' {name}="{text}"' for name, text in call.arguments)
     return Edit(whole, f"<xacro:{names[call.kind]}{arguments}/>")

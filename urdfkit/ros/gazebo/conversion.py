@@ -60,7 +60,6 @@ class SimulatedLink:
 
     @cached_property
     def properties(self) -> MassProperties:
-        """Of all the links together."""
         return self.body.properties
 
     @cached_property

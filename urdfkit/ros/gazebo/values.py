@@ -62,7 +62,6 @@ def value(text: str) -> float:
 
 
 def quoted(text: str) -> str:
-    """A value for a message."""
     return f"'{text}'" if text else "empty"
 
 

@@ -45,7 +45,6 @@ class World(Record):
 
     @property
     def plugins(self) -> list[Element]:
-        """The plugins of the world itself."""
         return self.at.all("plugin")
 
     @property
@@ -110,7 +109,6 @@ def shipped_worlds() -> dict[str, tuple[str, frozenset[str]]]:
 
 
 def default_systems() -> frozenset[str]:
-    """The systems of a world without plugins."""
     return frozenset(data("worlds")["defaults"].split())
 
 

@@ -20,6 +20,7 @@ from urdfkit.ros.launch.contents import (
     PackageUse,
     StartedProgram,
 )
+from urdfkit.ros.launch.known_packages import mistakes
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
@@ -166,6 +167,7 @@ class Collector:
         self.names_parameters = self.names_parameters or inner.names_parameters
 
     def launch(self) -> Launch:
+        self.problems += mistakes(self.started, self.includes, self.resolver)
         return Launch(
             tuple(self.descriptions),
             tuple(self.files),
