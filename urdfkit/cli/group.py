@@ -29,7 +29,7 @@ SECTIONS = {
     ),
     "Show a robot": ("render", "view", "report"),
     "Mesh files and copies": ("mesh", "bundle", "convert"),
-    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "lsp"),
+    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "lsp", "mcp"),
 }
 COMMANDS = tuple(chain.from_iterable(SECTIONS.values()))
 

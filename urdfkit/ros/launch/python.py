@@ -171,6 +171,7 @@ class _Reader:
         """The parameters in a list of dictionaries and files."""
         found: dict[str, str | None] = {}
         files: list[str] = []
+        lists: dict[str, tuple[str | None, ...]] = {}
         is_whole = others is None
         for item in self.values.items(node) if node else ():
             given = self.values.suggested(item)
@@ -179,6 +180,9 @@ class _Reader:
                     name = self.values.text(key)
                     is_whole = is_whole and name is not None
                     found[name or ""] = self.values.text(value)
+                    if name and isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
+                        items = self.values.items(value)
+                        lists[name] = tuple(self.values.text(item) for item in items)
                     if name == "config_file" and self.values.text(value):
                         self._file(value, "configuration of the bridge")
             elif (path := self.values.text(item) or "").endswith(_PARAMETER_FILES):
@@ -188,7 +192,7 @@ class _Reader:
             else:
                 is_whole = False
         found.pop("", None)
-        return Parameters(found, tuple(files), is_whole)
+        return Parameters(found, tuple(files), is_whole, lists)
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")
