@@ -58,7 +58,6 @@ def prove(model: Any, robot: Context) -> Proof:
 
     Args:
         model: an ``mujoco.MjModel``; its bodies and joints have the names of the robot's.
-        robot: that it was made from.
 
     Raises:
         UrdfkitError: Pinocchio cannot take the robot.
