@@ -13,4 +13,10 @@ class Format(Record):
     extra: str  # of urdfkit, with the libraries that it needs
 
 
-FORMATS = {one.name: one for one in (Format("mjcf", "writing", "simulate"),)}
+FORMATS = {
+    one.name: one
+    for one in (
+        Format("mjcf", "writing", "simulate"),
+        Format("usd", "usd", "usd"),
+    )
+}

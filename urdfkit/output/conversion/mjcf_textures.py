@@ -13,9 +13,7 @@ from urdfkit.mesh.writers import UnwritableMesh
 from urdfkit.mesh.writers.textures import texture_bytes
 from urdfkit.output.conversion.mjcf_names import FreeNames
 from urdfkit.render.materials import SurfaceMaterial
-
-#: How a PNG begins, the only images that MuJoCo reads.
-_PNG = b"\x89PNG"
+from urdfkit.render.textures import texture
 
 
 class Textures:
@@ -62,14 +60,13 @@ class Textures:
 
 
 def _png(surface: SurfaceMaterial) -> bytes | None:
-    """The image of a surface as a PNG; None without one that can be read."""
+    """The image of a surface as a PNG, the only format that MuJoCo reads; None without one.
+
+    A PNG is written anew: MuJoCo rejects some that others read.
+    """
     try:
         data = texture_bytes(MeshMaterial(texture=surface.texture))
     except UnwritableMesh:
         return None
-    if data is None or data.startswith(_PNG):
-        return data
-    from urdfkit.render.textures import texture
-
-    found = texture(data)
+    found = texture(data) if data else None
     return found.png() if found else None
