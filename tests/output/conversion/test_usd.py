@@ -51,8 +51,9 @@ def test_robots_of_the_project(robot: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
 def test_robots_of_the_corpus(entry: tuple[Path, dict[str, Any]], tmp_path: Path) -> None:
     folder, model = entry
-    robot = read(folder / model["path"], arguments=corpus_findings.arguments_of(model))
+    path = folder / model["path"]
     try:
+        robot = read(path, arguments=corpus_findings.arguments_of(model))
         found = convert(robot, tmp_path / "o", to="usd")
     except UrdfkitError as error:
         pytest.skip(str(error))
@@ -127,6 +128,12 @@ def test_warnings_stand_at_the_line(tmp_path: Path) -> None:
     assert parts["link/tip/collision/geometry/capsule"] == "lost: Invalid geometry type"
 
 
+@pytest.mark.parametrize(("x", "result"), [(5e-5, "approximated: axis, off by"), (5e-3, "kept")])
+def test_axes_near_a_coordinate_axis_are_rounded(x: float, result: str, tmp_path: Path) -> None:
+    _, parts = loaded(arm(f'<axis xyz="{x} 0 1"/>{LIMIT}'), tmp_path / "o")
+    assert parts["joint/turn/axis"].startswith(result)
+
+
 @pytest.mark.parametrize(
     ("robot", "reason"),
     [
@@ -153,5 +160,5 @@ def test_the_name_of_the_robot_leads_nowhere(tmp_path: Path) -> None:
 
 
 def test_options_of_mjcf_are_an_error(tmp_path: Path) -> None:
-    with pytest.raises(UrdfkitError, match="are of MJCF"):
+    with pytest.raises(UrdfkitError, match="are not of the format 'usd'"):
         convert(read(arm(LIMIT)), tmp_path / "o", to="usd", base="free")

@@ -43,10 +43,8 @@ class Warned(Record):
     text: str
 
 
-def write(robot: Context, out: str, options: Options, *, force: bool) -> Conversion:
+def write(robot: Context, out: str, _: Options, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
-    if options != Options():
-        raise UrdfkitError("base, fixed, collision and exclude are of MJCF; USD has no such choice")
     if not robot.tree.is_sound:
         raise UrdfkitError(
             f"{robot.source.path}: links and joints do not form one tree; see urdfkit check"
@@ -117,7 +115,7 @@ class _Places:
         self._by_line: dict[tuple[str, int], Element] = {}
         for ours, theirs in zip(self._root.walk(), document.root.walk(), strict=True):
             self._by_line.setdefault((theirs.tag, theirs.span.line), ours)
-        self._files = {one.new: one.element for one in bundle.renamed}
+        self._files = {one.new: one.element.partition("@")[0] for one in bundle.renamed}
         self._by_path = {element.path: element for element in self._root.walk()}
 
     def find(self, text: str) -> Warned:

@@ -8,7 +8,7 @@ from pxr import UsdPhysics
 
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.usd_proof import Stage
+from urdfkit.output.conversion.usd_proof import PART, Stage
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Body, Joint, Link
 
@@ -88,10 +88,19 @@ def _joint(losses: LossTable, joint: Joint, stage: Stage) -> None:
         for tag in ("axis", "limit", "dynamics", "mimic"):
             losses.lose(joint.at.child(tag), f"a {joint.kind} joint has none")
         return
-    losses.keep(joint.at.child("axis"), "axis")
+    _axis(losses, joint, stage)
     _limits(losses, joint)
     if prim is not None:
         _attributes(losses, joint, prim)
+
+
+def _axis(losses: LossTable, joint: Joint, stage: Stage) -> None:
+    axis = joint.at.child("axis")
+    off = stage.axis_difference(joint) if joint.name in stage.joints else 0.0
+    if joint.kind != "planar" and off > PART:
+        losses.approximate(axis, f"axis, off by {off:.2g} rad")
+    else:
+        losses.keep(axis, "axis")
 
 
 def _attributes(losses: LossTable, joint: Joint, prim: Any) -> None:

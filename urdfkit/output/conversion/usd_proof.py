@@ -21,6 +21,8 @@ from urdfkit.robot.tree import KinematicTree
 #: Bounds: of frames in m, and of the others as a part of the largest number: USD has single
 #: precision for rotations and masses.
 LENGTH, PART = 1e-5, 1e-5
+#: Of an axis: the converter takes one that is as near to x, y or z for it.
+AXIS = 1e-3
 
 _AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 _TYPES = {
@@ -37,13 +39,15 @@ class UsdProof(Record):
 
     frames: float  # of the placement of a link at zero, in m and of entries of its rotation
     masses: float  # of links that are fixed together, and of their tensors, as a part of the most
-    joints: float  # of an axis, and of a limit as a part of it
+    axes: float  # of a unit vector
+    joints: float  # of a limit, as a part of it; 1 for another kind of joint
     part: str  # that differs most: a link or joint
 
     @property
     def holds(self) -> bool:
         """True within the bounds."""
-        return self.frames <= LENGTH and max(self.masses, self.joints) <= PART
+        is_placed = self.frames <= LENGTH and self.axes <= AXIS
+        return is_placed and max(self.masses, self.joints) <= PART
 
     @property
     def agreed(self) -> str:
@@ -54,7 +58,8 @@ class UsdProof(Record):
     def differences(self) -> str:
         """In words."""
         return (
-            f"frames {self.frames:.2g} m, masses {self.masses:.2g}, joints {self.joints:.2g}; "
+            f"frames {self.frames:.2g} m, masses {self.masses:.2g}, axes {self.axes:.2g}, "
+            f"joints {self.joints:.2g}; "
             f"most at '{self.part}'"
         )
 
@@ -122,11 +127,13 @@ class Stage:
             center = np.zeros(3)
         return float(api.GetMassAttr().Get() or 0), center, turned @ np.diag(moments) @ turned.T
 
-    def axis(self, prim: Any) -> Floats:
-        """The axis of a joint in the frame of its child, (3,)."""
+    def axis_difference(self, joint: Joint) -> float:
+        """How far the axis of a joint that has a prim is off, both as unit vectors."""
+        prim = self.joints[joint.name]
         turn = Gf.Rotation(Gf.Quatd(UsdPhysics.Joint(prim).GetLocalRot1Attr().Get()))
         token = prim.GetAttribute("physics:axis").Get() or "X"
-        return np.array(turn.TransformDir(Gf.Vec3d(*_AXES[token])))
+        found = np.array(turn.TransformDir(Gf.Vec3d(*_AXES[token])))
+        return float(np.abs(found - direction(joint)).max())
 
 
 def at_zero(tree: KinematicTree) -> dict[str, Transform]:
@@ -151,11 +158,11 @@ def prove(stage: Stage, robot: Context) -> UsdProof:
     placed = at_zero(robot.tree)
     far = max((stage.difference(prim, placed[name]), name) for name, prim in stage.links.items())
     masses = max(_masses(stage, robot), default=(0.0, ""))
+    axes = max(_axes(stage, robot), default=(0.0, ""))
     joints = max(_joints(stage, robot), default=(0.0, ""))
-    part = max(
-        (far[0] / LENGTH, far[1]), (masses[0] / PART, masses[1]), (joints[0] / PART, joints[1])
-    )
-    return UsdProof(far[0], masses[0], joints[0], part[1])
+    bounds = zip((far, masses, axes, joints), (LENGTH, PART, AXIS, PART), strict=True)
+    worst = max((difference / bound, name) for (difference, name), bound in bounds)
+    return UsdProof(far[0], masses[0], axes[0], joints[0], worst[1])
 
 
 def _masses(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
@@ -192,8 +199,15 @@ def _pseudo(mass: float, center: Floats, tensor: Floats, frame: Transform) -> Fl
     return result
 
 
+def _axes(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
+    """How much the axes of the joints that have a prim differ."""
+    for joint in robot.model.joints:
+        if joint.name in stage.joints and joint.kind in (*TURNING, *SLIDING):
+            yield stage.axis_difference(joint), joint.name
+
+
 def _joints(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
-    """How much the joints differ: in kind and ends by all, in axis and limits by a part."""
+    """How much the joints differ: in kind and ends by all, in limits by a part."""
     for joint in robot.model.joints:
         prim = stage.joints.get(joint.name)
         if prim is None:
@@ -202,8 +216,7 @@ def _joints(stage: Stage, robot: Context) -> Iterator[tuple[float, str]]:
         elif prim.GetTypeName() != _TYPES.get(joint.kind) or not _joins(stage, prim, joint):
             yield 1.0, joint.name
         elif joint.kind in (*TURNING, *SLIDING):
-            axis = float(np.abs(stage.axis(prim) - direction(joint)).max())
-            yield max(axis, *_limits(prim, joint)), joint.name
+            yield max(_limits(prim, joint)), joint.name
 
 
 def _joins(stage: Stage, prim: Any, joint: Joint) -> bool:
