@@ -10,7 +10,7 @@ from urdfkit.lint.engine import check
 from urdfkit.lint.rule_index import NOT_CHECKED, all_rules
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
-from urdfkit.text.editing.rewriting import diff
+from urdfkit.text.editing.diff import diff
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:

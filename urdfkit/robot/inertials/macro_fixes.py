@@ -13,7 +13,6 @@ from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.editing.edits import insert_behind, replace
 from urdfkit.text.source import Span
-from urdfkit.workspace.includes import is_included
 
 if TYPE_CHECKING:
     from urdfkit.robot import DescribedRobot
@@ -192,11 +191,7 @@ def _names(description: DescribedRobot, kinds: set[str]) -> dict[str, str] | Non
 def _is_only_use(description: DescribedRobot, tensor: Tag, links: list[Link]) -> bool:
     """True if nothing but these links uses a macro that other files cannot include."""
     is_private = tensor.source is description.source and description.xacro.is_complete
-    return (
-        description.uses[tensor] == len(links)
-        and is_private
-        and not is_included(description.source.path, description.resolver.packages)
-    )
+    return description.uses[tensor] == len(links) and is_private and not description.is_included
 
 
 def _macro(kind: str, name: str) -> list[str]:
