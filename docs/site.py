@@ -15,6 +15,7 @@ from typing import Any
 
 import urdfkit
 from docs import generate
+from docs.playground.build import build as build_playground
 
 DOCS = Path(__file__).resolve().parent
 
@@ -35,6 +36,11 @@ def on_config(config: Any) -> Any:
 def on_pre_build(**_: Any) -> None:
     """Write the pages of the rules, which the repository does not hold."""
     generate.main()
+
+
+def on_post_build(config: Any, **_: Any) -> None:
+    """Write what the page of the playground loads."""
+    build_playground(Path(config["site_dir"]) / "playground")
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
