@@ -1,7 +1,5 @@
 """Images on surfaces: read once, halved as often as it takes, and sampled."""
 
-from __future__ import annotations
-
 import io
 from functools import cache, lru_cache
 
@@ -39,6 +37,12 @@ class Texture:
         """The image as a file that every browser shows."""
         file = io.BytesIO()
         self._levels[0].save(file, "JPEG", quality=88)
+        return file.getvalue()
+
+    def png(self) -> bytes:
+        """The image as a file without losses."""
+        file = io.BytesIO()
+        self._levels[0].save(file, "PNG")
         return file.getvalue()
 
 

@@ -101,6 +101,8 @@ class Bundle:
             if path in names:
                 continue
             found, stem = files.facts(path), stems.free(path)
+            if found.defect:
+                raise UrdfkitError(f"{reference.span}: {path}: {found.defect.reason}")
             made = bundled(path, found, self._consumer, stem, is_visual=path in visuals)
             for number, file in enumerate(made):
                 if not number:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import disk
 from urdfkit.core.installation import install_command
 from urdfkit.core.record import Record
-from urdfkit.errors import MissingLibrary, UrdfkitError
+from urdfkit.errors import MissingLibrary
 from urdfkit.mesh.io import facts, referenced_files
 from urdfkit.mesh.io.facts import MAX_BYTES, MeshFacts, has_other_unit
 from urdfkit.mesh.io.obj import objects
@@ -63,12 +63,10 @@ def bundled(
         is_visual: a visual uses it, whose materials are kept where the format has them.
 
     Raises:
-        UrdfkitError: it is broken, or cannot be written in another format.
+        UrdfkitError: it cannot be written in another format.
     """
     suffix = os.path.splitext(path)[1].lower()
     is_readable = found.format in consumer.reads and found.format in facts.BY_SUFFIX.get(suffix, ())
-    if found.defect:
-        raise UrdfkitError(f"{path}: {found.defect.reason}")
     if is_readable and found.format in _SINGLE:
         yield BundledFile(f"meshes/{stem}{suffix}", disk.read(path), path)
         return
