@@ -39,11 +39,6 @@ def on_pre_build(**_: Any) -> None:
     generate.main()
 
 
-def on_post_build(config: Any, **_: Any) -> None:
-    """Write what the page of the playground loads."""
-    build_playground(Path(config["site_dir"]) / "playground")
-
-
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Take out the links that lead out of the documentation."""
     if page.file.src_uri == "api.md":
@@ -58,8 +53,12 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 
 
 def on_post_build(config: Any, **_: Any) -> None:
-    """Write ``llms.txt`` (https://llmstxt.org), and the pages that it lists as they are written."""
+    """Write what the playground loads, and ``llms.txt`` with the pages that it lists as written.
+
+    https://llmstxt.org has the format of the latter.
+    """
     site = Path(config["site_dir"])
+    build_playground(site / "playground")
     for page in _pages():
         shutil.copyfile(DOCS / page, site / page)
     (site / "llms.txt").write_text(llms(), encoding="utf-8")
