@@ -87,7 +87,8 @@ def test_a_missing_package_is_one_finding_for_people(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "severity"), [("r.urdf.xacro", "info"), ("r.urdf", "error"), ("a/b/c/r.xacro", "error")]
+    ("name", "severity"),
+    [("r.urdf.xacro", "info"), ("r.urdf", "error"), ("a/b/c/r.xacro", "error")],
 )
 def test_a_relative_path_of_the_expanded_urdf(tmp_path: Path, name: str, severity: str) -> None:
     """Stretch: RE1V0/xacro/*.xacro, expanded to RE1V0, name ./meshes/*.STL."""

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests import driving
-from tests.controls import GZ, MOCK, ROBOT, control, driven
+from tests.controls import GZ, MOCK, ROBOT, control, driven, plugin, transmission
 from tests.gazebos import WHEELS
 from tests.reported import reported
 from tests.workspaces import add_file, add_package
@@ -82,3 +82,11 @@ def test_a_controller_of_the_workspace(tmp_path: Path, file: str, count: int) ->
     text = driving.DRIVE.replace("wheel_radius", "wheels_radius").replace("0.3", "3")
     found = driving.reported(tmp_path, "RCT034", text)
     assert bool(found) == bool(count)
+
+
+def test_transmissions_that_a_plugin_of_the_robot_may_load() -> None:
+    """legged_control: `gazebo_ros_control` with a library of its own."""
+    moved = ROBOT + transmission("swing")
+    for file, count in (("libgazebo_ros_imu_sensor.so", 1), ("liblegged_hw_sim.so", 0)):
+        found = reported("RCT010", moved + plugin(file), targets=("classic-ros1",))
+        assert len(found) == count

@@ -5,7 +5,8 @@ the tag belongs to another format (SDF, an old ROS tutorial, another simulator).
 inside `<geometry>` gives no colour, an `<origin>` directly in a link moves nothing, a `<mass>`
 outside `<inertial>` has no effect. Correct the name, move the element, or remove it. A tag with a
 namespace prefix, such as `drake:proximity_properties`, is an extension and is not reported; one
-that a program in the workspace reads is an info.
+that a program in the workspace reads is an info, as is one whose attributes are all zero, and one
+in the axis of a fixed joint.
 
 It is an error where a needed element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -88,8 +89,17 @@ def _unknown(element: Element, suggested: str, reader: str | None) -> Finding:
         "give it the namespace prefix of its program" if reader else _help(element, suggested),
         None if reader else _fix(element, suggested),
         group_key=f"{element.tag} in {element.parent.tag}",
-        severity=Severity.INFO if reader else None,
+        severity=Severity.INFO if reader or _has_no_effect(element) else None,
     )
+
+
+def _has_no_effect(element: Element) -> bool:
+    """True for zeros, and for the axis of a joint that has none."""
+    parent = element.parent
+    joint = parent.parent if parent is not None and parent.tag == "axis" else None
+    if joint is not None and joint.attributes.get("type"):
+        return joint.attributes["type"].value == "fixed"
+    return bool(element.attributes) and not element.children and _is_zero(element)
 
 
 def _help(element: Element, suggested: str) -> str:

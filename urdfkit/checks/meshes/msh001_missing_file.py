@@ -125,19 +125,7 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
 
 
 def _directory_above(context: Context, located: ResolvedReference) -> str:
-    """The directory above a xacro from which a relative path leads to a file; empty if none does."""
-    if located.scheme != "relative" or not is_xacro(context.source):
-        return ""
-    directory = os.path.dirname(os.path.abspath(context.files.top))
-    for _ in range(_LEVELS):
-        directory = os.path.dirname(directory)
-        if disk.is_file(os.path.normpath(os.path.join(directory, located.reference))):
-            return directory
-    return ""
-
-
-def _directory_above(context: Context, located: ResolvedReference) -> str:
-    """The directory above a xacro from which a relative path leads to a file; empty if none does."""
+    """The directory above a xacro from where a relative path is found; empty if there is none."""
     if located.scheme != "relative" or not is_xacro(context.source):
         return ""
     directory = os.path.dirname(os.path.abspath(context.files.top))

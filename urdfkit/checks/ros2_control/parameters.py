@@ -54,7 +54,7 @@ def _parameter(who: str, element: Element) -> Findings:
             yield Finding(
                 element,
                 message,
-                "write a number",
+                f"write ${text}: xacro needs the dollar" if text[:1] == "{" else "write a number",
                 group_key="not a number",
                 severity=Severity.WARNING,
             )
