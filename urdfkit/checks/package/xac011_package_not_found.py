@@ -54,6 +54,9 @@ def check(context: Context) -> Findings:
         if severity and context.reading.document is None:
             reason = "is not found, so the robot is not checked"
             message = message.replace("is not found", reason, 1)
+        elif severity is None and manifest_of(context.resolver, problem.span.source.path):
+            reason = "is not found and not declared in package.xml"
+            message = message.replace("is not found", reason, 1)
         yield finding._replace(message=message, help=help, group_key=name, severity=severity)
     if is_launch(context.source.path):
         yield from _launched(context)

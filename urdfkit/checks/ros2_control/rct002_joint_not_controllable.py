@@ -78,7 +78,7 @@ def _fixed(context: Context) -> Findings:
         if joint and joint.kind == "fixed":
             yield Finding(
                 element.attributes["name"],
-                f"{owner} drives joint '{joint.name}', which is fixed",
+                f"{owner} has joint '{joint.name}', which is fixed",
                 "change the type of the joint, or remove the joint here",
                 group_key="fixed",
             )
