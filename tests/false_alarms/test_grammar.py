@@ -94,3 +94,11 @@ def test_what_loses_nothing_is_an_info(code: str, robot: str, severity: int) -> 
 def test_what_would_change_nothing(inside: str, severity: Severity) -> None:
     (found,) = reported("URD001", JOINT.format("", f'<child link="b"/>{inside}'))
     assert found.severity is severity
+
+
+def test_an_element_whose_name_is_computed() -> None:
+    """robotnik_sensors: the name of a macro that a launch file passes."""
+    inside = "<link name=\"a\"/><xacro:element xacro:name=\"${'sen' + 'sr'}\"/>"
+    robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{inside}</robot>'
+    found = [one for one in reported("URD001", robot.encode()) if one.code == "URD001"]
+    assert [(one.severity, one.fix) for one in found] == [(Severity.INFO, None)]
