@@ -11,9 +11,10 @@ import json
 import os
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
-BIN = Path(sys.executable).parent
+BIN = Path(sysconfig.get_path("scripts"))
 HEAVY = ("numpy", "trimesh", "manifold3d", "pinocchio", "coal", "yourdfpy")
 
 

@@ -1,7 +1,5 @@
 """What stops urdfkit itself. A defect of a robot is never an exception: it is a Diagnostic."""
 
-from __future__ import annotations
-
 
 class UrdfkitError(Exception):
     """The job cannot be done: the command line prints the message and exits with 2."""
@@ -24,15 +22,11 @@ class UnwritableFile(UrdfkitError):
 
 
 class UnknownRule(UrdfkitError):
-    """No rule has that code, beginning of a code, or name.
-
-    Attributes:
-        word: what was asked for.
-    """
+    """No rule has that code, beginning of a code, or name."""
 
     def __init__(self, word: str, hint: str = "") -> None:
         super().__init__(f"no rule '{word}'{hint}")
-        self.word = word
+        self.word = word  # what was asked for
 
 
 class RuleError(UrdfkitError):
@@ -52,17 +46,12 @@ class UnreadableRobot(UrdfkitError):
 
 
 class PackageNotFound(UrdfkitError):
-    """No directory is known for a ROS package.
-
-    Attributes:
-        name: the package that was asked for.
-        searched: what was looked through, in order, in words a user can check.
-    """
+    """No directory is known for a ROS package."""
 
     def __init__(self, name: str, searched: tuple[str, ...]) -> None:
         super().__init__(f"package '{name}' not found; searched: {', '.join(searched)}")
-        self.name = name
-        self.searched = searched
+        self.name = name  # the package that was asked for
+        self.searched = searched  # what was looked through, in order, in words a user can check
 
 
 class MissingLibrary(UrdfkitError, ImportError):

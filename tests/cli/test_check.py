@@ -274,3 +274,26 @@ def test_show_files_lists_and_checks_nothing(check: Screen, tmp_path: Path) -> N
     assert left.startswith(f"not checked: {tmp_path / 'box.model'}: has the root <robot>, ")
     said = " ".join(check(str(tmp_path))[1].split())
     assert said.count("box.model skipped: has the root <robot>, but") == 1
+
+
+@pytest.mark.parametrize("form", ["text", "full", "concise"])
+def test_quiet_is_the_findings_alone(check: Screen, bad: str, form: str) -> None:
+    words = [bad, "--select", "TRE003", "--format", form]
+    _, whole, _ = check(*words)
+    code, out, _ = check(*words, "--quiet")
+    assert code == 1
+    assert out.rstrip("\n")
+    assert whole.startswith(out.rstrip("\n"))
+    assert "1 error in 1 file" in whole
+    assert "in 1 file" not in out
+    assert check(GOOD, "-q", "--format", form) == (0, "", "")
+
+
+def test_output_is_the_file_of_the_format(check: Screen, bad: str, tmp_path: Path) -> None:
+    file = tmp_path / "found.json"
+    words = [bad, "--select", "TRE003", "--format", "json"]
+    assert check(*words, "-o", str(file)) == (1, "", "")
+    assert codes(file.read_text(encoding="utf-8")) == ["TRE003"]
+    assert codes(check(*words, "-o", "-")[1]) == ["TRE003"]
+    code, _, err = check(bad, "--format", f"json:{file}", "-o", "other")
+    assert (code, err) == (2, "error: --output other: every --format has a file already\n")

@@ -8,6 +8,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit.cli import main
+from urdfkit.core.installation import install_command
 
 ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 FEW = ["--samples", "200", "--jobs", "1"]
@@ -111,7 +112,7 @@ def test_without_coal_it_says_what_is_missing(
         monkeypatch.delitem(sys.modules, module)
     monkeypatch.setitem(sys.modules, "coal", None)
     assert main(["collisions", ARM]) == 2
-    assert "pip install 'urdfkit[dynamics]'" in capsys.readouterr().err
+    assert install_command("dynamics") in capsys.readouterr().err
 
 
 def test_a_urdf_is_no_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

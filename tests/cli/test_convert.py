@@ -10,6 +10,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit.cli import main
+from urdfkit.core.installation import install_command
 
 for library in ("mujoco", "pinocchio", "trimesh"):
     pytest.importorskip(library)
@@ -58,4 +59,4 @@ def test_without_mujoco(
         monkeypatch.delitem(sys.modules, module)
     monkeypatch.setitem(sys.modules, "mujoco", None)
     assert convert() == 2
-    assert "pip install 'urdfkit[simulate]'" in capsys.readouterr().err
+    assert install_command("simulate") in capsys.readouterr().err

@@ -15,6 +15,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import main
+from urdfkit.core.installation import install_command
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
@@ -63,7 +64,7 @@ def test_what_is_missing_is_told_with_the_remedy(doctor: Doctor, monkeypatch) ->
 
     monkeypatch.setattr("urdfkit.cli.doctor.version", missing)
     out = doctor()
-    assert f"  {'pin':<21}missing       dynamics\n{'':<37}pip install 'urdfkit[dynamics]'\n" in out
+    assert f"  {'pin':<21}missing       dynamics\n{'':<37}{install_command('dynamics')}\n" in out
     assert max(map(len, out.splitlines())) <= 80
 
 

@@ -87,5 +87,5 @@ def test_a_good_robot_that_is_the_fixed_one_is_shown_once() -> None:
 
 def test_what_a_rule_needs_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", "SRD009"]) == 0
-    needs = "Needs: a readable robot model, an SRDF of the robot, coal (pip install "
+    needs = "Needs: a readable robot model, an SRDF of the robot, coal (extra 'dynamics')"
     assert needs in " ".join(capsys.readouterr().out.split())

@@ -23,8 +23,8 @@ from urdfkit.output import formats
 #: Runs a command line as the command does, and says last whether anything was checked.
 PROGRAM = """
 import sys
-from urdfkit.cli import _guarded, _replay_or_run
-code = _guarded(_replay_or_run, sys.argv[1:])
+from urdfkit.cli import guarded, _replay_or_run
+code = guarded(_replay_or_run, sys.argv[1:])
 print("checked" if "urdfkit.lint.engine" in sys.modules else "repeated", file=sys.stderr)
 sys.exit(code)
 """

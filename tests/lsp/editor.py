@@ -26,6 +26,7 @@ class Editor:
         self.found: dict[str, list[lsp.Diagnostic]] = {}
         self.messages: list[str] = []
         self.registered: list[str] = []
+        self.refreshed = 0
         self.versions: dict[str, int] = {}
         self._news = asyncio.Condition()
         self.initialized: Any = None
@@ -43,9 +44,16 @@ class Editor:
 
         self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(take)
         self.client.feature(lsp.WINDOW_SHOW_MESSAGE)(hear)
-        self.client.feature(lsp.CLIENT_REGISTER_CAPABILITY)(register)
 
-    async def start(self, encoding: str | None = None) -> None:
+        async def refresh(params: None) -> None:
+            async with self._news:
+                self.refreshed += 1
+                self._news.notify_all()
+
+        self.client.feature(lsp.CLIENT_REGISTER_CAPABILITY)(register)
+        self.client.feature(lsp.WORKSPACE_DIAGNOSTIC_REFRESH)(refresh)
+
+    async def start(self, encoding: str | None = None, *, pulls: bool = False) -> None:
         await self.client.start_io(sys.executable, "-m", "urdfkit", "lsp", "--stdio", cwd=ROOT)
         general = lsp.GeneralClientCapabilities(
             position_encodings=[lsp.PositionEncodingKind(encoding)] if encoding else None
@@ -55,8 +63,14 @@ class Editor:
         completion = lsp.CompletionClientCapabilities(completion_item=item)
         capabilities = lsp.ClientCapabilities(
             general=general,
-            text_document=lsp.TextDocumentClientCapabilities(completion=completion),
-            workspace=lsp.WorkspaceClientCapabilities(did_change_watched_files=watching),
+            text_document=lsp.TextDocumentClientCapabilities(
+                completion=completion,
+                diagnostic=lsp.DiagnosticClientCapabilities() if pulls else None,
+            ),
+            workspace=lsp.WorkspaceClientCapabilities(
+                did_change_watched_files=watching,
+                diagnostics=lsp.DiagnosticWorkspaceClientCapabilities(refresh_support=pulls),
+            ),
         )
         params = lsp.InitializeParams(capabilities=capabilities)
         self.initialized = await self.client.initialize_async(params)
@@ -89,6 +103,18 @@ class Editor:
     def retype(self, uri: str, text: str) -> None:
         self.change(uri, lsp.TextDocumentContentChangeWholeDocument(text))
 
+    async def pull(self, file: lsp.TextDocumentIdentifier) -> list[lsp.Diagnostic]:
+        """Ask for the findings of a file."""
+        params = lsp.DocumentDiagnosticParams(file)
+        report = await self.client.text_document_diagnostic_async(params)
+        assert report.kind == "full"
+        return list(report.items)
+
+    async def until_refreshed(self, count: int) -> None:
+        """Wait until the server has said so often that there are other findings."""
+        async with self._news:
+            await asyncio.wait_for(self._news.wait_for(lambda: self.refreshed >= count), PATIENCE)
+
     async def until(self, uri: str, wanted: Callable[[list[lsp.Diagnostic]], bool]) -> None:
         """Wait for findings."""
         async with self._news:
@@ -97,12 +123,17 @@ class Editor:
             )
 
 
-def talk(conversation: Callable[[Editor], Awaitable[None]], encoding: str | None = None) -> None:
+def talk(
+    conversation: Callable[[Editor], Awaitable[None]],
+    encoding: str | None = None,
+    *,
+    pulls: bool = False,
+) -> None:
     """A whole session; it ends in good order."""
 
     async def session() -> None:
         editor = Editor()
-        await editor.start(encoding)
+        await editor.start(encoding, pulls=pulls)
         await conversation(editor)
         assert await editor.stop() == 0
 

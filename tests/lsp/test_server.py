@@ -16,9 +16,10 @@ from lsprotocol import types as lsp
 
 import urdfkit
 from tests.conftest import ROOT
-from tests.lsp.edited import MISSION
+from tests.lsp.edited import MISSION, XACRO
 from tests.lsp.editor import PATIENCE, Editor, talk
-from urdfkit.lsp.text import to_uri
+from urdfkit.core.installation import install_command
+from urdfkit.lsp.text import to_path, to_uri
 from urdfkit.lsp.workspace import slow_rules
 from urdfkit.text.editing.formatter import formatted
 from urdfkit.text.source import Source
@@ -299,11 +300,114 @@ def test_closing_and_files_that_change_on_disk(tmp_path: Path) -> None:
     talk(conversation)
 
 
+def test_values_of_expressions_stand_behind_them(tmp_path: Path) -> None:
+    text = XACRO.format(
+        '<xacro:property name="d" value="0.1"/>\n'
+        '<xacro:macro name="wheel" params="name x">\n'
+        '<link name="${name}"/>\n'
+        '<joint name="${name}_joint" type="fixed"><parent link="base"/><child link="${name}"/>\n'
+        '<origin xyz="${x} 0 ${d/3}"/></joint>\n'
+        "</xacro:macro>\n"
+        '<link name="base"/><xacro:wheel name="a" x="1"/><xacro:wheel name="b" x="2"/>'
+    )
+
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(tmp_path / "r.xacro", text)
+        whole = lsp.Range(lsp.Position(0, 0), lsp.Position(99, 0))
+        hints = await editor.client.text_document_inlay_hint_async(lsp.InlayHintParams(file, whole))
+        assert [(hint.label, hint.position) for hint in hints] == [
+            ("a, b", position(text, '<link name="${name}"', 20)),
+            ("a_joint, b_joint", position(text, '"${name}_joint"', 15)),
+            ("a, b", position(text, '<child link="${name}"', 21)),
+            ("1 0 0.0333333, 2 0 0.0333333", position(text, "${d/3}", 7)),
+        ]
+        line = position(text, "<child")
+        only = lsp.Range(line, line)
+        hints = await editor.client.text_document_inlay_hint_async(lsp.InlayHintParams(file, only))
+        assert [hint.label for hint in hints] == ["a, b"]
+
+    talk(conversation)
+
+
+def test_files_are_links(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    for name in ("a.stl", "b.stl", "parts.xacro"):
+        (tmp_path / name).write_text(XACRO.format(""))
+    text = XACRO.format(
+        '<xacro:include filename="parts.xacro"/><xacro:include filename="$(find p)/parts.xacro"/>'
+        '<link name="l"><visual><geometry><mesh filename="package://p/${\'a\'}.stl"/></geometry>'
+        '</visual><collision><geometry><mesh filename="file:///no.stl"/></geometry></collision>'
+        "</link>"
+    )
+
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(tmp_path / "r.xacro", text)
+        links = await editor.client.text_document_document_link_async(lsp.DocumentLinkParams(file))
+        targets = [Path(to_path(link.target)).name for link in links]
+        assert targets == ["parts.xacro", "parts.xacro", "a.stl"]
+        assert links[2].range.start == position(text, "package://p/$")
+        launch = '<launch><param name="x" textfile="$(find p)/r.xacro"/></launch>'
+        (tmp_path / "r.xacro").write_text(text)
+        (tmp_path / "l.launch").write_text(launch)
+        started = editor.open(tmp_path / "l.launch", launch)
+        links = await editor.client.text_document_document_link_async(
+            lsp.DocumentLinkParams(started)
+        )
+        assert [Path(to_path(link.target)).name for link in links] == ["r.xacro"]
+
+    talk(conversation)
+
+
+def test_names_are_found_in_all_files_of_open_robots(tmp_path: Path) -> None:
+    parts = XACRO.format('<xacro:macro name="leg" params="n"><link name="leg_${n}"/></xacro:macro>')
+    (tmp_path / "parts.xacro").write_text(parts)
+    text = XACRO.format('<xacro:include filename="parts.xacro"/><xacro:leg n="2"/><link name="b"/>')
+
+    async def conversation(editor: Editor) -> None:
+        editor.open(tmp_path / "r.xacro", text)
+        ask = editor.client.workspace_symbol_async
+        found = await ask(lsp.WorkspaceSymbolParams("LEG"))
+        assert [(one.name, one.kind) for one in found] == [
+            ("leg", lsp.SymbolKind.Function),
+            ("leg_2", lsp.SymbolKind.Object),
+        ]
+        assert {one.location.uri for one in found} == {to_uri(str(tmp_path / "parts.xacro"))}
+        assert [one.name for one in await ask(lsp.WorkspaceSymbolParams("lg2"))] == ["leg_2"]
+        assert {one.name for one in await ask(lsp.WorkspaceSymbolParams(""))} == {
+            *("b", "leg", "leg_2")
+        }
+
+    talk(conversation)
+
+
+def test_a_client_that_pulls_gets_no_finding_twice(tmp_path: Path) -> None:
+    (tmp_path / "parts.xacro").write_text(XACRO.format('<link name="a"/><link name="a"/>'))
+    text = XACRO.format('<xacro:include filename="parts.xacro"/><link name="b"/><link name="b"/>')
+
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(tmp_path / "r.xacro", text)
+        parts = to_uri(str(tmp_path / "parts.xacro"))
+        assert "NAM001" in codes(await editor.pull(file))
+        await editor.until_refreshed(1)
+        # Of a file that is not open, nobody pulls.
+        await editor.until(parts, lambda found: "NAM001" in codes(found))
+        assert editor.found.get(file.uri, []) == []
+        editor.retype(file.uri, text.replace('<link name="b"/><link', '<link name="c"/><link'))
+        assert "NAM001" not in codes(await editor.pull(file))
+        await editor.until_refreshed(2)
+        opened = editor.open(tmp_path / "parts.xacro", (tmp_path / "parts.xacro").read_text())
+        await editor.until(parts, lambda found: found == [])
+        assert "NAM001" in codes(await editor.pull(opened))
+        assert editor.found[parts] == []
+
+    talk(conversation, pulls=True)
+
+
 def test_without_pygls_it_says_what_to_install(tmp_path: Path) -> None:
     (tmp_path / "pygls").mkdir()
     (tmp_path / "pygls" / "__init__.py").write_text("raise ModuleNotFoundError(name='pygls')")
     done = asyncio.run(_run(tmp_path))
-    assert done == (2, "error: urdfkit lsp needs pygls: pip install 'urdfkit[lsp]'\n")
+    assert done == (2, f"error: urdfkit lsp needs pygls: {install_command('lsp')}\n")
 
 
 async def _run(directory: Path) -> tuple[int | None, str]:

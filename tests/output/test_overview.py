@@ -13,6 +13,7 @@ import pytest
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import MODELS, manifest, model_id
 from tests.massive import BALL, inertial, joint, link, shape
+from urdfkit.core.installation import install_command
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.lint.rule_examples import whole_robot
@@ -90,7 +91,7 @@ def test_without_the_readers_of_meshes_the_rest_is_there(monkeypatch: pytest.Mon
     found = summarise(arm)
     assert found.shapes.triangles is None
     assert found.skipped == (
-        "triangles: meshes are not read without: pip install 'urdfkit[meshes]'",
+        f"triangles: meshes are not read without: {install_command('meshes')}",
     )
     assert set(found.shapes.left_out) == {"upper_arm", "forearm"}
     box = found.shapes.box

@@ -6,6 +6,7 @@ import pytest
 
 from tests.mesh.made import binary_stl
 from tests.pytest_plugin.projects import ARM, Project, outcome
+from urdfkit.core.installation import install_command
 from urdfkit.core.libraries import why_unmeasured
 
 pytest_plugins = ["pytester"]
@@ -41,7 +42,7 @@ def test_one(robot_dynamics):
 def test_without_pinocchio_the_test_is_skipped_with_the_command_to_install_it(
     project: Project,
 ) -> None:
-    result = project.test(
+    project.write_test(
         """
 import sys
 sys.modules["pinocchio"] = None
@@ -50,7 +51,7 @@ def test_one(robot_dynamics):
     assert False
 """
     )
-    assert "pip install 'urdfkit[dynamics]'" in outcome(result, skipped=1)
+    assert install_command("dynamics") in outcome(project.run("-rs"), skipped=1)
 
 
 MEASURED = """
@@ -86,7 +87,7 @@ def test_without_numpy_the_test_is_skipped_with_the_command_to_install_it(projec
     block = 'from urdfkit.core import libraries; libraries.missing_for_meshes = lambda: "numpy"\n'
     project.write_test(block + MEASURED)
     text = outcome(project.run_process("-rs"), skipped=1)
-    assert "pip install 'urdfkit[meshes]'" in text
+    assert install_command("meshes") in text
 
 
 def test_lists_and_variants_run_the_test_for_each(project: Project) -> None:

@@ -20,11 +20,12 @@ SIZE = (600, 200)
 def kinds(*pair: tuple[str, ...]) -> dict[str, int]:
     """How many pixels of the third picture are of each colour."""
     before, after = (scene(*links) for links in pair)
-    pixels = np.asarray(difference(before, after, "left", size=SIZE))[30:, 400:].astype(int)
+    picture = difference(before, after, "left", size=SIZE)
+    pixels = np.asarray(picture)[30:-30, 400:].astype(int)  # without the words
     found = {}
     for name, colour in (("gone", GONE), ("new", NEW), ("changed", CHANGED)):
         along = pixels / np.maximum(pixels.max(axis=2, keepdims=True), 1)
-        ratio = np.array(colour) / max(colour)
+        ratio = np.array(colour[:3]) / max(colour[:3])
         found[name] = int((np.abs(along - ratio).max(axis=2) < 0.03).sum())
     return found
 

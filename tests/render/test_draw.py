@@ -193,7 +193,7 @@ def test_shadows_fall_away_from_the_sun_and_darken_the_ground() -> None:
 def test_an_empty_robot_is_an_empty_picture() -> None:
     of = build(robot('<link name="a"/>'))
     pixels = draw(of, place_camera(of.points(), size=SIZE))
-    assert np.ptp(pixels[100].astype(int), axis=0).max() == 0
+    assert np.ptp(pixels[100].astype(int), axis=0).max() <= 1  # the background is dithered
     assert not alone(of, place_camera(of.points(), size=SIZE)).any()
 
 

@@ -31,6 +31,10 @@ def test_links_have_the_colour_of_their_worst_finding_and_its_codes() -> None:
     assert labels["wheel_2"] == "INE006 URD001"  # of its joint
     assert labels["base_link"] == "GEO004"
     assert "imu_link" not in labels
+    assert [word for _, word in scene.legend] == ["error", "warning"]
+    (missing,) = (item for item in scene.items if item.material.texture is not None)
+    assert missing.link == "laser_frame"
+    assert missing.material.rgba == COLOURS[Severity.ERROR]  # and keeps its stripes
 
 
 def test_an_error_wins_over_a_warning() -> None:

@@ -43,7 +43,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: without the name of the program; those of the process if None.
     """
     if arguments is not None:
-        return _guarded(_run, list(arguments))
+        return guarded(_run, list(arguments))
     # This process does one thing and ends. Looking for garbage on the way finds none, and to take
     # everything apart at the end, before the system takes the memory back, is 8 of 120 ms.
     gc.set_threshold(100_000)
@@ -53,8 +53,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
         from urdfkit.cli.own_process import run_apart
 
-        return _leave(_guarded(lambda each: run_apart(lambda: _guarded(_run, each), _leave), words))
-    return _leave(_guarded(_replay_or_run, words))
+        return _leave(guarded(lambda each: run_apart(lambda: guarded(_run, each), _leave), words))
+    return _leave(guarded(_replay_or_run, words))
 
 
 def _leave(code: int) -> NoReturn:
@@ -68,7 +68,7 @@ def _leave(code: int) -> NoReturn:
     os._exit(code)
 
 
-def _guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
+def guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
     """Every way in which a command line can end, as an exit code."""
     try:
         _reject_files_as_options(words)

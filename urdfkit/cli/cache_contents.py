@@ -12,17 +12,11 @@ _OWN = ("meshes", "results")
 
 
 class Contents(Record):
-    """Files and directories of the cache.
+    """Files and directories of the cache."""
 
-    Attributes:
-        files: the entries.
-        size: of all, in bytes.
-        directories: that they are in, the innermost first.
-    """
-
-    files: list[str]
-    size: int
-    directories: list[str]
+    files: list[str]  # the entries
+    size: int  # of all, in bytes
+    directories: list[str]  # that they are in, the innermost first
 
 
 def contents() -> Contents:

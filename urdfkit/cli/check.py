@@ -1,7 +1,5 @@
 """``urdfkit check``, as click has it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import click
@@ -14,7 +12,7 @@ from urdfkit.cli.options import CHECK, FILES, Option
 def click_option(option: Option) -> click.Option:
     """An option of the table, for click."""
     return click.Option(
-        [option.flag],
+        [flag for flag in (option.short, option.flag) if flag],
         help=option.help,
         is_flag=not option.metavar,
         metavar=option.metavar or None,

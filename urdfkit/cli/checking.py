@@ -38,11 +38,24 @@ def run_check(values: Mapping[str, Any]) -> int:
     Args:
         values: of the options and files, by key.
     """
+    if values["watch"]:
+        from urdfkit.cli.watch import watch
+
+        return watch(run_check, values)
     chosen = choices(values)
-    outputs = options.outputs(values, fail_on(values, chosen).value)
     if values["show_files"]:
         output.write(_files(values, chosen))
         return 0
+    if values["show_settings"]:
+        from urdfkit.cli.settings import shown_settings
+
+        output.write(shown_settings(chosen, fail_on(values, chosen)))
+        return 0
+    return (_add_ignores if values["add_ignore"] else _report)(values, chosen)
+
+
+def _report(values: Mapping[str, Any], chosen: Options) -> int:
+    outputs = options.outputs(values, fail_on(values, chosen).value)
     known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
         from urdfkit.lint.fix import counted
@@ -50,7 +63,8 @@ def run_check(values: Mapping[str, Any]) -> int:
         fixes = apply_fixes(values, chosen)
         if values["diff"]:
             return int(bool(fixes.files))
-        _print_fixes(fixes)
+        if not values["quiet"]:
+            _print_fixes(fixes)
         report = fixes.report._replace(fixable=counted(fixes.left))
     elif values["unsafe_fixes"] or values["force"]:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
@@ -76,7 +90,7 @@ def _write(
     # Files first: if one cannot be written, standard output stays empty.
     for name, file in sorted(outputs, key=lambda one: not one[1]):
         if file:
-            parts = map(output.encode, formats.stream(name, report))
+            parts = map(output.encode, formats.stream(name, report, quiet=values["quiet"]))
             if _is_huge(report):
                 atomic.write(file, parts)
                 continue
@@ -84,7 +98,9 @@ def _write(
             atomic.write(file, data)
         else:
             color = output.has_color(values["color"])
-            texts = formats.stream(name, report, color=color, width=output.width())
+            texts = formats.stream(
+                name, report, color=color, width=output.width(), quiet=values["quiet"]
+            )
             if _is_huge(report):
                 for text in texts:
                     output.write(text)
@@ -143,6 +159,31 @@ def _files(values: Mapping[str, Any], chosen: Options) -> str:
     ]
     lines += [f"not checked: {skip.path}: {skip.reason}" for skip in plan.skipped]
     return "".join(f"{printable(line)}\n" for line in dict.fromkeys(lines))
+
+
+def _add_ignores(values: Mapping[str, Any], chosen: Options) -> int:
+    """Write comments for the findings that are at or over ``--fail-on``, or that are selected."""
+    from urdfkit.core.words import counted
+    from urdfkit.lint.added_ignores import add_ignores
+    from urdfkit.text.editing import rewriting
+
+    files = options.files(values)
+    if "-" in files or values["fix"]:
+        raise options.UsageError("--add-ignore takes files, not '-', and no --fix")
+    report = _with_baseline(_check(values, chosen), _baseline(values), values)
+    least = Severity.INFO if values["select"] else fail_on(values, chosen)
+    findings = [one for one in report.diagnostics if one.severity.rank <= least.rank]
+    added = add_ignores(findings, files, chosen, force=values["force"])
+    if values["diff"]:
+        output.write("".join(file.diff() for file in added.files))
+        return int(bool(added.files))
+    rewriting.write(added.files)
+    if not values["quiet"]:
+        lines = [f"{one.span}: {one.code} left: {reason}" for one, reason in added.left]
+        done = counted(len(added.suppressed), "finding")
+        lines.append(f"{done} suppressed in {counted(len(added.files), 'file')}")
+        output.page(lines)
+    return 0
 
 
 def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:

@@ -12,21 +12,24 @@ from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.progress import shown as progress
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
-from urdfkit.output.conversion import BASES, convert
+from urdfkit.output.conversion import convert
+from urdfkit.output.conversion.formats import FORMATS
 from urdfkit.output.conversion.losses import Result
+from urdfkit.output.conversion.options import BASES, COLLISIONS, EXCLUSIONS, FIXED
 from urdfkit.text.source import shown
 
 if TYPE_CHECKING:
-    from urdfkit.output.conversion.writing import Conversion
+    from urdfkit.output.conversion.result import Conversion
 
 
 @with_examples(
     "convert",
     "urdfkit convert robot.urdf.xacro --to mjcf -o robot_mjcf",
-    "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --base free",
+    "urdfkit convert robot.urdf.xacro --to mjcf -o robot.zip --fixed merge",
+    "urdfkit convert robot.urdf.xacro --to mjcf -o arm --collision primitives",
 )
 @one_robot
-@click.option("--to", type=click.Choice(["mjcf"]), required=True, help="Format to write.")
+@click.option("--to", type=click.Choice(list(FORMATS)), required=True, help="Format to write.")
 @click.option(
     "-o", "--output", "out", metavar="OUT", required=True, help="Directory or .zip to write."
 )
@@ -36,10 +39,28 @@ if TYPE_CHECKING:
     default="auto",
     help="Weld the root to the world, or let it float.",
 )
+@click.option(
+    "--fixed",
+    type=click.Choice(FIXED),
+    default="keep",
+    help="Give links of fixed joints bodies, or merge them into their parents.",
+)
+@click.option(
+    "--collision",
+    type=click.Choice(COLLISIONS),
+    default="hull",
+    help="What a collision mesh becomes.",
+)
+@click.option(
+    "--exclude",
+    type=click.Choice(EXCLUSIONS),
+    default="srdf",
+    help="Which links do not collide: those that the SRDF disables, or also computed ones.",
+)
 @click.option("--force", is_flag=True, help="Replace OUT if it is a conversion.")
 @in_formats("text", "json")
 @limited
-def command(asked: dict[str, Any], to: str, out: str, base: str, force: bool, form: str) -> int:
+def command(asked: dict[str, Any], to: str, out: str, form: str, **options: Any) -> int:
     """Convert a robot to MuJoCo's MJCF, with meshes and a proof.
 
     OUT has the model, its meshes, and conversion.json, which says what became of every element
@@ -50,18 +71,17 @@ def command(asked: dict[str, Any], to: str, out: str, base: str, force: bool, fo
     """
     with progress() as bar:
         context = robot(asked, bar)
-    found = convert(context, out, base=base, force=force)
+    found = convert(context, out, to=to, **options)
     output.json_or_page(form, found.facts, _page(found, out))
     return 0
 
 
 def _page(found: Conversion, out: str) -> Iterator[str]:
-    base = "floats" if found.is_free else "is welded to the world"
-    yield f"wrote {shown(out)}: {found.file}; its root {base}"
+    root = {"free": "; its root floats", "fixed": "; its root is welded to the world", "": ""}
+    yield f"wrote {shown(out)}: {found.file}{root[found.root]}"
     counts = (counted(number, what) for what, number in found.counts.items() if number)
     yield from output.indented(", ".join(counts))
-    agreed = "masses, frames, mass matrix and gravity torques"
-    yield from output.indented(f"MuJoCo and Pinocchio agree on {agreed}")
+    yield from output.indented(found.proof.agreed)
     for result in (Result.APPROXIMATED, Result.LOST):
         parts = list(found.alike(result))
         if parts:

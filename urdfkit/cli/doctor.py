@@ -1,7 +1,5 @@
 """``urdfkit doctor``: the environment and the optional dependencies."""
 
-from __future__ import annotations
-
 import os
 import platform
 import shutil
@@ -25,6 +23,7 @@ from urdfkit.cli.decorators import (
     with_options,
 )
 from urdfkit.core.cache_directory import cache_directory
+from urdfkit.core.installation import install_command
 from urdfkit.lint.config import Config, ConfigError
 from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
@@ -34,31 +33,32 @@ from urdfkit.ros.targets import Targets, parse
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.resolve import Resolver
 
-#: Python packages, what uses them, and the name under which pip installs them.
+#: Python packages, what uses them, and the extra that they belong to.
 _PACKAGES = (
-    ("xacro", "expansion", "urdfkit"),
-    ("click", "command line", "urdfkit"),
-    ("PyYAML", "load_yaml in xacro; controllers", "urdfkit"),
-    ("numpy", "measures, mass properties, rendering", "urdfkit[meshes]"),
-    ("lxml", "COLLADA meshes", "urdfkit[meshes]"),
-    ("trimesh", "PLY and glTF meshes; mesh commands", "urdfkit[meshes]"),
-    ("mapbox-earcut", "polygons in meshes", "urdfkit[meshes]"),
-    ("manifold3d", "convex hulls; solids", "urdfkit[meshes]"),
-    ("scipy", "mesh repair, collision, diff", "urdfkit[meshes]"),
-    ("fast-simplification", "mesh simplify", "urdfkit[meshes]"),
-    ("vhacdx", "mesh decompose, mesh collision", "urdfkit[meshes]"),
-    ("coacd", "mesh decompose --engine coacd", "urdfkit[decompose]"),
-    ("pin", "dynamics", "urdfkit[dynamics]"),
-    ("coal", "collisions", "urdfkit[dynamics]"),
-    ("mujoco", "convert, simulate", "urdfkit[simulate]"),
-    ("Pillow", "pictures", "urdfkit[render]"),
-    ("Jinja2", "report pages", "urdfkit[report]"),
-    ("starlette", "the viewer", "urdfkit[report]"),
-    ("uvicorn", "the viewer", "urdfkit[report]"),
-    ("yourdfpy", "conversion to yourdfpy", "urdfkit[exchange]"),
-    ("pygls", "the language server", "urdfkit[lsp]"),
-    ("dask", "scan on several machines", "urdfkit[scan]"),
-    ("pyarrow", "scan to Parquet", "urdfkit[scan]"),
+    ("xacro", "expansion", ""),
+    ("click", "command line", ""),
+    ("PyYAML", "load_yaml in xacro; controllers", ""),
+    ("numpy", "measures, mass properties, rendering", "meshes"),
+    ("lxml", "COLLADA meshes", "meshes"),
+    ("trimesh", "PLY and glTF meshes; mesh commands", "meshes"),
+    ("mapbox-earcut", "polygons in meshes", "meshes"),
+    ("manifold3d", "convex hulls; solids", "meshes"),
+    ("scipy", "mesh repair, collision, diff", "meshes"),
+    ("fast-simplification", "mesh simplify", "meshes"),
+    ("vhacdx", "mesh decompose, mesh collision", "meshes"),
+    ("coacd", "mesh decompose --engine coacd", "decompose"),
+    ("pin", "dynamics", "dynamics"),
+    ("coal", "collisions", "dynamics"),
+    ("mujoco", "convert, simulate", "simulate"),
+    ("Pillow", "pictures", "render"),
+    ("Jinja2", "report pages", "report"),
+    ("starlette", "the viewer", "report"),
+    ("uvicorn", "the viewer", "report"),
+    ("yourdfpy", "conversion to yourdfpy", "exchange"),
+    ("pygls", "the language server", "lsp"),
+    ("mcp", "the tools for agents", "mcp"),
+    ("dask", "scan on several machines", "scan"),
+    ("pyarrow", "scan to Parquet", "scan"),
 )
 _PROGRAMS = {"git": "comparison with an earlier git revision"}
 
@@ -94,12 +94,12 @@ def command(words: tuple[str, ...], **values: Any) -> int:
 
 def _installed() -> Iterator[str]:
     yield f"urdfkit {__version__}, Python {platform.python_version()}, {sys.platform}"
-    for name, purpose, package in _PACKAGES:
+    for name, purpose, extra in _PACKAGES:
         try:
             yield f"  {name:<21}{version(name):<14}{purpose}"
         except PackageNotFoundError:
             yield f"  {name:<21}{'missing':<14}{purpose}"
-            yield f"  {'':<35}pip install '{package}'"
+            yield f"  {'':<35}{install_command(extra)}"
     for name, purpose in _PROGRAMS.items():
         yield f"  {name:<21}{'found' if shutil.which(name) else 'missing':<14}{purpose}"
     for name, module in sorted(installed().items()):

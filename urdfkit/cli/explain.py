@@ -1,7 +1,5 @@
 """``urdfkit explain``."""
 
-from __future__ import annotations
-
 import re
 from textwrap import fill, indent
 
@@ -19,11 +17,11 @@ _NEEDS = {
     Need.XACRO: "a xacro that expands",
     Need.MODEL: "a readable robot model",
     Need.FILES: "the files that the robot references",
-    Need.MESHES: "readable meshes (pip install 'urdfkit[meshes]')",
+    Need.MESHES: "readable meshes (extra 'meshes')",
     Need.LAUNCH: "a launch file",
     Need.SRDF: "an SRDF of the robot",
-    Need.DYNAMICS: "Pinocchio (pip install 'urdfkit[dynamics]')",
-    Need.COLLISIONS: "coal (pip install 'urdfkit[dynamics]')",
+    Need.DYNAMICS: "Pinocchio (extra 'dynamics')",
+    Need.COLLISIONS: "coal (extra 'dynamics')",
 }
 
 
@@ -61,7 +59,6 @@ def _find(word: str) -> Rule:
 
 
 def render(rule: Rule) -> str:
-    """The page of a rule."""
     needs = ", ".join(words for need, words in _NEEDS.items() if need in rule.needs)
     parts = [
         _fill(f"{rule.code} {rule.name} ({_reported(rule)})"),

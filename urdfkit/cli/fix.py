@@ -1,7 +1,5 @@
 """``urdfkit fix``: apply fixes, and report what was fixed, what is left, and why."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -18,8 +16,8 @@ from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable, wrap
 
 _OPTIONS = (
-    "unsafe-fixes diff force select ignore rules preview min-confidence fail-on target package "
-    "trust xacro-seconds xacro-megabytes changed jobs no-cache config isolated variant"
+    "quiet unsafe-fixes diff force select ignore rules preview min-confidence fail-on target "
+    "package trust xacro-seconds xacro-megabytes changed jobs no-cache config isolated variant"
 ).split()
 #: Line numbers of one kind of finding that are listed.
 _MAX_LINES = 8
@@ -32,7 +30,8 @@ def _fix(**values: Any) -> int:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
         return int(bool(fixes.files or fixes.meshes))
     is_dry = values["check"]
-    output.write("".join(f"{line}\n" for line in render(fixes, is_dry=is_dry)))
+    lines = _left(fixes) if values["quiet"] else render(fixes, is_dry=is_dry)
+    output.write("".join(f"{line}\n" for line in lines))
     if fixes.report.crashed:
         return 3
     if values["fail_on"]:
@@ -74,7 +73,6 @@ command = click.Command(
 
 
 def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:
-    """The lines of the summary."""
     yield from _applied(fixes, "would fix" if is_dry else "fixed")
     made = list(_meshes(fixes, "would generate" if is_dry else "generated"))
     yield from (*made, "") if made else ()

@@ -1,7 +1,5 @@
 """``urdfkit format``: one layout for URDF and xacro files."""
 
-from __future__ import annotations
-
 import os
 import sys
 
@@ -26,6 +24,7 @@ from urdfkit.text.terminal import printable
     metavar="COLUMNS",
     help=f"Line width. [default: {WIDTH}]",
 )
+@click.option("-q", "--quiet", is_flag=True, help="Print errors and nothing else.")
 @click.option(
     "--force",
     is_flag=True,
@@ -37,6 +36,7 @@ def command(
     check: bool,
     diff: bool,
     width: int | None,
+    quiet: bool,
     force: bool,
     config: str | None,
     isolated: bool,
@@ -59,7 +59,7 @@ def command(
         output.write(result.diff())
     elif not check:
         result.write()
-    _print_result(result, "would be reformatted" if check or diff else "reformatted")
+    _print_result(result, "would be reformatted" if check or diff else "reformatted", quiet=quiet)
     if result.failed:
         return 2
     return int(bool(result.files) and (check or diff))
@@ -75,15 +75,17 @@ def _standard_input(width: int, *, check: bool, diff: bool) -> int:
     return int((check or diff) and rewrite.after != rewrite.before)
 
 
-def _print_result(result: Formatted, done: str) -> None:
+def _print_result(result: Formatted, done: str, *, quiet: bool) -> None:
     """Say on standard error what became of the files."""
+    errors = [f"error: {reason}" for _, reason in result.failed]
     lines = [f"{done}: {shown(file.path)}" for file in result.files]
     lines += [f"skipped: {shown(path)}: {reason}" for path, reason in result.skipped]
-    lines += [f"error: {reason}" for _, reason in result.failed]
+    lines += errors
     lines.append(
         f"{len(result.files)} {done}, {len(result.unchanged)} unchanged"
         + (f", {len(result.skipped)} skipped" if result.skipped else "")
         + (f", {len(result.failed)} failed" if result.failed else "")
     )
     if sys.stderr is not None:
-        print(*map(printable, lines), sep="\n", file=sys.stderr)
+        for line in map(printable, errors if quiet else lines):
+            print(line, file=sys.stderr)

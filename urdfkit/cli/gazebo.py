@@ -1,7 +1,5 @@
 """``urdfkit gazebo``: what Gazebo makes of a robot."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 
@@ -41,7 +39,6 @@ def show(context: Context, form: str, *, old: bool) -> int:
     """Print what Gazebo makes of a robot.
 
     Args:
-        context: the robot.
         form: ``text`` or ``json``.
         old: convert as sdformat did before 9.10.1 and 12.7.2.
     """
@@ -120,7 +117,6 @@ def _link(link: SimulatedLink) -> Iterator[str]:
 
 
 def as_json(conversion: Conversion, rejected: list[Rejection]) -> dict[str, Any]:
-    """The same for programs."""
     return {
         "version": VERSION,
         "converter": conversion.converter.name,

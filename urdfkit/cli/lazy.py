@@ -1,7 +1,5 @@
 """Groups of commands, each of which is imported when it is used."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping, Sequence
 from importlib import import_module
@@ -10,6 +8,7 @@ from typing import Any
 
 import click
 
+from urdfkit.core.installation import install_command
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 
@@ -89,7 +88,7 @@ class LazyGroup(click.Group):
         except ModuleNotFoundError as error:
             if not self.extra or (error.name or "").startswith("urdfkit"):
                 raise
-            install = f"pip install 'urdfkit[{self.extra}]'"
+            install = install_command(self.extra)
             raise MissingExtra(
                 f"'{ctx.command_path}' needs {error.name}, which is not installed: {install}"
             ) from error

@@ -1,9 +1,9 @@
 """``urdfkit lsp``: the language server for editors."""
 
-from __future__ import annotations
-
 import click
 
+from urdfkit.cli.decorators import with_examples
+from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
 
 
@@ -11,7 +11,7 @@ class NotInstalled(UrdfkitError):
     """The extra that brings the protocol is not installed."""
 
 
-@click.command("lsp")
+@with_examples("lsp", "urdfkit lsp --stdio")
 @click.option(
     "--stdio",
     is_flag=True,
@@ -31,6 +31,6 @@ def command(stdio: bool) -> int:
     except ModuleNotFoundError as error:
         if error.name not in ("lsprotocol", "pygls"):
             raise
-        raise NotInstalled("urdfkit lsp needs pygls: pip install 'urdfkit[lsp]'") from error
+        raise NotInstalled(f"urdfkit lsp needs pygls: {install_command('lsp')}") from error
     serve(make())
     return 0

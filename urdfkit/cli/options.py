@@ -23,32 +23,22 @@ if TYPE_CHECKING:
 
 
 class Option(Record):
-    """One option.
+    """One option."""
 
-    Attributes:
-        flag: as it is typed.
-        help: one sentence.
-        metavar: stands for the value; empty for a switch.
-        choices: the values there are; any if empty.
-        many: may be given several times.
-        default: of an option with choices.
-    """
-
-    flag: str
-    help: str
-    metavar: str = ""
-    choices: tuple[str, ...] = ()
-    many: bool = False
-    default: str | None = None
+    flag: str  # as it is typed
+    help: str  # one sentence
+    metavar: str = ""  # stands for the value; empty for a switch
+    choices: tuple[str, ...] = ()  # the values there are; any if empty
+    many: bool = False  # may be given several times
+    default: str | None = None  # of an option with choices
+    short: str = ""  # the same with one letter
 
     @property
     def key(self) -> str:
-        """The name of its value."""
         return self.flag[2:].replace("-", "_")
 
     @property
     def initial(self) -> Any:
-        """The value if it is not given."""
         if self.many:
             return ()
         return self.default if self.metavar else False
@@ -64,6 +54,8 @@ CHECK = (
         "NAME[:FILE]",
         many=True,
     ),
+    Option("--output", "File for the format that goes to standard output.", "FILE", short="-o"),
+    Option("--quiet", "Print the findings and nothing else.", short="-q"),
     Option(
         "--select", "Run only these rules: codes, prefixes of codes, or names.", "CODES", many=True
     ),
@@ -94,7 +86,13 @@ CHECK = (
         many=True,
     ),
     Option("--info", "Show infos, too, and all that is known of each finding (--format full)."),
+    Option("--watch", "Check again whenever a file that was read changes, until Ctrl-C."),
+    Option(
+        "--add-ignore",
+        "Write an ignore comment for every finding that decides the exit code; --diff shows them.",
+    ),
     Option("--show-files", "List the robots to check and the files left out; check nothing."),
+    Option("--show-settings", "Print the settings of the check as TOML; check nothing."),
     Option("--exit-zero", "Exit with 0 even if there are findings."),
     Option("--fix", "Apply safe fixes in place, and report the remaining findings."),
     Option("--unsafe-fixes", "Also apply fixes that may change the behaviour of the robot."),
@@ -226,7 +224,6 @@ def arguments(values: Mapping[str, Any]) -> dict[str, str]:
 
 
 def packages(values: Mapping[str, Any]) -> dict[str, str]:
-    """The directories of packages."""
     found = {}
     for word in values["package"]:
         name, equals, directory = word.partition("=")
@@ -288,6 +285,7 @@ def _text(values: Mapping[str, Any], fail_on: str) -> str:
 def outputs(values: Mapping[str, Any], fail_on: str) -> list[tuple[str, str]]:
     """The formats, each with the file it is for; an empty name is standard output."""
     found: list[tuple[str, str]] = []
+    elsewhere = "" if values["output"] in (None, "-") else values["output"]
     for word in values["format"] or ("text",):
         name, colon, file = word.partition(":")
         if name not in formats.names():
@@ -295,8 +293,11 @@ def outputs(values: Mapping[str, Any], fail_on: str) -> list[tuple[str, str]]:
             raise UsageError(f"--format {word}: unknown format '{name}', only {known}")
         if colon and not file:
             raise UsageError(f"--format {word}: expected a file name after the colon")
+        file = file or elsewhere
         if file in (other for _, other in found):
             where = file or "standard output"
             raise UsageError(f"two formats write to {where}; give one of them a file, as NAME:FILE")
         found.append((_text(values, fail_on) if name == "text" else name, file))
+    if elsewhere and elsewhere not in (file for _, file in found):
+        raise UsageError(f"--output {elsewhere}: every --format has a file already")
     return found

@@ -1,7 +1,5 @@
 """Standard output: whether it has colours, how wide it is, and what can go wrong with it."""
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Iterable, Iterator
@@ -93,7 +91,6 @@ def aligned(values: Iterable[float], noise: float = 0.0, width: int = 9) -> str:
     """Numbers in columns of one width: to four digits in nine, to three in eight.
 
     Args:
-        values: the numbers.
         noise: what is no larger is but the rounding of sums, and 0.
         width: of a column; a number that is too long has a digit less.
     """

@@ -55,7 +55,6 @@ class ProgressBar:
             self._timer.start()
 
     def clear(self) -> None:
-        """Leave nothing behind."""
         if self._timer is not None:
             self._timer.cancel()
             self._timer.join()

@@ -1,7 +1,5 @@
 """Reads the ordinary ``check`` command line without click, which costs 27 ms to import."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 
@@ -19,6 +17,7 @@ def parse(words: Sequence[str]) -> dict[str, Any] | None:
     if not words or words[0] != "check":
         return None
     options = {option.flag: option for option in CHECK}
+    options.update((option.short, option) for option in CHECK if option.short)
     values: dict[str, Any] = {option.key: option.initial for option in CHECK}
     files: list[str] = []
     rest = iter(words[1:])
@@ -28,7 +27,7 @@ def parse(words: Sequence[str]) -> dict[str, Any] | None:
             continue
         flag, equals, value = word.partition("=")
         option = options.get(flag)
-        if option is None or (equals and not option.metavar):
+        if option is None or (equals and (flag == option.short or not option.metavar)):
             return None
         if not option.metavar:
             values[option.key] = True

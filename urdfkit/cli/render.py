@@ -58,7 +58,7 @@ _NAMED = 5
 @click.option("--orthographic", is_flag=True, help="Orthographic projection.")
 @click.option("--size", metavar="WIDTHxHEIGHT", help=f"[default: {SIZE}]")
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
-@click.option("--no-ground", is_flag=True, help="Do not draw the ground shadow.")
+@click.option("--no-ground", is_flag=True, help="Do not draw the ground.")
 @click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
 @limited
 def command(asked: dict[str, Any], **values: Any) -> int:

@@ -9,8 +9,6 @@ damaged, or that answers another question is as good as none.
 This module runs before anything else is imported, and imports next to nothing.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 import time
@@ -28,7 +26,9 @@ def question(words: list[str]) -> bytes | None:
 
     None if it cannot be answered from the cache.
     """
-    if words[:1] != ["check"] or "--no-cache" in words or "-" in words or directory() is None:
+    if words[:1] != ["check"] or directory() is None:
+        return None
+    if not {"--no-cache", "--watch", "-"}.isdisjoint(words):
         return None
     try:
         here = os.getcwd()
@@ -65,13 +65,10 @@ def replay(words: list[str]) -> int | None:
         return None
     if entry.question != asked:
         return None
-    answers = []
     now = time.time_ns()
-    for kind, path, answer in entry.answers:
-        again = file_log.answer_again(kind, path, answer, entry.since)
-        if again is None:
-            return None
-        answers.append((kind, path, again))
+    answers = file_log.answers_again(entry.answers, entry.since)
+    if answers is None:
+        return None
     if answers != entry.answers:
         from urdfkit.cli.result_recording import store
 
@@ -81,7 +78,6 @@ def replay(words: list[str]) -> int | None:
 
 
 def _write(entry: ResultEntry) -> int:
-    """Write everything as the check did."""
     for path, data in entry.outputs:
         if path:
             from urdfkit.core import atomic

@@ -13,20 +13,14 @@ _LAYOUT = b"urdfkit result 1"
 
 
 class ResultEntry(Record):
-    """What is known of a check.
+    """What is known of a check."""
 
-    Attributes:
-        question: that it answers.
-        since: nanoseconds since the epoch, when the check began.
-        answers: of the file system and the environment: kind, path and answer.
-        code: exit code.
-        outputs: what was written, by file, in this order; an empty name is standard output.
-    """
-
-    question: bytes
-    since: int
+    question: bytes  # that it answers
+    since: int  # nanoseconds since the epoch, when the check began
+    #: Of the file system and the environment: kind, path and answer.
     answers: list[tuple[str, str, str]]
-    code: int
+    code: int  # exit code
+    #: What was written, by file, in this order; an empty name is standard output.
     outputs: list[tuple[str, bytes]]
 
 

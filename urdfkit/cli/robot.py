@@ -115,17 +115,11 @@ def _robots_in(directory: str) -> str:
 
 
 class ReadOptions(Record):
-    """How a robot is read: as the command line says, else as the configuration does.
+    """How a robot is read: as the command line says, else as the configuration does."""
 
-    Attributes:
-        arguments: for xacro.
-        packages: directories of ROS packages by name.
-        trust: let the model run any expression.
-    """
-
-    arguments: dict[str, str]
-    packages: dict[str, str]
-    trust: bool
+    arguments: dict[str, str]  # for xacro
+    packages: dict[str, str]  # directories of ROS packages by name
+    trust: bool  # let the model run any expression
 
 
 def reading(asked: Mapping[str, Any], file: str) -> ReadOptions:

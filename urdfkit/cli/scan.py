@@ -1,7 +1,5 @@
 """``urdfkit scan``: check collections of models."""
 
-from __future__ import annotations
-
 import os
 from importlib.util import find_spec
 from typing import Any
@@ -12,6 +10,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.decorators import examples
 from urdfkit.cli.progress import shown
 from urdfkit.core import atomic
+from urdfkit.core.installation import install_command
 from urdfkit.lint.options import Options
 from urdfkit.scan import journal, page
 from urdfkit.scan.isolated import Settings
@@ -105,7 +104,7 @@ def command(
         write_tables(directory)
         files += [MODELS, FINDINGS]
     else:
-        options.warn("no Parquet files without pyarrow: pip install 'urdfkit[scan]'")
+        options.warn(f"no Parquet files without pyarrow: {install_command('scan')}")
     output.page([f"{count} models checked; {directory} has {', '.join(files)}"])
     return 0
 

@@ -1,7 +1,5 @@
 """Writing files so that no reader ever sees half of one, and no kill leaves one."""
 
-from __future__ import annotations
-
 import os
 import stat
 import sys
@@ -34,7 +32,6 @@ def write(
     What is no regular file, such as ``/dev/stderr``, is written to directly.
 
     Args:
-        path: of the file.
         data: all that it is to hold, or its parts.
         before: what it must hold up to now, so that nothing is lost that another one wrote.
         durable: wait until the disk has it; a cache does without.

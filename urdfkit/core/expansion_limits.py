@@ -9,16 +9,12 @@ from urdfkit.core.record import Record
 
 
 class Limits(Record):
-    """The limits of one expansion.
+    """The limits of one expansion."""
 
-    Attributes:
-        seconds: of the processor; a sound model waits on a busy machine, and is none the worse.
-            The largest public robots need a tenth of a second.
-        megabytes: that it may add to the memory of the process.
-    """
-
+    #: Of the processor; a sound model waits on a busy machine, and is none the worse. The largest
+    #: public robots need a tenth of a second.
     seconds: float = 5.0
-    megabytes: int = 512
+    megabytes: int = 512  # that it may add to the memory of the process
 
 
 _allowed = Limits()

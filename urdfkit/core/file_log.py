@@ -29,18 +29,15 @@ _RACE_NS = 2_000_000_000
 
 
 class FileLog:
-    """Questions with their answers.
-
-    Attributes:
-        answers: by kind and path. ``r`` is a file that was read, with the number of bytes if not
-            the whole; ``t`` its time of change, ``s`` the type and size of a file, ``k`` its type
-            alone, ``l`` whether it is a link, ``d`` the names in a directory, ``p`` where a path
-            leads, ``v`` a variable.
-        is_complete: False if the result depends on something else as well, or a file changed.
-    """
+    """Questions with their answers."""
 
     def __init__(self) -> None:
+        #: By kind and path. ``r`` is a file that was read, with the number of bytes if not the
+        #: whole; ``t`` its time of change, ``s`` the type and size of a file, ``k`` its type alone,
+        #: ``l`` whether it is a link, ``d`` the names in a directory, ``p`` where a path leads,
+        #: ``v`` a variable.
         self.answers: dict[tuple[str, str], str] = {}
+        #: False if the result depends on something else as well, or a file changed.
         self.is_complete = True
 
     def read(
@@ -106,11 +103,28 @@ class FileLog:
             self.answers.clear()
 
 
+def answers_again(
+    answers: Iterable[tuple[str, str, str]], since: int
+) -> list[tuple[str, str, str]] | None:
+    """The answers as they are now, if all mean the same; None if one is another one.
+
+    Args:
+        answers: kind, path and answer.
+        since: nanoseconds since the epoch, before the answers were given.
+    """
+    found = []
+    for kind, path, answer in answers:
+        again = answer_again(kind, path, answer, since)
+        if again is None:
+            return None
+        found.append((kind, path, again))
+    return found
+
+
 def answer_again(kind: str, path: str, answer: str, since: int) -> str | None:
     """The answer as it is now, if it means the same; None if it is another one.
 
     Args:
-        kind: of the question.
         path: as of the question.
         answer: that was given.
         since: nanoseconds since the epoch, before the answer was given.

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
 #: What measures meshes.
 _FOR_MESHES = ("numpy", "lxml", "manifold3d", "mapbox_earcut")
 
-INSTALL_MESHES = "pip install 'urdfkit[meshes]'"
-
 
 def find(name: str) -> ModuleSpec | None:
     """From where a library would be imported; None if it is not installed."""
@@ -37,4 +35,8 @@ def missing_for_meshes() -> str:
 def why_unmeasured() -> str:
     """Why meshes are not measured, and what to do, behind ``meshes are``; empty if they are."""
     missing = missing_for_meshes()
-    return missing and f"not measured without {missing}: {INSTALL_MESHES}"
+    if not missing:
+        return ""
+    from urdfkit.core.installation import install_command
+
+    return f"not measured without {missing}: {install_command('meshes')}"

@@ -26,10 +26,6 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     comes with those that launch files give it: once for each set of them. Where none gives them
     all, one that cannot be expanded comes with the values that are found otherwise and with which
     it expands. One that its defaults do not suffice for comes as launch files start it.
-
-    Args:
-        job: one description.
-        read: makes the description of a job.
     """
     context = read(job)
     if not (names := context.reading.arguments_to_pass):

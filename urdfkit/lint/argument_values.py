@@ -40,22 +40,16 @@ _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
 class ArgumentValues(Record):
-    """ArgumentValues that one argument may have.
+    """ArgumentValues that one argument may have."""
 
-    Attributes:
-        values: in the order in which they are found.
-        origin: path of the launch file, xacro file or directory that they are from.
-    """
-
-    values: tuple[str, ...]
-    origin: str
+    values: tuple[str, ...]  # in the order in which they are found
+    origin: str  # path of the launch file, xacro file or directory that they are from
 
 
 def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -> Iterator[Problem]:
     """The problems of a description, with the values that are found for arguments without one.
 
     Args:
-        problems: of a description.
         xacro: its expansion.
         resolver: finds packages, and reads files.
     """

@@ -30,17 +30,11 @@ class BaselineError(UrdfkitError):
 
 
 class Fingerprint(Record):
-    """What a finding is known by.
+    """What a finding is known by."""
 
-    Attributes:
-        path: of the file, relative to the baseline's directory, with forward slashes.
-        code: of the rule.
-        text: of the line where the finding is, without indentation.
-    """
-
-    path: str
-    code: str
-    text: str
+    path: str  # of the file, relative to the baseline's directory, with forward slashes
+    code: str  # of the rule
+    text: str  # of the line where the finding is, without indentation
 
 
 def fingerprint(diagnostic: Diagnostic, directory: str) -> Fingerprint:

@@ -17,86 +17,52 @@ class ConfigError(UrdfkitError):
 
 
 class FileIgnore(Record):
-    """Rules that are left out for some files.
+    """Rules that are left out for some files."""
 
-    Attributes:
-        files: patterns of paths, relative to the configuration's directory.
-        codes: of the rules.
-        but_errors: of rules whose errors stay.
-        reason: why, for whoever reads the configuration.
-    """
-
-    files: tuple[str, ...]
-    codes: frozenset[str]
-    but_errors: frozenset[str]
-    reason: str
+    files: tuple[str, ...]  # patterns of paths, relative to the configuration's directory
+    codes: frozenset[str]  # of the rules
+    but_errors: frozenset[str]  # of rules whose errors stay
+    reason: str  # why, for whoever reads the configuration
 
 
 class RobotEntry(Record):
-    """An entry point: a description that is checked, with the arguments it needs.
+    """An entry point: a description that is checked, with the arguments it needs."""
 
-    Attributes:
-        file: absolute path.
-        name: of the variant; empty if there is one only.
-        arguments: for xacro.
-    """
-
-    file: str
-    name: str
-    arguments: dict[str, str]
+    file: str  # absolute path
+    name: str  # of the variant; empty if there is one only
+    arguments: dict[str, str]  # for xacro
 
 
 class Config(Record):
-    """The settings of a project.
+    """The settings of a project."""
 
-    Attributes:
-        path: of the file; empty if there is none.
-        select, ignore: codes of rules; ``select`` is empty for all.
-        but_errors: codes of rules whose findings are left out, but their errors.
-        fail_on: the mildest severity that counts.
-        targets: names of consumers; inferred from each model if empty.
-        packages: directories of packages by name, absolute.
-        arguments: for every xacro.
-        severities: other severities by code.
-        file_ignores: rules left out for some files.
-        robots: the entry points; found by the include graph if empty.
-        exclude: patterns of paths that the check of a directory leaves out.
-        external_rules: codes of the rules of other packages that run, too.
-        preview: True if preview rules run.
-        named: codes that ``select`` names by their whole code or name.
-        min_confidence: findings that are less sure are left out.
-        options: values of options of rules, by code and name.
-        trust: True if models may run any expression and read any file.
-        width: columns of a formatted line; 0 for the default.
-        limits: of the expansion of each description.
-        warnings: what is odd about the configuration, and does not change what is checked.
-    """
-
-    path: str = ""
+    path: str = ""  # of the file; empty if there is none
+    #: select and ignore: codes of rules; ``select`` is empty for all.
     select: frozenset[str] = frozenset()
     ignore: frozenset[str] = frozenset()
-    fail_on: Severity = Severity.WARNING
-    targets: tuple[str, ...] = ()
-    packages: Mapping[str, str] = {}
-    arguments: Mapping[str, str] = {}
-    severities: Mapping[str, Severity] = {}
-    file_ignores: tuple[FileIgnore, ...] = ()
-    robots: tuple[RobotEntry, ...] = ()
-    exclude: tuple[str, ...] = ()
-    external_rules: tuple[str, ...] = ()
-    preview: bool = False
-    named: frozenset[str] = frozenset()
-    min_confidence: Confidence = Confidence.GUESSED
-    options: Mapping[str, Mapping[str, float]] = {}
-    trust: bool = False
-    width: int = 0
+    fail_on: Severity = Severity.WARNING  # the mildest severity that counts
+    targets: tuple[str, ...] = ()  # names of consumers; inferred from each model if empty
+    packages: Mapping[str, str] = {}  # directories of packages by name, absolute
+    arguments: Mapping[str, str] = {}  # for every xacro
+    severities: Mapping[str, Severity] = {}  # other severities by code
+    file_ignores: tuple[FileIgnore, ...] = ()  # rules left out for some files
+    robots: tuple[RobotEntry, ...] = ()  # the entry points; found by the include graph if empty
+    exclude: tuple[str, ...] = ()  # patterns of paths that the check of a directory leaves out
+    external_rules: tuple[str, ...] = ()  # codes of the rules of other packages that run, too
+    preview: bool = False  # True if preview rules run
+    named: frozenset[str] = frozenset()  # codes that ``select`` names by their whole code or name
+    min_confidence: Confidence = Confidence.GUESSED  # findings that are less sure are left out
+    options: Mapping[str, Mapping[str, float]] = {}  # values of options of rules, by code and name
+    trust: bool = False  # True if models may run any expression and read any file
+    width: int = 0  # columns of a formatted line; 0 for the default
+    #: What is odd about the configuration, and does not change what is checked.
     warnings: tuple[str, ...] = ()
+    #: Codes of rules whose findings are left out, but their errors.
     but_errors: frozenset[str] = frozenset()
-    limits: Limits = Limits()
+    limits: Limits = Limits()  # of the expansion of each description
 
     @property
     def directory(self) -> str:
-        """The directory that its paths start from."""
         return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
 
     def entries(
@@ -108,8 +74,6 @@ class Config(Record):
         With given arguments and no name it is one description, with what its variants share.
 
         Args:
-            path: of the description.
-            given: arguments for xacro.
             variant: the name of the only one; all if empty.
 
         Raises:

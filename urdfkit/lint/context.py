@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.description_file import DescriptionFile, NotApplicable, Reading, Unavailable
-from urdfkit.lint.requirements import WITHOUT_PINOCCHIO, need_coal
+from urdfkit.lint.requirements import need_coal, without_pinocchio
 from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source
 
@@ -53,17 +53,13 @@ MAX_BODIES = 2000
 
 
 class RunState(Record):
-    """What the runner tells the rules of the check that they are part of.
+    """What the runner tells the rules of the check that they are part of."""
 
-    Attributes:
-        rule_options: configured options of rules, by code and name.
-        diagnostics: of the other rules, before suppression; for the rules about the checking.
-        chosen: codes of all rules; None until the others have run.
-    """
-
+    #: Configured options of rules, by code and name.
     rule_options: Mapping[str, Mapping[str, float]] = {}
+    #: Of the other rules, before suppression; for the rules about the checking.
     diagnostics: tuple[Diagnostic, ...] = ()
-    chosen: frozenset[str] | None = None
+    chosen: frozenset[str] | None = None  # codes of all rules; None until the others have run
 
 
 class Context(DescriptionFile):
@@ -143,8 +139,6 @@ class Context(DescriptionFile):
         That is a library of macros; or a description that another file includes and that lacks
         a name, or a link that is the root of the others.
         """
-        from urdfkit.workspace.includes import is_included
-
         xacro = self.reading.xacro
         if (xacro is not None and xacro.is_library) or self._is_srdf:
             return True
@@ -152,6 +146,13 @@ class Context(DescriptionFile):
             return True  # calls that the including file answers
         if self.document.root.get("name") is not None and self.tree.has_base:
             return False
+        return self.is_included
+
+    @cached_property
+    def is_included(self) -> bool:
+        """True if another file of the package includes this one, or there are too many to know."""
+        from urdfkit.workspace.includes import is_included
+
         return is_included(self.source.path, self.resolver.packages)
 
     @cached_property
@@ -317,7 +318,7 @@ class Context(DescriptionFile):
         try:
             from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
         except ImportError as error:
-            raise Unavailable(WITHOUT_PINOCCHIO.format(error)) from error
+            raise Unavailable(without_pinocchio(error)) from error
         try:
             return Dynamics(self.tree)
         except Unsuitable as reason:
@@ -360,11 +361,7 @@ class Context(DescriptionFile):
         return MeasuredMeshes(self.model, self.files, kept, self._progress)
 
     def measures(self, shape: Shape) -> Measures | str:
-        """Of the mesh of a shape; or why there are none, as a predicate whose subject is the file.
-
-        Args:
-            shape: a mesh.
-        """
+        """Of a mesh; or why there are none, as a predicate whose subject is the file."""
         if reason := libraries.why_unmeasured():
             return f"is {reason}"
         return self.measured.measures(shape)

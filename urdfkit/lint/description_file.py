@@ -35,17 +35,11 @@ class NotApplicable(Unavailable):
 
 
 class Reading(Record):
-    """A file as it was read.
+    """A file as it was read."""
 
-    Attributes:
-        document: after expansion; None of a launch file, or if it could not be read.
-        problems: what is wrong with the text.
-        xacro: the expansion; None for plain XML.
-    """
-
-    document: Document | None
-    problems: tuple[Problem, ...]
-    xacro: Xacro | None
+    document: Document | None  # after expansion; None of a launch file, or if it could not be read
+    problems: tuple[Problem, ...]  # what is wrong with the text
+    xacro: Xacro | None  # the expansion; None for plain XML
 
     @property
     def missing_arguments(self) -> tuple[str, ...]:
@@ -78,12 +72,6 @@ class Reading(Record):
 class DescriptionFile:
     """A URDF, xacro or launch file, read with arguments.
 
-    Attributes:
-        source: the file.
-        resolver: finds packages and files.
-        arguments: ``name:=value`` for xacro.
-        trust: True if the model's expressions and files are not sandboxed.
-
     Args:
         frame: the launch file that loads it; None if it was named itself.
     """
@@ -97,16 +85,15 @@ class DescriptionFile:
         trust: bool = False,
         frame: CallFrame | None = None,
     ) -> None:
-        self.source = source
-        self.resolver = resolver
-        self.arguments = dict(arguments or {})
-        self.trust = trust
+        self.source = source  # the file
+        self.resolver = resolver  # finds packages and files
+        self.arguments = dict(arguments or {})  # ``name:=value`` for xacro
+        self.trust = trust  # True if the model's expressions and files are not sandboxed
         self._frame = frame
         resolver.admit(source.path, trust=trust)
 
     @cached_property
     def reading(self) -> Reading:
-        """The text, read and expanded."""
         if is_launch(self.source.path):
             return Reading(None, tuple(self.launch.problems), None)
         if not is_xacro(self.source):
@@ -220,7 +207,6 @@ class DescriptionFile:
 
     @cached_property
     def ignores(self) -> tuple[Ignore, ...]:
-        """The ignore comments in its files."""
         sources: tuple[Source, ...] = (self.source,)
         if self.reading.xacro:
             sources = self.reading.xacro.sources

@@ -30,18 +30,13 @@ ROOT = re.compile(rb"\s*(?:<[?!][^>]*>\s*)*<robot[\s>]")
 
 
 class DirectoryContents(Record):
-    """What a directory holds.
+    """What a directory holds."""
 
-    Attributes:
-        robots: the entry points, sorted by path.
-        libraries: files of macros, properties or materials that no file includes.
-        closed: descriptions that cannot be opened: links that lead nowhere, no permission.
-        others: files that look like robots and are none of these, by why they are left out.
-    """
-
-    robots: tuple[RobotEntry, ...]
-    libraries: tuple[str, ...]
+    robots: tuple[RobotEntry, ...]  # the entry points, sorted by path
+    libraries: tuple[str, ...]  # files of macros, properties or materials that no file includes
+    #: Descriptions that cannot be opened: links that lead nowhere, no permission.
     closed: tuple[str, ...] = ()
+    #: Files that look like robots and are none of these, by why they are left out.
     others: Mapping[str, str] = {}
 
 

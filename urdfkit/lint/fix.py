@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
@@ -123,7 +124,7 @@ def _generated_meshes(
     try:
         from urdfkit.robot.assets import placeholder_meshes
     except ImportError as error:
-        text = f"generating meshes needs {error.name}: pip install 'urdfkit[meshes]'"
+        text = f"generating meshes needs {error.name}: {install_command('meshes')}"
         raise UrdfkitError(text) from error
     found: dict[str, GeneratedMesh | NotGenerated] = {}
     for robot in filter(None, contexts(options, files)):

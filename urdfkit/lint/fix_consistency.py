@@ -4,8 +4,6 @@ The body of a macro and the block of a property are written once and stand in th
 often as they are used. An edit there changes all uses, so all of them must ask for it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from urdfkit.lint.rules import Finding
@@ -16,7 +14,6 @@ def without_inconsistent_fixes(findings: list[Finding], uses: Mapping[Tag, int])
     """The findings, those without their fix whose place is used elsewhere without that fix.
 
     Args:
-        findings: all of one rule.
         uses: how often each tag stands in the document that they are about.
     """
     in_favour: dict[tuple[object, ...], set[int]] = {}

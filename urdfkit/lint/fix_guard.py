@@ -46,7 +46,6 @@ def regression(before: Report, after: Report, old: Robots, new: Robots) -> str:
 
     Args:
         before: the check without the fixes.
-        after: the check with them.
         old: the contexts of the first, which are read only where an error is new.
         new: the contexts of the second.
     """
@@ -204,7 +203,6 @@ class RegressionGuard:
         """The findings whose fix edits what another robot uses without asking for the edit.
 
         Args:
-            chosen: findings with fixes.
             texts: in the place of those on disk.
             report: that they are from.
         """
@@ -238,7 +236,6 @@ class RegressionGuard:
 
         Args:
             before: texts in the place of those on disk.
-            after: the texts with the fixes.
             known: the descriptions that were checked already.
         """
         checker = self._checker

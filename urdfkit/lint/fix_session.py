@@ -38,15 +38,10 @@ _Piece = tuple[int, int, str]
 
 
 class UnappliedFix(Record):
-    """A finding that is not fixed, and why.
+    """A finding that is not fixed, and why."""
 
-    Attributes:
-        diagnostic: as the last check found it.
-        reason: why its fix was not applied, ``unsafe``, ``info`` or a sentence; empty if it has
-            none.
-    """
-
-    diagnostic: Diagnostic
+    diagnostic: Diagnostic  # as the last check found it
+    #: Why its fix was not applied, ``unsafe``, ``info`` or a sentence; empty if it has none.
     reason: str
 
 

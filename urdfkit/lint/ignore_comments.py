@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
+from collections.abc import Iterable
 
 from urdfkit.core.record import Record
 from urdfkit.text.comments import comments
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.editing.edits import indent_of, newline
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
@@ -20,18 +23,13 @@ _CODE = re.compile(rb"[A-Za-z0-9_-]+")
 
 
 class Ignore(Record):
-    """One ignore comment.
+    """One ignore comment."""
 
-    Attributes:
-        span: of the comment.
-        codes: as written, each with its place; beginnings of codes and names count too.
-        reason: as written.
-        start, end: bytes of the source that it holds for.
-    """
-
-    span: Span
+    span: Span  # of the comment
+    #: As written, each with its place; beginnings of codes and names count too.
     codes: tuple[tuple[str, Span], ...]
-    reason: str
+    reason: str  # as written
+    #: start and end: bytes of the source that it holds for.
     start: int
     end: int
 
@@ -63,6 +61,34 @@ def ignores(source: Source) -> tuple[Ignore, ...]:
             reason = said.group(2).strip().decode("utf-8", "replace")
             found.append(Ignore(span, codes, reason, *elements[following]))
     return tuple(found)
+
+
+class CommentPlaces:
+    """Where ignore comments can stand in a file.
+
+    Args:
+        source: of XML; in another one, or one that is not well formed, they stand nowhere.
+    """
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        self._elements = _elements(source)[1:]  # before the root it would be for the whole file
+        self._known = {comment.start: comment for comment in ignores(source) if comment.codes}
+
+    def element(self, offset: int) -> int | None:
+        """The first byte of the innermost element around a place; None if that is the root."""
+        around = [start for start, end in self._elements if start <= offset < end]
+        return around[-1] if around else None
+
+    def edit(self, start: int, codes: Iterable[str]) -> Edit:
+        """Ignore rules in the element that begins at a byte, in its comment if it has one."""
+        if known := self._known.get(start):
+            end = known.codes[-1][1].end
+            return Edit(Span(self._source, end, end), "".join(f", {code}" for code in codes))
+        span = Span(self._source, start, start)
+        indent = indent_of(span)
+        separator = " " if indent is None else newline(self._source) + indent
+        return Edit(span, f"<!-- urdfkit: ignore[{', '.join(codes)}] -->{separator}")
 
 
 def _elements(source: Source) -> list[tuple[int, int]]:

@@ -1,7 +1,5 @@
 """Which xacro includes which file; read from the texts, nothing is expanded."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterable, Iterator
@@ -26,11 +24,6 @@ class IncludeGraph:
     Args:
         files: descriptions and parts of them.
         resolver: finds packages, and reads files.
-
-    Attributes:
-        names: the paths of the descriptions among them, as given, by real path.
-        includes: the real paths of the files that each xacro includes, by its own.
-        closed: paths of descriptions that cannot be read.
     """
 
     def __init__(self, files: Iterable[str], resolver: Resolver) -> None:
@@ -38,8 +31,9 @@ class IncludeGraph:
         #: Those with an include. Of thousands of others none is kept: the few questions about one
         #: read it again.
         self._including: dict[str, bytes] = {}
+        #: The paths of the descriptions among them, as given, by real path.
         self.names: dict[str, str] = {}
-        self.closed: list[str] = []
+        self.closed: list[str] = []  # paths of descriptions that cannot be read
         for path in files:
             try:
                 source = resolver.read(path)
@@ -52,6 +46,7 @@ class IncludeGraph:
                 self.names[real] = path
                 if b"xacro:include" in source.data:
                     self._including[real] = source.data
+        #: The real paths of the files that each xacro includes, by its own.
         self.includes = {path: self._includes(path) for path in self._including}
 
     def text(self, path: str) -> bytes:

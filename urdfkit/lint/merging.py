@@ -26,7 +26,6 @@ def merged_report(
     """The report on all descriptions of a plan.
 
     Args:
-        plan: of the check.
         checked: the descriptions with their results, in the order of the plan.
         unchecked: findings about what nothing was checked of.
         spills: of very many robots, keep the findings on disk, and in the report nothing that only
@@ -55,16 +54,11 @@ def _is_skipped(result: FileResult) -> bool:
 
 
 class _Merger:
-    """Gathers the results of descriptions, and keeps no more of them than the report needs.
-
-    Attributes:
-        findings: all of them.
-        read: the real paths of the descriptions that were not skipped.
-    """
+    """Gathers the results of descriptions, and keeps no more of them than the report needs."""
 
     def __init__(self, plan: Plan, *, spills: bool) -> None:
-        self.findings = FindingStore(spills=spills)
-        self.read: set[str] = set()
+        self.findings = FindingStore(spills=spills)  # all of them
+        self.read: set[str] = set()  # the real paths of the descriptions that were not skipped
         self._plan = plan
         self._spills = spills
         self._skipped = list(plan.skipped)
@@ -79,7 +73,6 @@ class _Merger:
         self._silenced: list[Superseded] = []
 
     def add(self, job: Job, result: FileResult) -> None:
-        """One description."""
         self.findings.add(job.path, job.name, result.diagnostics)
         if not _is_skipped(result):
             self.read.add(disk.real(job.path))
@@ -106,7 +99,6 @@ class _Merger:
         self._proposals.append(tuple(edit for fix in fixes for edit in fix.edits))
 
     def report(self) -> Report:
-        """On all that was added."""
         return Report(
             tuple(dict.fromkeys(job.path for job in self._plan.jobs)),
             self.findings.diagnostics(),
@@ -124,7 +116,6 @@ class _Merger:
 
 
 def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """By file, place, code and message."""
     found = tuple(diagnostics)
     names = {path: shown(path) for path in {one.span.source.path for one in found}}
 

@@ -10,7 +10,7 @@ from urdfkit.lint.engine import check
 from urdfkit.lint.rule_index import NOT_CHECKED, all_rules
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
-from urdfkit.text.editing.rewriting import diff
+from urdfkit.text.editing.diff import diff
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
@@ -18,19 +18,12 @@ if TYPE_CHECKING:
 
 
 class Migration(Record):
-    """What a migration needs.
+    """What a migration needs."""
 
-    Attributes:
-        texts: the new bytes of every file that changes, by its Source.
-        left: what has no pure rename, for a person.
-        renamed: findings that the new texts fix.
-        unread: descriptions that nothing is known of, each with the reason.
-    """
-
-    texts: dict[Source, bytes]
-    left: tuple[Diagnostic, ...]
-    renamed: tuple[Diagnostic, ...]
-    unread: dict[str, str]
+    texts: dict[Source, bytes]  # the new bytes of every file that changes, by its Source
+    left: tuple[Diagnostic, ...]  # what has no pure rename, for a person
+    renamed: tuple[Diagnostic, ...]  # findings that the new texts fix
+    unread: dict[str, str]  # descriptions that nothing is known of, each with the reason
 
     def diff(self) -> str:
         """The changes as a unified diff, which ``patch -p0`` takes."""
@@ -47,9 +40,7 @@ def migrate(
     """What a model needs to run in another Gazebo; nothing is written.
 
     Args:
-        path: of the model.
         target: one of ``urdfkit.ros.targets.GAZEBO``.
-        arguments: for xacro.
         packages: directories of ROS packages by name.
         trust: do not sandbox the expressions of the model, and let it read any file.
 

@@ -152,7 +152,6 @@ def choose(
         select: codes, beginnings of codes or names; all of urdfkit's and ``external`` if empty.
         ignore: codes, beginnings of codes or names.
         config: what the project selects and ignores.
-        external: codes of the rules of other packages.
 
     Raises:
         UnknownRule: one of the words means no rule. To ignore a typo would check with other

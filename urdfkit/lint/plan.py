@@ -29,29 +29,19 @@ _READ_PARAMETERS = ("controllers", "drives", "ros2_control")
 
 
 class Job(Record):
-    """One description to check.
+    """One description to check."""
 
-    Attributes:
-        path: of the file.
-        name: of the variant; empty if there is one only.
-        arguments: for xacro.
-        found: True if it was found in a directory, not named.
-        frame: the launch file that loads it, if one does.
-        parameters: the files of parameters that this launch file loads.
-        launched: the arguments that it lacks by itself, and where their values are from.
-        codes: of the rules that are asked; all if empty.
-        source: the text, if it was read already. That of a robot in a directory is read when its
-            turn comes: there may be thousands.
-    """
-
-    path: str
-    name: str
-    arguments: dict[str, str]
-    found: bool
-    frame: CallFrame | None = None
-    parameters: tuple[FileUse, ...] = ()
+    path: str  # of the file
+    name: str  # of the variant; empty if there is one only
+    arguments: dict[str, str]  # for xacro
+    found: bool  # True if it was found in a directory, not named
+    frame: CallFrame | None = None  # the launch file that loads it, if one does
+    parameters: tuple[FileUse, ...] = ()  # the files of parameters that this launch file loads
+    #: The arguments that it lacks by itself, and where their values are from.
     launched: tuple[Launched, ...] = ()
-    codes: frozenset[str] = frozenset()
+    codes: frozenset[str] = frozenset()  # of the rules that are asked; all if empty
+    #: The text, if it was read already. That of a robot in a directory is read when its turn comes:
+    #: there may be thousands.
     source: Source | None = None
 
     def text(self, resolver: Resolver) -> Source:
@@ -71,7 +61,6 @@ def planned(
     Args:
         files: URDF, xacro or launch files, Sources, or directories.
         resolver: finds files, and reads them.
-        options: of the check.
 
     Raises:
         ConfigError: a robot has no variant of this name.
@@ -190,7 +179,6 @@ class Plan:
         """A launch file, and the robots that it describes.
 
         Args:
-            source: of the launch file.
             found: it was found in a directory, whose robots are checked anyway. What is left is a
                 robot with the arguments that the launch file gives it, and its controllers.
         """
@@ -225,7 +213,6 @@ class Plan:
         return True
 
     def _add_robot(self, path: str, name: str, arguments: Mapping[str, str]) -> None:
-        """A robot that was found."""
         every = {**self.config.arguments, **arguments, **self.arguments}
         self.jobs.append(Job(path, name, every, True))
 

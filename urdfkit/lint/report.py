@@ -25,17 +25,12 @@ class Skipped(Record):
 
 
 class Launched(Record):
-    """A robot that was checked with values for arguments that it lacks by itself.
+    """A robot that was checked with values for arguments that it lacks by itself."""
 
-    Attributes:
-        path: of the robot.
-        launch: of the launch file that gives them, or of the xacro file or directory they are from.
-        arguments: those that the robot lacks by itself.
-    """
-
-    path: str
+    path: str  # of the robot
+    #: Of the launch file that gives them, or of the xacro file or directory they are from.
     launch: str
-    arguments: dict[str, str]
+    arguments: dict[str, str]  # those that the robot lacks by itself
 
 
 class Crashed(Record):
@@ -64,31 +59,20 @@ def crash(code: str, path: str, error: Exception) -> Crashed:
 
 
 class Fixable(Record):
-    """What ``urdfkit fix`` would do about the findings of a report.
+    """What ``urdfkit fix`` would do about the findings of a report."""
 
-    Attributes:
-        safe: how many it fixes.
-        unsafe: how many more it may fix with ``--unsafe-fixes``.
-        infos: the codes of infos that it fixes where they are selected.
-        left: why others are left though they carry a fix, each with their number.
-    """
-
-    safe: int
-    unsafe: int
-    infos: tuple[str, ...]
+    safe: int  # how many it fixes
+    unsafe: int  # how many more it may fix with ``--unsafe-fixes``
+    infos: tuple[str, ...]  # the codes of infos that it fixes where they are selected
+    #: Why others are left though they carry a fix, each with their number.
     left: tuple[tuple[str, int], ...]
 
 
 class Superseded(Record):
-    """Findings that follow from others, which are reported in their place.
+    """Findings that follow from others, which are reported in their place."""
 
-    Attributes:
-        causes: the others, without what merging adds to them.
-        findings: what is not reported.
-    """
-
-    causes: tuple[Diagnostic, ...]
-    findings: tuple[Diagnostic, ...]
+    causes: tuple[Diagnostic, ...]  # the others, without what merging adds to them
+    findings: tuple[Diagnostic, ...]  # what is not reported
 
 
 class Report(Record):
@@ -147,16 +131,9 @@ class Report(Record):
 
 
 class UncheckedValues(Record):
-    """Values of an argument with which a robot is not checked, though files give them.
+    """Values of an argument with which a robot is not checked, though files give them."""
 
-    Attributes:
-        name: of the argument.
-        values: of it.
-        total: how many values it has.
-        why: they are left out.
-    """
-
-    name: str
-    values: tuple[str, ...]
-    total: int
-    why: str
+    name: str  # of the argument
+    values: tuple[str, ...]  # of it
+    total: int  # how many values it has
+    why: str  # they are left out

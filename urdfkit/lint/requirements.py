@@ -1,14 +1,16 @@
 """Libraries without which a rule is skipped."""
 
-from __future__ import annotations
-
 from importlib import import_module
 
 from urdfkit.core import libraries
 from urdfkit.lint.description_file import Unavailable
 
-WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
-_WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+
+def without_pinocchio(why: object) -> str:
+    """The reason where Pinocchio cannot be imported."""
+    from urdfkit.core.installation import install_command
+
+    return f"Pinocchio is not installed ({why}): {install_command('dynamics')}"
 
 
 def need_coal() -> None:
@@ -20,7 +22,9 @@ def need_coal() -> None:
     try:
         import_module("coal")
     except ImportError as error:
-        raise Unavailable(_WITHOUT_COAL) from error
+        from urdfkit.core.installation import install_command
+
+        raise Unavailable(f"coal is not installed: {install_command('dynamics')}") from error
 
 
 def need_pinocchio() -> None:
@@ -30,4 +34,4 @@ def need_pinocchio() -> None:
         Unavailable: it is not installed.
     """
     if libraries.find("pinocchio") is None:
-        raise Unavailable(WITHOUT_PINOCCHIO.format("no module 'pinocchio'"))
+        raise Unavailable(without_pinocchio("no module 'pinocchio'"))

@@ -72,7 +72,6 @@ def _known() -> dict[str, str]:
 
 
 def codes() -> list[str]:
-    """The codes of urdfkit's own rules, sorted."""
     return [code for code in _known() if code not in _external]
 
 
@@ -235,18 +234,13 @@ def ignore_note(word: str) -> str:
 
 
 class Ignored(Record):
-    """The rules that some words leave out.
+    """The rules that some words leave out."""
 
-    Attributes:
-        codes: of the rules whose findings are all left out.
-        but_errors: of those that former codes and names stand for. They were merged with other
-            rules, which nobody wanted to ignore: their errors stay.
-        unknown: why the other words mean no rule.
-    """
-
-    codes: frozenset[str]
+    codes: frozenset[str]  # of the rules whose findings are all left out
+    #: Of those that former codes and names stand for. They were merged with other rules, which
+    #: nobody wanted to ignore: their errors stay.
     but_errors: frozenset[str]
-    unknown: tuple[UnknownRule, ...]
+    unknown: tuple[UnknownRule, ...]  # why the other words mean no rule
 
 
 def ignored(words: Iterable[str]) -> Ignored:

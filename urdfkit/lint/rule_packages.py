@@ -6,8 +6,6 @@ entry points costs as much as checking a robot, and a report should not depend o
 happens to be installed.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Iterable
@@ -35,7 +33,6 @@ def add(names: Iterable[str], *, modules: bool, directory: str = "") -> list[str
     Args:
         names: of entry points; or of modules, each a rule or a package that holds rules.
         modules: whether modules may be named. To import one runs its code.
-        directory: searched for modules after the directories of Python.
 
     Returns:
         The codes of the rules.

@@ -55,33 +55,23 @@ class Location(Record):
 
 
 class Finding(Record):
-    """What a rule says. The engine adds code, severity and the way through the macros.
+    """What a rule says. The engine adds code, severity and the way through the macros."""
 
-    Attributes:
-        at: the element, attribute, value or place that a person must edit.
-        message: who (``link 'arm'``), the measured value with its unit, the bound.
-        help: what to do; the rule's own help if empty.
-        fix: as text edits.
-        related: other places that explain it.
-        confidence: how sure it is.
-        weight: the larger, the worse; orders the calls of one macro.
-        group_key: the same for findings of one cause that robots have in numbers: more than a
-            few of them are shown as one.
-        severity: where it is not that of the rule, whatever the targets.
-        targets: those for which it has this severity; empty if it does not depend on them.
-        data: where the numbers stand that expressions took out of data files; the judge finds it.
-    """
-
+    #: The element, attribute, value or place that a person must edit.
     at: Element | Attribute | Placed[object] | Location
-    message: str
-    help: str = ""
-    fix: Fix | None = None
-    related: tuple[Related, ...] = ()
-    confidence: Confidence = Confidence.MEASURED
-    weight: float = 0.0
+    message: str  # who (``link 'arm'``), the measured value with its unit, the bound
+    help: str = ""  # what to do; the rule's own help if empty
+    fix: Fix | None = None  # as text edits
+    related: tuple[Related, ...] = ()  # other places that explain it
+    confidence: Confidence = Confidence.MEASURED  # how sure it is
+    weight: float = 0.0  # the larger, the worse; orders the calls of one macro
+    #: The same for findings of one cause that robots have in numbers: more than a few of them are
+    #: shown as one.
     group_key: str = ""
-    severity: Severity | None = None
+    severity: Severity | None = None  # where it is not that of the rule, whatever the targets
+    #: Those for which it has this severity; empty if it does not depend on them.
     targets: tuple[str, ...] = ()
+    #: Where the numbers stand that expressions took out of data files; the judge finds it.
     data: tuple[Related, ...] = ()
 
     @property

@@ -38,25 +38,18 @@ MAX_DATA = 10
 
 
 class FileResult(Record):
-    """What the rules say about one description.
+    """What the rules say about one description."""
 
-    Attributes:
-        diagnostics: in the order of the rules.
-        skipped, crashed: rules that did not run, or failed.
-        ran: codes of the rules that ran.
-        targets: the programs that severities depend on; None if none does.
-        suppressed: how many findings the model's comments or the configuration suppress.
-        unknown_arguments: those given that the description never mentions, with the one meant.
-        superseded: findings that follow from others, which are reported in their place.
-    """
-
-    diagnostics: tuple[Diagnostic, ...]
+    diagnostics: tuple[Diagnostic, ...]  # in the order of the rules
+    #: skipped and crashed: rules that did not run, or failed.
     skipped: tuple[Skipped, ...]
     crashed: tuple[Crashed, ...]
-    ran: frozenset[str]
-    targets: Targets | None
-    suppressed: int
+    ran: frozenset[str]  # codes of the rules that ran
+    targets: Targets | None  # the programs that severities depend on; None if none does
+    suppressed: int  # how many findings the model's comments or the configuration suppress
+    #: Those given that the description never mentions, with the one meant.
     unknown_arguments: Mapping[str, str] = {}
+    #: Findings that follow from others, which are reported in their place.
     superseded: Superseded = Superseded((), ())
 
 
@@ -68,8 +61,6 @@ def run_rules(
     """Run rules over a description.
 
     Args:
-        context: the description.
-        chosen: codes of the rules.
         options: whose configuration changes severities and options of rules, and leaves findings
             out; resolved.
     """

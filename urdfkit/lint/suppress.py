@@ -12,17 +12,11 @@ from urdfkit.text.source import Span
 
 
 class SuppressionResult(Record):
-    """Findings after suppression.
+    """Findings after suppression."""
 
-    Attributes:
-        kept: what remains, with the calls that remain.
-        suppressed: how many findings were suppressed wholly.
-        hits: the comments that suppressed something.
-    """
-
-    kept: tuple[Diagnostic, ...]
-    suppressed: int
-    hits: frozenset[Span]
+    kept: tuple[Diagnostic, ...]  # what remains, with the calls that remain
+    suppressed: int  # how many findings were suppressed wholly
+    hits: frozenset[Span]  # the comments that suppressed something
 
 
 def apply_suppressions(

@@ -20,8 +20,6 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
     """Why a description that cannot be read is not checked, and what to do about it.
 
     Args:
-        reading: of the description.
-        source: its file.
         resolver: finds packages, and reads files.
     """
     names = tuple(dict.fromkeys(one.argument for one in reading.lacking))

@@ -48,21 +48,13 @@ _FILES = {
 
 
 class CompletionItem(Record):
-    """Something that may be written.
+    """Something that may be written."""
 
-    Attributes:
-        text: to insert, and the label.
-        kind: ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``directory`` or ``end``.
-        detail: a few words about it.
-        start: offset of the word that it takes the place of; it ends at the cursor.
-        needed: True for what must be there, which is offered first.
-    """
-
-    text: str
-    kind: str
-    detail: str
-    start: int
-    needed: bool = False
+    text: str  # to insert, and the label
+    kind: str  # ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``directory`` or ``end``
+    detail: str  # a few words about it
+    start: int  # offset of the word that it takes the place of; it ends at the cursor
+    needed: bool = False  # True for what must be there, which is offered first
 
 
 def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:
@@ -187,7 +179,6 @@ def _attributes_of(robot: OpenRobot, node: TagNode) -> Iterator[tuple[str, str, 
 
 
 def _values(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
-    """The values that an attribute may have."""
     node, written = here.node, here.attribute
     assert node is not None
     assert written is not None
@@ -251,7 +242,6 @@ def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterato
 def _of_command(
     robot: OpenRobot, match: re.Match[bytes], packages: Iterable[str], word: int
 ) -> Iterator[CompletionItem]:
-    """The words of a ``$(...)``."""
     if match[2] is None:
         yield from (CompletionItem(name, "word", "substitution", word) for name in _COMMANDS)
     elif match[1] == b"arg":

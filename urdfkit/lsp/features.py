@@ -1,12 +1,11 @@
 """What the server can do: a handler for every request and notification."""
 
-from __future__ import annotations
-
 import re
 
 from lsprotocol import types as lsp
 
 from urdfkit.lsp import actions, completion, hover, navigation, outline
+from urdfkit.lsp.inlay_hints import inlay_hints
 from urdfkit.lsp.server import Server
 from urdfkit.lsp.text import PositionEncoding, to_uri
 from urdfkit.lsp.workspace import slow_rules
@@ -21,6 +20,7 @@ _SYMBOLS = {
     "macro": lsp.SymbolKind.Function,
     "property": lsp.SymbolKind.Variable,
     "argument": lsp.SymbolKind.Constant,
+    "arg": lsp.SymbolKind.Constant,
     "material": lsp.SymbolKind.EnumMember,
     "gazebo": lsp.SymbolKind.Module,
     "transmission": lsp.SymbolKind.Interface,
@@ -38,15 +38,18 @@ _ITEMS = {
 
 
 def make() -> Server:
-    """A server with all its features."""
     server = Server()
     _add_documents(server)
+    _add_pull(server)
     triggers = lsp.CompletionOptions(trigger_characters=["<", '"', "'", "/", "{", "(", " ", ":"])
     kinds = [lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]
     server.answer(lsp.TEXT_DOCUMENT_HOVER, _hover, None)
     server.answer(lsp.TEXT_DOCUMENT_DEFINITION, _definitions, [])
     server.answer(lsp.TEXT_DOCUMENT_REFERENCES, _references, [])
     server.answer(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL, _symbols, [])
+    server.answer(lsp.TEXT_DOCUMENT_DOCUMENT_LINK, _links, [])
+    server.answer(lsp.TEXT_DOCUMENT_INLAY_HINT, _inlay_hints, [])
+    server.answer(lsp.WORKSPACE_SYMBOL, _workspace_symbols, [])
     server.answer(lsp.TEXT_DOCUMENT_COMPLETION, _completions, [], triggers)
     server.answer(lsp.TEXT_DOCUMENT_PREPARE_RENAME, _rename_placeholder, None)
     server.answer(lsp.TEXT_DOCUMENT_RENAME, _rename, None, lsp.RenameOptions(prepare_provider=True))
@@ -66,6 +69,7 @@ def _add_documents(server: Server) -> None:
     def _(params: lsp.DidOpenTextDocumentParams) -> None:
         server.take(params.text_document.uri)
         server.check_soon(params.text_document.uri, thorough=True)
+        server.leave_to_pull(params.text_document.uri)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
     def _(params: lsp.DidChangeTextDocumentParams) -> None:
@@ -95,6 +99,15 @@ def _add_documents(server: Server) -> None:
             server.check_soon(uri)
 
 
+def _add_pull(server: Server) -> None:
+    options = lsp.DiagnosticOptions(inter_file_dependencies=True, workspace_diagnostics=False)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DIAGNOSTIC, options)
+    async def _(params: lsp.DocumentDiagnosticParams) -> lsp.DocumentDiagnosticReport:
+        found = await server.checked(params.text_document.uri)
+        return lsp.RelatedFullDocumentDiagnosticReport([server.diagnostic(one) for one in found])
+
+
 def _hover(server: Server, params: lsp.HoverParams) -> lsp.Hover | None:
     robot, page, offset = server.at(params.text_document.uri, params.position)
     found = server.robots.diagnostics(server.path(params.text_document.uri))
@@ -116,6 +129,38 @@ def _references(server: Server, params: lsp.ReferenceParams) -> list[lsp.Locatio
 def _symbols(server: Server, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
     robot, page = server.page(params.text_document.uri)
     return [_symbol(server.places, entry) for entry in outline.outline(robot, page)]
+
+
+def _links(server: Server, params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink]:
+    robot, page = server.page(params.text_document.uri)
+    return [
+        lsp.DocumentLink(server.places.range(span), to_uri(path))
+        for span, path in navigation.links(robot, page)
+    ]
+
+
+def _inlay_hints(server: Server, params: lsp.InlayHintParams) -> list[lsp.InlayHint]:
+    robot, page, start = server.at(params.text_document.uri, params.range.start)
+    end = server.places.offset(page.source, params.range.end)
+    return [
+        lsp.InlayHint(
+            server.places.position(page.source, hint.offset), hint.text, padding_left=True
+        )
+        for hint in inlay_hints(robot, page, start, end)
+    ]
+
+
+def _workspace_symbols(
+    server: Server, params: lsp.WorkspaceSymbolParams
+) -> list[lsp.WorkspaceSymbol]:
+    """Of the robots of all open files."""
+    found = outline.symbols(server.robots.open_robots(), params.query)
+    return [
+        lsp.WorkspaceSymbol(
+            server.places.location(span, server.uris), printable(name), _SYMBOLS[kind]
+        )
+        for kind, name, span in found
+    ]
 
 
 def _completions(server: Server, params: lsp.CompletionParams) -> list[lsp.CompletionItem]:

@@ -20,17 +20,11 @@ _TAGS = (TokenKind.START, TokenKind.EMPTY, TokenKind.UNFINISHED)
 
 
 class WrittenAttribute(Record):
-    """An attribute in a text.
+    """An attribute in a text."""
 
-    Attributes:
-        name: with its prefix.
-        name_span: the name.
-        value_span: the value without quotes; None if there is none yet.
-    """
-
-    name: str
-    name_span: Span
-    value_span: Span | None
+    name: str  # with its prefix
+    name_span: Span  # the name
+    value_span: Span | None  # the value without quotes; None if there is none yet
 
     @property
     def value(self) -> str:
@@ -84,7 +78,6 @@ class TagNode:
 
     @property
     def span(self) -> Span:
-        """The whole element."""
         return Span(self.source, self.start, self.end)
 
     @property
@@ -118,16 +111,11 @@ class TagNode:
 
 
 class Page:
-    """The elements of one text.
-
-    Attributes:
-        source: the text.
-        nodes: all elements, in the order of their start tags.
-    """
+    """The elements of one text."""
 
     def __init__(self, source: Source) -> None:
-        self.source = source
-        self.nodes: list[TagNode] = []
+        self.source = source  # the text
+        self.nodes: list[TagNode] = []  # all elements, in the order of their start tags
         self._other: list[tuple[int, int]] = []  # comments and the like
         self._ends: list[int] = []  # of the names of end tags
         self._read()
@@ -147,7 +135,6 @@ class Page:
             node.end = len(self.source.data)
 
     def _open(self, open_: list[TagNode], token: Token) -> None:
-        """A start tag."""
         node = TagNode(token, self.source, open_[-1] if open_ else None)
         self.nodes.append(node)
         if node.parent:
@@ -190,24 +177,17 @@ class Page:
 
 
 class Cursor(Record):
-    """Where the cursor is.
+    """Where the cursor is."""
 
-    Attributes:
-        offset: in bytes.
-        node: the element in which it is; None outside of all.
-        place: ``tag`` (in a name after ``<``), ``end`` (in one after ``</``), ``attribute`` (where
-            a name of one stands or could stand), ``value``, ``text``, ``comment``, ``nowhere``.
-        attribute: whose name or value it is in, or None.
-    """
-
-    offset: int
-    node: TagNode | None
+    offset: int  # in bytes
+    node: TagNode | None  # the element in which it is; None outside of all
+    #: ``tag`` (in a name after ``<``), ``end`` (in one after ``</``), ``attribute`` (where a name
+    #: of one stands or could stand), ``value``, ``text``, ``comment``, ``nowhere``.
     place: str
-    attribute: WrittenAttribute | None = None
+    attribute: WrittenAttribute | None = None  # whose name or value it is in, or None
 
 
 def cursor(page: Page, offset: int) -> Cursor:
-    """What is at a place."""
     if page.is_comment(offset):
         return Cursor(offset, None, "comment")
     node = page.node_at(offset)

@@ -39,24 +39,15 @@ _SAME_KINDS = {
 
 
 class NameUse(Record):
-    """One place of a name.
+    """One place of a name."""
 
-    Attributes:
-        kind: one of ``KINDS``.
-        text: as written.
-        span: the name.
-        is_definition: True where it is given.
-        node: the element that it is in.
-        attribute: the name of the attribute whose whole value it is; empty elsewhere.
-        macro: of a parameter, the path of its macro's file and the start of its macro's tag.
-    """
-
-    kind: str
-    text: str
-    span: Span
-    is_definition: bool
-    node: TagNode
-    attribute: str = ""
+    kind: str  # one of ``KINDS``
+    text: str  # as written
+    span: Span  # the name
+    is_definition: bool  # True where it is given
+    node: TagNode  # the element that it is in
+    attribute: str = ""  # the name of the attribute whose whole value it is; empty elsewhere
+    #: Of a parameter, the path of its macro's file and the start of its macro's tag.
     macro: tuple[str, int] | None = None
 
     @property
@@ -88,7 +79,6 @@ class NameIndex:
 
     @cached_property
     def all(self) -> tuple[NameUse, ...]:
-        """Every place of a name."""
         return tuple(
             name
             for page in self.pages.values()
@@ -97,14 +87,14 @@ class NameIndex:
         )
 
     @cached_property
-    def _values(self) -> dict[tuple[str, int, str], set[str]]:
+    def _values(self) -> dict[tuple[str, int, str], dict[str, None]]:
         """The values of attributes after expansion, by file, place of the tag and name."""
-        found: dict[tuple[str, int, str], set[str]] = {}
+        found: dict[tuple[str, int, str], dict[str, None]] = {}
         for element in self._document.root.walk() if self._document else ():
             at = element.tag_at
             for attribute in element.attributes.values():
                 key = (at.source.path, at.start, attribute.name)
-                found.setdefault(key, set()).add(attribute.value)
+                found.setdefault(key, {})[attribute.value] = None
         return found
 
     def at(self, source: Source, offset: int) -> NameUse | None:
@@ -143,8 +133,11 @@ class NameIndex:
         """The values of a name: one as written, or those that an expression has."""
         if not name.is_computed:
             return {unescape(name.text)}
-        key = (name.span.source.path, name.node.start, name.attribute)
-        return self._values.get(key) or {name.text}
+        return set(self.expanded(name.node, name.attribute)) or {name.text}
+
+    def expanded(self, node: TagNode, attribute: str) -> list[str]:
+        """The values that an attribute has after expansion, each once, in the order of calls."""
+        return list(self._values.get((node.source.path, node.start, attribute), ()))
 
     def given(self, *kinds: str) -> list[str]:
         """The names of some kinds that are given, after expansion; sorted."""
@@ -281,7 +274,6 @@ class NameIndex:
 
 
 def parameters(macro: TagNode) -> list[str]:
-    """The names of a macro's parameters."""
     found = _PARAMETER.findall(macro.get("params").encode())
     return [word.decode("utf-8", "replace").lstrip("*") for word in found]
 

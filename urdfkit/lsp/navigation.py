@@ -1,15 +1,15 @@
 """From a name to where it is given, to where it is used, and to another name."""
 
-from __future__ import annotations
-
 import os
 import re
+from collections.abc import Iterator
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.lsp.markup import Page, cursor
+from urdfkit.lsp.markup import Page, TagNode, WrittenAttribute, cursor
 from urdfkit.lsp.names import NameUse
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.references import package_references, reference_at
+from urdfkit.ros.launch.contents import FileUse
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -78,15 +78,31 @@ def _file(robot: OpenRobot, page: Page, offset: int) -> Source | None:
     return Source(found, b"") if found else None  # opened by the editor; only the path counts
 
 
-def _launched(robot: OpenRobot, page: Page, offset: int) -> str | None:
-    """Of the files that a launch file names around a place, the one named most closely."""
-    around = [
+def links(robot: OpenRobot, page: Page) -> Iterator[tuple[Span, str]]:
+    """The places that name a file which exists, each with its path."""
+    if is_launch(page.source.path):
+        yield from ((file.span, file.path) for file in _launch_files(robot, page))
+        return
+    for node in page.nodes:
+        for written in node.attributes:
+            path = _named(robot, node, written) if written.value_span else None
+            if path and written.value_span:
+                yield written.value_span, path
+
+
+def _launch_files(robot: OpenRobot, page: Page) -> list[FileUse]:
+    """The files that exist and that a launch file names itself."""
+    return [
         file
         for file in robot.context.launch.files
-        if file.exists
-        and file.span.source.path == page.source.path
-        and file.span.start <= offset <= file.span.end
+        if file.exists and file.span.source.path == page.source.path
     ]
+
+
+def _launched(robot: OpenRobot, page: Page, offset: int) -> str | None:
+    """Of the files that a launch file names around a place, the one named most closely."""
+    files = _launch_files(robot, page)
+    around = [file for file in files if file.span.start <= offset <= file.span.end]
     nearest = min(around, key=lambda file: file.span.end - file.span.start, default=None)
     return nearest.path if nearest else None
 
@@ -94,14 +110,16 @@ def _launched(robot: OpenRobot, page: Page, offset: int) -> str | None:
 def _described(robot: OpenRobot, page: Page, offset: int) -> str | None:
     """The file that a tag of a description names."""
     here = cursor(page, offset)
-    node, written = here.node, here.attribute
-    if here.place != "value" or node is None or written is None or written.name != "filename":
+    if here.place != "value" or here.node is None or here.attribute is None:
         return None
-    if node.name not in ("mesh", "texture", "xacro:include"):
+    return _named(robot, here.node, here.attribute)
+
+
+def _named(robot: OpenRobot, node: TagNode, written: WrittenAttribute) -> str | None:
+    """The file that an attribute names; of several calls of a macro, that of the last."""
+    if written.name != "filename" or node.name not in ("mesh", "texture", "xacro:include"):
         return None
-    value = written.value
-    for found in robot.expanded(node.source, node.start, "filename"):
-        value = found.value
+    value = (robot.names.expanded(node, "filename") or [written.value])[-1]
     if node.name == "xacro:include":
         value = re.sub(FIND, r"package://\1", value).replace("$(dirname)/", "")
     return robot.resolver.locate(value, node.source.path, robot.path).path

@@ -1,8 +1,7 @@
 """The outline of a file: the kinematic tree of what it makes, and what else it defines."""
 
-from __future__ import annotations
-
 import os
+from collections.abc import Iterable
 
 from urdfkit.lsp.markup import Page, TagNode
 from urdfkit.lsp.open_robot import OpenRobot
@@ -12,6 +11,9 @@ from urdfkit.text.source import Span
 
 #: Depth of the outline; deeper joints are listed at this depth.
 MAX_DEPTH = 60
+#: Names that answer one query.
+MAX_SYMBOLS = 500
+_SYMBOLS = ("link", "joint", "material", "macro", "property", "arg")
 
 _DEFINITIONS = {
     "xacro:macro": "macro",
@@ -27,33 +29,41 @@ _DEFINITIONS = {
 
 
 class OutlineEntry:
-    """An entry of the outline.
-
-    Attributes:
-        name: shown.
-        detail: shown after the name.
-        kind: ``robot``, ``link``, ``joint``, ``macro``, ``property`` and so on.
-        span: the element, or the macro call in this file that makes it.
-        children: below it.
-    """
+    """An entry of the outline."""
 
     __slots__ = ("children", "detail", "kind", "name", "span")
 
     def __init__(self, name: str, detail: str, kind: str, span: Span) -> None:
-        self.name = name or "?"
-        self.detail = detail
-        self.kind = kind
-        self.span = span
-        self.children: list[OutlineEntry] = []
+        self.name = name or "?"  # shown
+        self.detail = detail  # shown after the name
+        self.kind = kind  # ``robot``, ``link``, ``joint``, ``macro``, ``property`` and so on
+        self.span = span  # the element, or the macro call in this file that makes it
+        self.children: list[OutlineEntry] = []  # below it
 
 
 def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
-    """The entries of a file."""
     top = [_definition(node) for node in page.nodes if _is_definition(node)]
     if robot.document is None:
         plain = [node for node in page.nodes if node.name in ("link", "joint") and _is_top(node)]
         return top + [OutlineEntry(node.get("name"), "", node.name, node.span) for node in plain]
     return [*_tree(robot, page), *top]
+
+
+def symbols(robots: Iterable[OpenRobot], query: str) -> list[tuple[str, str, Span]]:
+    """Kind, name and place of what robots define, of names with the letters of a query in order."""
+    found: dict[tuple[str, str, Span], None] = {}
+    for robot in robots:
+        for one in robot.names.all:
+            if one.is_definition and one.kind in _SYMBOLS:
+                for name in sorted(robot.names.values(one)):
+                    if _matches(query.lower(), name.lower()):
+                        found[one.kind, name, one.span] = None
+    return sorted(found, key=lambda one: (len(one[1]), one[1]))[:MAX_SYMBOLS]
+
+
+def _matches(query: str, name: str) -> bool:
+    letters = iter(name)
+    return all(letter in letters for letter in query)
 
 
 def _is_definition(node: TagNode) -> bool:

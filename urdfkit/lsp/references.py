@@ -33,15 +33,10 @@ MAX_FILES, MAX_DEPTH = 300, 4
 
 
 class NameReference(Record):
-    """One place.
+    """One place."""
 
-    Attributes:
-        kind: ``link`` or ``joint``.
-        span: the name.
-    """
-
-    kind: str
-    span: Span
+    kind: str  # ``link`` or ``joint``
+    span: Span  # the name
 
 
 def package_references(
@@ -51,9 +46,7 @@ def package_references(
 
     Args:
         names: of the link or joint, after expansion.
-        robot: path of its file.
         own: real paths of the files it is made of.
-        resolver: reads files.
     """
     package = resolver.packages.enclosing(robot)
     if package is None:

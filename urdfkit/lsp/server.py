@@ -9,6 +9,7 @@ is saved. An error in answering is logged and answered by nothing: the server li
 from __future__ import annotations
 
 import asyncio
+import gc
 import logging
 import os
 import sys
@@ -27,7 +28,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.text import PositionEncoding, to_bytes, to_path, to_uri
-from urdfkit.lsp.workspace import Workspace
+from urdfkit.lsp.workspace import Workspace, slow_rules
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Span
 from urdfkit.text.terminal import printable
@@ -43,6 +44,9 @@ PARTS = (
 )
 #: Of the thread that expands robots: xacro recurses in the depth of macros.
 _STACK = 64 * 1024 * 1024
+#: New objects after which garbage is collected during a check: several large robots. It is
+#: collected after each check, when nobody waits for findings.
+_GARBAGE = 1_000_000
 
 _SEVERITIES = {
     Severity.ERROR: lsp.DiagnosticSeverity.Error,
@@ -59,10 +63,12 @@ class Server(LanguageServer):
         super().__init__("urdfkit", __version__)
         threading.stack_size(_STACK)
         self.worker = ThreadPoolExecutor(1, "robots")
+        self.worker.submit(_prepare)
         self.robots = Workspace()
         self.uris: dict[str, str] = {}
         self.places = PositionEncoding()
         self._waiting: dict[str, asyncio.Task[None]] = {}
+        self._first: dict[str, asyncio.Event] = {}  # set when the quick rules have run
         self._shown_failure = ""
 
     async def ask(self, question: Callable[[], Answer], otherwise: Answer) -> Answer:
@@ -85,7 +91,6 @@ class Server(LanguageServer):
         """Let the worker answer a kind of requests.
 
         Args:
-            request: the method of the protocol.
             question: computes the answer of the parameters of a request.
             otherwise: the answer where that fails.
             options: of the method, which the client is sent.
@@ -97,7 +102,6 @@ class Server(LanguageServer):
         self.feature(request, options)(handle)
 
     def path(self, uri: str) -> str:
-        """The real path of a URI."""
         path = to_path(uri)
         return os.path.realpath(path) if path != uri else uri
 
@@ -132,18 +136,54 @@ class Server(LanguageServer):
     def check_soon(self, uri: str, *, thorough: bool = False) -> None:
         """Check a text once it has been quiet."""
         self.forget(uri)
+        self._first[uri] = asyncio.Event()
         self._waiting[uri] = asyncio.ensure_future(self._check(uri, thorough=thorough))
 
     def forget(self, uri: str) -> None:
         """A text is closed: a check that it waits for is of no use any more."""
         if waiting := self._waiting.pop(uri, None):
             waiting.cancel()
+        if first := self._first.pop(uri, None):
+            first.set()
+
+    async def checked(self, uri: str) -> list[Diagnostic]:
+        """What the check of the text as it is now finds in it, as soon as there is one."""
+        while (first := self._first.get(uri)) and not first.is_set():
+            await first.wait()  # a newer check may have taken its place
+        path = self.path(uri)
+        nothing: list[Diagnostic] = []
+        return await self.ask(lambda: self.robots.diagnostics(path), nothing)
 
     async def _check(self, uri: str, *, thorough: bool) -> None:
+        first = self._first[uri]
         await asyncio.sleep(QUIET)
         await self._publish_findings(uri, thorough=False)
+        first.set()
         if thorough:  # what takes longer comes behind what does not
             await self._publish_findings(uri, thorough=True)
+        self._ask_to_pull()
+        if self._waiting.get(uri) is asyncio.current_task():
+            self.worker.submit(gc.collect)  # the robot that was checked, full of circles
+
+    # ---------------------------------------------- clients that pull findings
+
+    @property
+    def _is_pulled(self) -> bool:
+        """True of a client that asks for the findings of a file that it has open."""
+        asked = self.client_capabilities.text_document
+        return bool(asked and asked.diagnostic)
+
+    def leave_to_pull(self, uri: str) -> None:
+        """A file is opened: what was published of it is asked for from now on."""
+        if self._is_pulled:
+            self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, []))
+
+    def _ask_to_pull(self) -> None:
+        """Tell a client that pulls that there may be other findings."""
+        workspace = self.client_capabilities.workspace
+        asked = workspace.diagnostics if workspace else None
+        if self._is_pulled and asked and asked.refresh_support:
+            self.workspace_diagnostic_refresh(None)
 
     async def _publish_findings(self, uri: str, *, thorough: bool) -> None:
         path, task = self.path(uri), asyncio.current_task()
@@ -165,12 +205,13 @@ class Server(LanguageServer):
             self.publish(file, found)
 
     def publish(self, file: str, found: list[Diagnostic]) -> None:
-        """Publish the findings of a file."""
         uri = self.uris.get(file)
         if uri is None:
             if "://" in file or file.startswith("untitled:"):
                 return
             uri = to_uri(file)
+        if self._is_pulled and uri in self.workspace.text_documents:
+            return
         diagnostics = [self.diagnostic(one) for one in found]
         self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, diagnostics))
 
@@ -238,12 +279,20 @@ class Server(LanguageServer):
         return lsp.WorkspaceEdit(changes)
 
 
+def _prepare() -> None:
+    """Import the rules, and leave them out of the search for garbage."""
+    slow_rules()
+    gc.collect()
+    gc.freeze()
+
+
 def serve(server: Server) -> None:
     """Serve one client over standard input and output, until it goes.
 
     Whatever a library prints goes to standard error: one stray word would break the protocol.
     """
     logging.basicConfig(stream=sys.stderr, level=logging.WARNING)
+    gc.set_threshold(_GARBAGE)
     with os.fdopen(os.dup(1), "wb", buffering=0) as output:
         os.dup2(2, 1)
         sys.stdout = sys.stderr

@@ -40,15 +40,10 @@ _SLOW = frozenset((Need.MESHES, Need.DYNAMICS, Need.COLLISIONS))
 
 
 class CheckedFile(Record):
-    """What is wrong with the robots of a file.
+    """What is wrong with the robots of a file."""
 
-    Attributes:
-        diagnostics: by real path, of every file in which there are some.
-        failure: why something could not be checked; empty if all was.
-    """
-
-    diagnostics: dict[str, list[Diagnostic]]
-    failure: str = ""
+    diagnostics: dict[str, list[Diagnostic]]  # by real path, of every file in which there are some
+    failure: str = ""  # why something could not be checked; empty if all was
 
 
 class Workspace:
@@ -65,7 +60,6 @@ class Workspace:
         self._found: dict[str, dict[str, list[Diagnostic]]] = {}
 
     def set_text(self, path: str, text: bytes) -> None:
-        """A file is opened or changed."""
         if self.texts.get(path) != text:
             self.texts[path] = text
             self._forget_robots()
@@ -84,7 +78,6 @@ class Workspace:
         return {file: list(self._of_file(file)) for file in files}
 
     def reload(self) -> None:
-        """Files on disk have changed."""
         self._entries.clear()
         self._launched.clear()
         self._configs.clear()
@@ -162,6 +155,17 @@ class Workspace:
             before = self._before.pop(entry.file, None)
             self._robots[entry.file] = OpenRobot(entry, self._resolver(config), config, before)
         return self._robots[entry.file]
+
+    def open_robots(self) -> Iterator[OpenRobot]:
+        """The first robot of each open file, each once."""
+        found: dict[str, OpenRobot] = {}
+        for path in self.texts:
+            try:
+                robot = self.robot(path)
+            except UrdfkitError:  # the file of none, or one that cannot be read
+                continue
+            found[robot.path] = robot
+        yield from found.values()
 
     def _resolver(self, config: Config) -> Resolver:
         """Directories are listed once, until files on disk change: there may be thousands."""

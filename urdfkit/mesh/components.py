@@ -1,7 +1,5 @@
 """The pieces of a mesh: what each encloses, which are flat, and which look inwards."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -14,20 +12,14 @@ ROUNDING = 1e-7
 
 
 class Pieces(NamedTuple):
-    """The pieces of a mesh that edges hold together.
+    """The pieces of a mesh that edges hold together."""
 
-    Attributes:
-        of_face: (m,), the number of the piece that each triangle belongs to.
-        volumes: (p,), signed; without meaning for one that is open.
-        low, high: (p, 3), the corners of the bounding box of each.
-        is_closed: (p,), True where every edge has as many triangles one way as the other.
-    """
-
-    of_face: Integers
-    volumes: Floats
+    of_face: Integers  # (m,), the number of the piece that each triangle belongs to
+    volumes: Floats  # (p,), signed; without meaning for one that is open
+    #: low and high: (p, 3), the corners of the bounding box of each.
     low: Floats
     high: Floats
-    is_closed: Flags
+    is_closed: Flags  # (p,), True where every edge has as many triangles one way as the other
 
     @property
     def is_hollow(self) -> Flags:
@@ -62,7 +54,6 @@ def take_apart(places: Floats, edges: Edges) -> Pieces:
 def _extents(
     places: Floats, faces: Integers, of_face: Integers, number: int
 ) -> tuple[Floats, Floats]:
-    """The bounding box of each piece."""
     low, high = np.full((number, 3), np.inf), np.full((number, 3), -np.inf)
     for corner in range(3):
         np.minimum.at(low, of_face, places[faces[:, corner]])
@@ -98,7 +89,6 @@ def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0
     Args:
         places: (n, 3).
         faces: (m, 3).
-        pieces: of them.
         least: the volume up to which a piece does not matter.
     """
     found = np.zeros(len(pieces.volumes), dtype=bool)

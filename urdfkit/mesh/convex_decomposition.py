@@ -1,9 +1,8 @@
 """Meshes cut into convex pieces."""
 
-from __future__ import annotations
-
 import numpy as np
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.containment import grown
 from urdfkit.mesh.convex_hull import (
@@ -36,7 +35,6 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     Of a convex mesh, its hull.
 
     Args:
-        mesh: best a solid.
         most: pieces at most.
         engine: as for `cut`.
 
@@ -59,7 +57,6 @@ def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     pieces are grown.
 
     Args:
-        mesh: best a solid.
         most: pieces at most.
         engine: ``vhacd`` (K. Mamou's V-HACD 4), quick; or ``coacd`` (X. Wei et al., "Approximate
             Convex Decomposition for 3D Meshes with Collision-Aware Concavity", 2022), which keeps
@@ -110,7 +107,7 @@ def _vhacd(points: Floats, faces: Integers, most: int) -> list[Floats]:
     try:
         from vhacdx import compute_vhacd
     except ImportError as error:
-        raise NoEngine(f"vhacd needs {error.name}: pip install 'urdfkit[meshes]'") from error
+        raise NoEngine(f"vhacd needs {error.name}: {install_command('meshes')}") from error
     # It takes faces as VTK has them, each behind the number of its corners.
     counted = np.column_stack([np.full(len(faces), 3), faces]).astype(np.uint32)
     found = compute_vhacd(
@@ -128,7 +125,7 @@ def _coacd(points: Floats, faces: Integers, most: int) -> list[Floats]:
     try:
         import coacd
     except ImportError as error:
-        raise NoEngine(f"coacd needs {error.name}: pip install 'urdfkit[decompose]'") from error
+        raise NoEngine(f"coacd needs {error.name}: {install_command('decompose')}") from error
     coacd.set_log_level("error")
     found = coacd.run_coacd(
         coacd.Mesh(points, faces),

@@ -1,7 +1,5 @@
 """A mesh ever coarser: within tolerances that grow, or with fewer triangles."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -34,9 +32,7 @@ def within_tolerances(mesh: Mesh, first: float, last: float) -> Iterator[Mesh]:
     solid, near vertices become one.
 
     Args:
-        mesh: of some size.
         first: tolerance, in the unit of the mesh.
-        last: end of the range.
     """
     soup = soup_of(mesh)
     parts = _by_part(soup)
@@ -46,11 +42,7 @@ def within_tolerances(mesh: Mesh, first: float, last: float) -> Iterator[Mesh]:
 
 
 def in_cells(mesh: Mesh) -> Iterator[Mesh]:
-    """A mesh whose near vertices become one, in ever larger cells: ugly, and few in the end.
-
-    Args:
-        mesh: of some size.
-    """
+    """A mesh whose near vertices become one, in ever larger cells: ugly, and few in the end."""
     soup = soup_of(mesh)
     makers = list(map(_coarser_cells, _by_part(soup)))
     return _coarser(mesh, makers, _FIRST_CELL * soup.size, _LAST_CELL * soup.size)
@@ -60,10 +52,6 @@ def with_fewer(mesh: Mesh, triangles: int) -> Mesh:
     """A mesh of about so many triangles, each part by quadric error metrics for itself.
 
     Without any promise: where many triangles are slivers, far more are left.
-
-    Args:
-        mesh: of some size.
-        triangles: in all.
     """
     from fast_simplification import simplify
 

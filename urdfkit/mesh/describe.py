@@ -14,31 +14,20 @@ from urdfkit.mesh.transforms import in_metres
 
 
 class MeshDescription(Record):
-    """A mesh file.
+    """A mesh file."""
 
-    Attributes:
-        path: of the file.
-        format: by content.
-        bytes: its size.
-        defect: what is wrong with the file; empty if it is whole.
-        mesh: as the file has it.
-        low, high: corners of the bounding box in m, its unit applied.
-        health: of its triangles, in m.
-        area: of the surface in m^2.
-    """
-
-    path: str
-    format: str
-    bytes: int
-    defect: str
-    mesh: Mesh
+    path: str  # of the file
+    format: str  # by content
+    bytes: int  # its size
+    defect: str  # what is wrong with the file; empty if it is whole
+    mesh: Mesh  # as the file has it
+    #: low and high: corners of the bounding box in m, its unit applied.
     low: Vector
     high: Vector
-    health: Health
-    area: float
+    health: Health  # of its triangles, in m
+    area: float  # of the surface in m^2
 
     def as_json(self) -> dict[str, Any]:
-        """The same for programs."""
         return {
             "path": self.path,
             "format": self.format,

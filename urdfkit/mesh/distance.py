@@ -1,7 +1,5 @@
 """How far two surfaces are apart."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np
@@ -31,8 +29,6 @@ def distance(
     Args:
         vertices: (n, 3).
         faces: (m, 3), indices of vertices.
-        other_vertices: of the other surface.
-        other_faces: of the other.
     """
     return max(
         one_way(vertices, faces, other_vertices, other_faces),

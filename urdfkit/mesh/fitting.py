@@ -34,49 +34,33 @@ _HARDLY_WORSE = 1.25
 
 
 class Fit(Record):
-    """A shape around a mesh.
+    """A shape around a mesh."""
 
-    Attributes:
-        kind: ``sphere``, ``box``, ``cylinder``, ``hull`` or ``pieces``.
-        size: of a box its edges; of a sphere its radius, 0, 0; of a cylinder radius, length, 0.
-        frame: of the shape, in that of the mesh.
-        mesh: its surface, in the frame of the mesh; of ``pieces`` each is a part.
-        error: how far it sticks out, in the unit of the mesh.
-        missing: how far the mesh sticks out of it, in its unit.
-    """
-
-    kind: str
+    kind: str  # ``sphere``, ``box``, ``cylinder``, ``hull`` or ``pieces``
+    #: Of a box its edges; of a sphere its radius, 0, 0; of a cylinder radius, length, 0.
     size: Vector
-    frame: Transform
-    mesh: Mesh
-    error: float
-    missing: float
+    frame: Transform  # of the shape, in that of the mesh
+    mesh: Mesh  # its surface, in the frame of the mesh; of ``pieces`` each is a part
+    error: float  # how far it sticks out, in the unit of the mesh
+    missing: float  # how far the mesh sticks out of it, in its unit
 
     def __str__(self) -> str:
         return f"{len(self.mesh.parts)} pieces" if self.kind == "pieces" else self.kind
 
 
 class Fits(Record):
-    """The shapes that were tried.
+    """The shapes that were tried."""
 
-    Attributes:
-        best: the simplest within the bound, else the simplest of those with a small error.
-        tried: all of them, the simpler ones first.
-        within: True if the best one is within the bound.
-        why: another reason to take the best one; empty for none.
-    """
-
-    best: Fit
-    tried: tuple[Fit, ...]
-    within: bool
-    why: str = ""
+    best: Fit  # the simplest within the bound, else the simplest of those with a small error
+    tried: tuple[Fit, ...]  # all of them, the simpler ones first
+    within: bool  # True if the best one is within the bound
+    why: str = ""  # another reason to take the best one; empty for none
 
 
 def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
     """The cylinder, for what turns about it and is round: hubs and grooves do not touch the ground.
 
     Args:
-        fits: of the mesh.
         mesh: that was fitted.
         axis: that it turns about; a unit vector.
         through: a point of that axis.

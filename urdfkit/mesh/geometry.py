@@ -18,62 +18,44 @@ class NoTriangles(Exception):
 
 
 class MeshMaterial(Record):
-    """The appearance of a surface.
+    """The appearance of a surface."""
 
-    Attributes:
-        name: as the file calls it; may be empty.
-        rgba: colour, each part from 0 to 1, as written (sRGB).
-        texture: path of an image that is there, or its bytes, where the file holds it; None without
-            one.
-    """
-
-    name: str = ""
+    name: str = ""  # as the file calls it; may be empty
+    #: Colour, each part from 0 to 1, as written (sRGB).
     rgba: tuple[float, float, float, float] = (0.8, 0.8, 0.8, 1.0)
+    #: Path of an image that is there, or its bytes, where the file holds it; None without one.
     texture: str | bytes | None = None
 
 
 class MeshPart(Record):
-    """Triangles of one material.
+    """Triangles of one material."""
 
-    Attributes:
-        vertices: (n, 3), in the frame of the file, node transforms applied.
-        faces: (m, 3), indices of vertices, counter-clockwise from outside.
-        material: None where the file names none.
-        normals: (n, 3), unit vectors; None where the file has none.
-        uv: (n, 2), texture coordinates with v upwards; None where the file has none.
-        colors: (n, 4), from 0 to 1, of the vertices; None where the file has none.
-    """
-
-    vertices: Floats
-    faces: Integers
-    material: MeshMaterial | None = None
-    normals: Floats | None = None
+    vertices: Floats  # (n, 3), in the frame of the file, node transforms applied
+    faces: Integers  # (m, 3), indices of vertices, counter-clockwise from outside
+    material: MeshMaterial | None = None  # None where the file names none
+    normals: Floats | None = None  # (n, 3), unit vectors; None where the file has none
+    #: (n, 2), texture coordinates with v upwards; None where the file has none.
     uv: Floats | None = None
+    #: (n, 4), from 0 to 1, of the vertices; None where the file has none.
     colors: Floats | None = None
 
 
 class Mesh(Record):
-    """What a mesh file holds.
+    """What a mesh file holds."""
 
-    Attributes:
-        parts: in the order of the file.
-        unit: metres per unit of length, as the file says (COLLADA); 1 where it says nothing.
-        up_axis: ``X_UP``, ``Y_UP`` or ``Z_UP``, as the file or its format (glTF) says; empty where
-            neither says anything.
-        losses: what is broken in the file and is therefore not in the parts, one sentence each.
-        extras: what the file holds besides triangles, such as ``2 cameras``.
-        textures: the names of images that its materials use, as written.
-        missing: the names of images and of files of materials that it uses and that are not there.
-        files: where the other files lie, or would, that it names: images, materials, numbers.
-    """
-
-    parts: tuple[MeshPart, ...]
+    parts: tuple[MeshPart, ...]  # in the order of the file
+    #: Metres per unit of length, as the file says (COLLADA); 1 where it says nothing.
     unit: float = 1.0
+    #: ``X_UP``, ``Y_UP`` or ``Z_UP``, as the file or its format (glTF) says; empty where neither
+    #: says anything.
     up_axis: str = ""
+    #: What is broken in the file and is therefore not in the parts, one sentence each.
     losses: tuple[str, ...] = ()
-    extras: tuple[str, ...] = ()
-    textures: tuple[str, ...] = ()
+    extras: tuple[str, ...] = ()  # what the file holds besides triangles, such as ``2 cameras``
+    textures: tuple[str, ...] = ()  # the names of images that its materials use, as written
+    #: The names of images and of files of materials that it uses and that are not there.
     missing: tuple[str, ...] = ()
+    #: Where the other files lie, or would, that it names: images, materials, numbers.
     files: tuple[str, ...] = ()
 
     @property

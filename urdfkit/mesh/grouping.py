@@ -1,7 +1,5 @@
 """Equal rows and connected components."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.mesh.geometry import Integers
@@ -36,7 +34,6 @@ def components(number: int, links: Integers) -> Integers:
     rounds. scipy does the same, and takes longer to import than this to run.
 
     Args:
-        number: of things.
         links: (k, 2), things that are connected.
     """
     label = np.arange(number)

@@ -15,37 +15,24 @@ from urdfkit.mesh.welding import finite, weld
 
 
 class Health(Record):
-    """The state of a mesh, its vertices welded where they are at the same place.
+    """The state of a mesh, its vertices welded where they are at the same place."""
 
-    Attributes:
-        faces: number of triangles.
-        non_finite: triangles with a corner that is nan or infinite.
-        collapsed: triangles with two corners in one place.
-        repeated: triangles that are there already, the same way round.
-        open_edges: edges with one triangle: the rims of holes.
-        non_manifold_edges: edges with more than two triangles that do not pair up; where bodies
-            touch, they do.
-        inconsistent_edges: edges whose two triangles face opposite ways.
-        bodies: connected pieces.
-        inverted: closed pieces whose inside is out, though no other piece is around them.
-        doubled: triangles of closed pieces that enclose nothing: a sheet with two sides has each
-            triangle both ways round.
-        volume: in the cube of the mesh's unit; a number without meaning unless it is a solid.
-        overlap: what lies in several closed pieces at once and counts as often in the volume, as a
-            part of the true one; only `examine_mesh` looks for it.
-    """
-
-    faces: int
-    non_finite: int
-    collapsed: int
-    repeated: int
-    open_edges: int
+    faces: int  # number of triangles
+    non_finite: int  # triangles with a corner that is nan or infinite
+    collapsed: int  # triangles with two corners in one place
+    repeated: int  # triangles that are there already, the same way round
+    open_edges: int  # edges with one triangle: the rims of holes
+    #: Edges with more than two triangles that do not pair up; where bodies touch, they do.
     non_manifold_edges: int
-    inconsistent_edges: int
-    bodies: int
-    inverted: int
+    inconsistent_edges: int  # edges whose two triangles face opposite ways
+    bodies: int  # connected pieces
+    inverted: int  # closed pieces whose inside is out, though no other piece is around them
+    #: Triangles of closed pieces that enclose nothing: a sheet with two sides has each triangle
+    #: both ways round.
     doubled: int
-    volume: float
+    volume: float  # in the cube of the mesh's unit; a number without meaning unless it is a solid
+    #: What lies in several closed pieces at once and counts as often in the volume, as a part of
+    #: the true one; only `examine_mesh` looks for it.
     overlap: float = 0.0
 
     @property

@@ -55,7 +55,6 @@ class Store:
         """The measures of a file, or why it has none, as a predicate whose subject is the file.
 
         Args:
-            path: of the file.
             form: its format, by content.
         """
         try:

@@ -15,61 +15,45 @@ OVERLAP = 0.05
 
 
 class Uniform(Record):
-    """A solid of density 1.
+    """A solid of density 1."""
 
-    Attributes:
-        volume: cubic; more than 0.
-        center: of mass.
-        tensor: ixx, ixy, ixz, iyy, iyz, izz about the centre of mass.
-    """
-
-    volume: float
-    center: Vector
+    volume: float  # cubic; more than 0
+    center: Vector  # of mass
+    #: ixx, ixy, ixz, iyy, iyz, izz about the centre of mass.
     tensor: tuple[float, float, float, float, float, float]
 
 
 class Measures(Record):
-    """The measures of a mesh; corners at the same place are one vertex.
+    """The measures of a mesh; corners at the same place are one vertex."""
 
-    Attributes:
-        triangles, vertices: how many there are.
-        low, high: the corners of the bounding box.
-        area: of all triangles.
-        solid: what the surface encloses; None unless it is closed and encloses something.
-        hull: of the convex hull; None where all vertices lie in a plane.
-        points: extreme vertices; the mesh reaches hardly farther in any direction than they.
-        inside_out: True if the surface is closed and its triangles look inwards.
-        open_edges: edges with an odd number of triangles.
-        flipped_edges: edges whose triangles do not look the same way.
-        degenerate: triangles without area.
-        bodies: connected components.
-        overlap: of a closed surface, the volume that lies in several of them at once and is counted
-            as often in ``solid``, as a part of the true volume.
-        inverted_bodies: closed pieces that look inwards, lie in no other one, and are no trifle.
-        unit, up_axis, losses, extras, textures: as in `urdfkit.mesh.geometry.Mesh`.
-        no_materials: the files of materials that it names and that are not there.
-    """
-
+    #: triangles and vertices: how many there are.
     triangles: int
     vertices: int
+    #: low and high: the corners of the bounding box.
     low: Vector
     high: Vector
-    area: float
+    area: float  # of all triangles
+    #: What the surface encloses; None unless it is closed and encloses something.
     solid: Uniform | None
-    hull: Uniform | None
+    hull: Uniform | None  # of the convex hull; None where all vertices lie in a plane
+    #: Extreme vertices; the mesh reaches hardly farther in any direction than they.
     points: tuple[Vector, ...]
-    inside_out: bool
-    open_edges: int
-    flipped_edges: int
-    degenerate: int
-    bodies: int
+    inside_out: bool  # True if the surface is closed and its triangles look inwards
+    open_edges: int  # edges with an odd number of triangles
+    flipped_edges: int  # edges whose triangles do not look the same way
+    degenerate: int  # triangles without area
+    bodies: int  # connected components
+    #: Of a closed surface, the volume that lies in several of them at once and is counted as often
+    #: in ``solid``, as a part of the true volume.
     overlap: float
-    inverted_bodies: int
+    inverted_bodies: int  # closed pieces that look inwards, lie in no other one, and are no trifle
+    #: unit, up_axis, losses, extras, textures: as in `urdfkit.mesh.geometry.Mesh`.
     unit: float = 1.0
     up_axis: str = ""
     losses: tuple[str, ...] = ()
     extras: tuple[str, ...] = ()
     textures: tuple[str, ...] = ()
+    #: The files of materials that it names and that are not there.
     no_materials: tuple[str, ...] = ()
 
     @property

@@ -24,7 +24,6 @@ def overlap(places: Floats, faces: Integers, pieces: Pieces) -> float:
     Args:
         places: (n, 3), welded.
         faces: (m, 3), of a closed surface.
-        pieces: of it.
 
     Returns:
         0 also where that would take long.
@@ -58,7 +57,6 @@ def nested(
     Args:
         places: (n, 3), welded.
         faces: (m, 3), of a surface.
-        pieces: of it.
         parts: (m,), numbers that the faces of the solids have as ``face_id``.
     """
     closed = np.flatnonzero(pieces.is_closed & (pieces.volumes != 0))

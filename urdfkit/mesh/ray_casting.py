@@ -1,7 +1,5 @@
 """Rays against triangles."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
@@ -31,7 +29,6 @@ def rays_that_meet(
         at: the frame of the vertices in that of the rays.
         directions: of the rays, of length 1.
         low: the nearest point that counts, in m.
-        high: the farthest one.
         both_sides: False if a triangle is seen from outside only.
 
     Source: T. Moeller and B. Trumbore, "Fast, minimum storage ray/triangle intersection" (1997).

@@ -32,26 +32,18 @@ class Unreachable(UrdfkitError):
 
 
 class Simplified(Record):
-    """What came of a simplification.
+    """What came of a simplification."""
 
-    Attributes:
-        mesh: with fewer triangles; without normals, texture coordinates and colours of vertices.
-        before, after: the state of the mesh.
-        lost: how far the old surface lies from the new one at most, in the unit of the mesh.
-        gained: how far the new surface lies from the old one at most.
-        diagonal: of the bounding box, to compare these with.
-    """
-
-    mesh: Mesh
+    mesh: Mesh  # with fewer triangles; without normals, texture coordinates and colours of vertices
+    #: before and after: the state of the mesh.
     before: Health
     after: Health
-    lost: float
-    gained: float
-    diagonal: float
+    lost: float  # how far the old surface lies from the new one at most, in the unit of the mesh
+    gained: float  # how far the new surface lies from the old one at most
+    diagonal: float  # of the bounding box, to compare these with
 
     @property
     def deviation(self) -> float:
-        """The greater of the two distances."""
         return max(self.lost, self.gained)
 
 
@@ -130,19 +122,15 @@ def to_error(mesh: Mesh, error: float, progress: Progress | None = None) -> Simp
 
 
 class _Deviations:
-    """Measures how far simpler meshes are from one.
-
-    Attributes:
-        diagonal: of its bounding box.
-        unchanged: the mesh itself, measured.
-    """
+    """Measures how far simpler meshes are from one."""
 
     def __init__(self, mesh: Mesh, progress: Progress | None) -> None:
         sound = soup_of(mesh)
-        self.diagonal = sound.size
+        self.diagonal = sound.size  # of its bounding box
         if not self.diagonal > 0:
             raise Unreachable("all triangles are in one place, or at no place at all")
         before = examine_mesh(mesh)
+        #: The mesh itself, measured.
         self.unchanged = Simplified(mesh, before, before, 0.0, 0.0, self.diagonal)
         self._surface = sound.points, sound.faces
         self._progress = progress

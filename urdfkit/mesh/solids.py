@@ -3,8 +3,6 @@
 Lengths in m. Everything comes from manifold3d, so every solid is closed and oriented.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 
 import numpy as np
@@ -146,7 +144,6 @@ def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
 
     Args:
         profile: a closed polygon of (distance from z, height).
-        sides: of its circles.
     """
     return on_grid(_section(profile).revolve(sides))
 

@@ -7,6 +7,7 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary, UnreadableRobot
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
@@ -37,7 +38,7 @@ def to_yourdfpy(robot: Context | RobotModel | str | os.PathLike[str], **options:
     try:
         from yourdfpy import URDF
     except ImportError as error:
-        raise MissingLibrary("needs yourdfpy: pip install 'urdfkit[exchange]'") from error
+        raise MissingLibrary(f"needs yourdfpy: {install_command('exchange')}") from error
 
     if isinstance(robot, RobotModel):
         resolver, path = Resolver(robot.packages), robot.document.sources[0].path

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Transform, Vector
 from urdfkit.lint.context import Context
-from urdfkit.robot.bounding_box import WITHOUT_MESHES
+from urdfkit.robot.bounding_box import without_meshes
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.inertia import MassProperties, principal_axes
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
@@ -17,23 +17,14 @@ from urdfkit.robot.rigid_bodies import properties_of
 
 
 class MassRow(Record):
-    """A link.
+    """A link."""
 
-    Attributes:
-        link: its name.
-        properties: as declared, in the frame of the link.
-        moments: principal moments, smallest first, in kg·m².
-        axes: a rotation whose columns are their axes, in the frame of the link.
-        shape_mass: what its shapes enclose; None where that is not known.
-        reason: why it is not known; empty if it is.
-    """
-
-    link: str
-    properties: MassProperties
-    moments: Vector
-    axes: Rotation
-    shape_mass: ShapeMass | None
-    reason: str
+    link: str  # its name
+    properties: MassProperties  # as declared, in the frame of the link
+    moments: Vector  # principal moments, smallest first, in kg·m²
+    axes: Rotation  # a rotation whose columns are their axes, in the frame of the link
+    shape_mass: ShapeMass | None  # what its shapes enclose; None where that is not known
+    reason: str  # why it is not known; empty if it is
 
     @property
     def density(self) -> float | None:
@@ -50,16 +41,11 @@ class MassRow(Record):
 
 
 class MassTable(Record):
-    """All links that have a mass or a shape.
+    """All links that have a mass or a shape."""
 
-    Attributes:
-        rows: in the order of the document.
-        whole: the robot as one rigid body at a pose.
-        moments, axes: of the whole, as for a link; None where it has no properties.
-    """
-
-    rows: tuple[MassRow, ...]
-    whole: CompositeBody
+    rows: tuple[MassRow, ...]  # in the order of the document
+    whole: CompositeBody  # the robot as one rigid body at a pose
+    #: moments and axes: of the whole, as for a link; None where it has no properties.
     moments: Vector | None
     axes: Rotation | None
 
@@ -89,7 +75,7 @@ def _row(context: Context, link: Link) -> MassRow:
     try:
         found = shape_mass(link, "auto", context.measures)
     except ImportError:
-        found = WITHOUT_MESHES
+        found = without_meshes()
     if isinstance(found, str):
         return MassRow(link.name, properties, moments, axes, None, found)
     return MassRow(link.name, properties, moments, axes, found, "")

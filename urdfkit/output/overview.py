@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
-from urdfkit.robot.bounding_box import WITHOUT_MESHES, extent_of
+from urdfkit.robot.bounding_box import extent_of, without_meshes
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.joints import driven
 from urdfkit.robot.kinematics import frames
@@ -34,98 +34,62 @@ COORDINATES = {
 
 
 class Structure(Record):
-    """Links and joints.
+    """Links and joints."""
 
-    Attributes:
-        links: how many.
-        joints: how many of each type, in the order of the document.
-        roots: the links without a parent.
-        depth: joints on the longest way from a root.
-        deepest: the link at its end.
-        free: the joints that can be set, each by name with its type.
-        followers: what each joint with ``<mimic>`` follows, by its name.
-        nq, nv: numbers of a configuration and of a velocity, the root fixed; see `COORDINATES`.
-        driven: joints that a transmission or ros2_control drives.
-    """
-
-    links: int
-    joints: dict[str, int]
-    roots: tuple[str, ...]
-    depth: int
-    deepest: str
-    free: dict[str, str]
-    followers: dict[str, str]
+    links: int  # how many
+    joints: dict[str, int]  # how many of each type, in the order of the document
+    roots: tuple[str, ...]  # the links without a parent
+    depth: int  # joints on the longest way from a root
+    deepest: str  # the link at its end
+    free: dict[str, str]  # the joints that can be set, each by name with its type
+    followers: dict[str, str]  # what each joint with ``<mimic>`` follows, by its name
+    #: nq and nv: numbers of a configuration and of a velocity, the root fixed; see `COORDINATES`.
     nq: int
     nv: int
-    driven: tuple[str, ...]
+    driven: tuple[str, ...]  # joints that a transmission or ros2_control drives
 
 
 class Weight(Record):
-    """The mass of all links.
+    """The mass of all links."""
 
-    Attributes:
-        by_link: in kg, of those with mass, the heaviest first.
-        whole: as one rigid body at the configuration.
-    """
-
-    by_link: dict[str, float]
-    whole: CompositeBody
+    by_link: dict[str, float]  # in kg, of those with mass, the heaviest first
+    whole: CompositeBody  # as one rigid body at the configuration
 
 
 class Shapes(Record):
-    """Visuals, collisions and the files behind them.
+    """Visuals, collisions and the files behind them."""
 
-    Attributes:
-        visuals, collisions: how many of each kind of shape.
-        files: how many mesh files of each format were found.
-        size: of these files, in bytes.
-        missing: references to meshes that lead to no usable file.
-        triangles: of all meshes as often as they are used, by role; None if not counted.
-        box: around all shapes at the configuration, in the frame of the root; None without any.
-        measured: how many links have a shape in ``box``.
-        left_out: why shapes are not in it, by link.
-    """
-
+    #: visuals and collisions: how many of each kind of shape.
     visuals: dict[str, int]
     collisions: dict[str, int]
-    files: dict[str, int]
-    size: int
-    missing: tuple[str, ...]
+    files: dict[str, int]  # how many mesh files of each format were found
+    size: int  # of these files, in bytes
+    missing: tuple[str, ...]  # references to meshes that lead to no usable file
+    #: Of all meshes as often as they are used, by role; None if not counted.
     triangles: dict[str, int] | None
+    #: Around all shapes at the configuration, in the frame of the root; None without any.
     box: BoundingBox | None
-    measured: int
-    left_out: dict[str, str]
+    measured: int  # how many links have a shape in ``box``
+    left_out: dict[str, str]  # why shapes are not in it, by link
 
 
 class Overview(Record):
-    """A robot on one page.
+    """A robot on one page."""
 
-    Attributes:
-        name: of the robot.
-        file: as named.
-        is_xacro: True unless it is plain URDF.
-        targets: the programs it is for, and the evidence.
-        structure, weight, shapes: see there.
-        reach: of the longest chain; None where nothing moves.
-        sensors: in ``<gazebo>`` tags.
-        plugins: file and name of each Gazebo plugin.
-        pose: the positions that were given.
-        skipped: what was not measured, and why.
-    """
-
-    name: str
-    file: str
-    is_xacro: bool
-    targets: tuple[str, ...]
+    name: str  # of the robot
+    file: str  # as named
+    is_xacro: bool  # True unless it is plain URDF
+    targets: tuple[str, ...]  # the programs it is for, and the evidence
     evidence: tuple[str, ...]
+    #: structure, weight, shapes: see there.
     structure: Structure
     weight: Weight
     shapes: Shapes
-    reach: Reach | None
-    sensors: tuple[Sensor, ...]
-    plugins: tuple[tuple[str, str], ...]
-    pose: dict[str, float]
-    skipped: tuple[str, ...]
+    reach: Reach | None  # of the longest chain; None where nothing moves
+    sensors: tuple[Sensor, ...]  # in ``<gazebo>`` tags
+    plugins: tuple[tuple[str, str], ...]  # file and name of each Gazebo plugin
+    pose: dict[str, float]  # the positions that were given
+    skipped: tuple[str, ...]  # what was not measured, and why
 
 
 def summarise(context: Context, pose: Mapping[str, float] | None = None) -> Overview:
@@ -161,11 +125,7 @@ def summarise(context: Context, pose: Mapping[str, float] | None = None) -> Over
 
 
 def structure(tree: KinematicTree) -> Structure:
-    """Links, joints and degrees of freedom.
-
-    Args:
-        tree: of the model.
-    """
+    """Links, joints and degrees of freedom."""
     model = tree.model
     free = {
         joint.name: joint.kind
@@ -225,7 +185,7 @@ def _shapes(context: Context, placed: Mapping[str, Transform]) -> tuple[Shapes, 
     try:
         triangles: dict[str, int] | None = _triangles(context)
     except ImportError:
-        triangles, skipped = None, (f"triangles: {WITHOUT_MESHES}",)
+        triangles, skipped = None, (f"triangles: {without_meshes()}",)
     extent = extent_of(context, placed)
     return Shapes(
         _kinds(body for link in model.links for body in link.visuals),

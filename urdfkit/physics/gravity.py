@@ -47,23 +47,15 @@ _LEAST = 1e-9
 
 
 class Load(Record):
-    """The gravity load of one joint.
+    """The gravity load of one joint."""
 
-    Attributes:
-        joint: its name.
-        effort: what it can exert, in N·m or N; None where the model does not say.
-        at_zero: what it holds with all joints at zero; the sign is that of its axis.
-        at_pose: what it holds at the pose that was asked for; that at zero if none was.
-        worst: the largest of all poses, without sign: the effort that suffices.
-        pose: in which it does, in rad or m; joints that hardly matter there are at rest, and
-            those at 0, or on another branch of the tree, are left out.
-    """
-
-    joint: str
-    effort: float | None
-    at_zero: float
-    at_pose: float
-    worst: float
+    joint: str  # its name
+    effort: float | None  # what it can exert, in N·m or N; None where the model does not say
+    at_zero: float  # what it holds with all joints at zero; the sign is that of its axis
+    at_pose: float  # what it holds at the pose that was asked for; that at zero if none was
+    worst: float  # the largest of all poses, without sign: the effort that suffices
+    #: In which it does, in rad or m; joints that hardly matter there are at rest, and those at 0,
+    #: or on another branch of the tree, are left out.
     pose: dict[str, float]
 
     @property
@@ -79,10 +71,6 @@ class Load(Record):
 
 class _Climb:
     """The search for the largest torque of one joint, from one pose.
-
-    Attributes:
-        torque: what was found, without sign, in units of gravity.
-        steps: bodies that were looked at.
 
     Args:
         model: of the robot.
@@ -106,11 +94,11 @@ class _Climb:
             for number in (*self._paths[target], *model.below(target))
         )
         self._names.pop("", None)
-        self.steps = 0
+        self.steps = 0  # bodies that were looked at
         self._budget = budget
         value = self._value()
         self._sign = 1.0 if value >= 0 else -1.0
-        self.torque = abs(value)
+        self.torque = abs(value)  # what was found, without sign, in units of gravity
         if len(self._targets) == 1:
             self._climb()
 
@@ -256,7 +244,6 @@ def worst(
     """The largest torque of a joint, without sign, and the positions that matter to it.
 
     Args:
-        model: of the robot.
         name: of a joint that is set by one number.
         starts: poses in which climbs begin.
         budget: steps of all climbs; the first one has its first sweep in any case.
@@ -288,7 +275,6 @@ def gravity_loads(
     """The gravity loads of some joints, those first that use the largest part of their effort.
 
     Args:
-        model: of the robot.
         efforts: of the joints that are judged, in N·m or N, by name; None where the model does not
             say. Joints that cannot be set by one number are left out.
         starts: poses; the first one is zero, and climbs begin in the worst ones.

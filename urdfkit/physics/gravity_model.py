@@ -33,37 +33,20 @@ UP: Vector = (0.0, 0.0, 1.0)
 
 
 class MovingBody(Record):
-    """Links that move as one.
+    """Links that move as one."""
 
-    Attributes:
-        parent: number of the body that carries it; -1 for that of the root.
-        at: the frame of its joint in that of the parent.
-        back: the inverse of the rotation of that frame.
-        axis: of the joint, a unit vector.
-        turns: True for an angle; False for a way, and where nothing moves it.
-        law: what the position of the joint follows; of no leader if it stays where it is.
-        mass: of the links.
-        moment: the first moment of their mass about the origin of the body.
-    """
-
-    parent: int
-    at: Transform
-    back: Rotation
-    axis: Vector
-    turns: bool
-    law: MimicLaw
-    mass: float
-    moment: Vector
+    parent: int  # number of the body that carries it; -1 for that of the root
+    at: Transform  # the frame of its joint in that of the parent
+    back: Rotation  # the inverse of the rotation of that frame
+    axis: Vector  # of the joint, a unit vector
+    turns: bool  # True for an angle; False for a way, and where nothing moves it
+    law: MimicLaw  # what the position of the joint follows; of no leader if it stays where it is
+    mass: float  # of the links
+    moment: Vector  # the first moment of their mass about the origin of the body
 
 
 class GravityModel:
     """The moving bodies of a robot; two models of the same bodies are equal.
-
-    Attributes:
-        bodies: each after that which carries it.
-        carried: the mass of each body and of all that it carries.
-        moved: the bodies that move with each joint that is set by one number, by its name.
-        spans: from where to where that joint moves.
 
     Args:
         tree: of a sound model.
@@ -78,17 +61,20 @@ class GravityModel:
         weightless: Collection[str] = (),
     ) -> None:
         joints = tree.model.joints_by_name
-        self.bodies = _bodies(tree, payload or {}, weightless)
+        self.bodies = _bodies(tree, payload or {}, weightless)  # each after that which carries it
+        #: The mass of each body and of all that it carries.
         self.carried = [body.mass for body in self.bodies]
         self._children: list[list[int]] = [[] for _ in self.bodies]
         for number in range(len(self.bodies) - 1, 0, -1):
             parent = self.bodies[number].parent
             self.carried[parent] += self.carried[number]
             self._children[parent].append(number)
+        #: The bodies that move with each joint that is set by one number, by its name.
         self.moved: dict[str, list[int]] = {}
         for number, body in enumerate(self.bodies):
             if body.law.leader:
                 self.moved.setdefault(body.law.leader, []).append(number)
+        #: From where to where that joint moves.
         self.spans = {name: span(joints[name]) for name in self.moved}
         self._key = (tuple(self.bodies), tuple(self.spans.items()))
 
@@ -140,14 +126,12 @@ class GravityModel:
         ]
 
     def places(self, pose: Mapping[str, float]) -> list[float]:
-        """The position of each body's joint."""
         return [b.law.factor * pose.get(b.law.leader, 0.0) + b.law.shift for b in self.bodies]
 
     def lever(self, number: int, moment: Vector) -> Vector:
         """The vector whose part upwards is the torque or force of a joint, without gravity.
 
         Args:
-            number: of its body.
             moment: of all that it carries.
         """
         body, mass = self.bodies[number], self.carried[number]

@@ -10,8 +10,7 @@
 gives a `Camera` that has a scene in view, and `draw` the pixels that it sees.
 """
 
-from __future__ import annotations
-
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 
 try:
@@ -36,7 +35,7 @@ try:
     from urdfkit.render.scene import Label, MissingMesh, Scene, SceneItem, build
 except ImportError as error:
     raise MissingLibrary(
-        f"rendering needs {error.name}, which is not installed: pip install 'urdfkit[render]'"
+        f"rendering needs {error.name}, which is not installed: {install_command('render')}"
     ) from error
 
 __all__ = [

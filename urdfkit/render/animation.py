@@ -20,6 +20,7 @@ from urdfkit.render.camera import Camera, CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import opaque, write
 from urdfkit.render.pixels import STUDIO
+from urdfkit.render.scale import write_scale
 from urdfkit.render.scene import Scene
 from urdfkit.robot import kinematics
 from urdfkit.robot.joints import bounds
@@ -55,13 +56,7 @@ def swept_circle(points: Floats) -> Floats:
 
 
 def orbit(scene: Scene, camera: Camera, frames: int = FRAMES) -> list[Shot]:
-    """One turn of a camera about a robot; lamps turn with it, as before a turntable.
-
-    Args:
-        scene: the robot.
-        camera: for the first image.
-        frames: images of the turn.
-    """
+    """One turn of a camera about a robot; lamps turn with it, as before a turntable."""
     points = scene.points()
     middle = (points.min(axis=0) + points.max(axis=0)) / 2 if len(points) else np.zeros(3)
     shots = []
@@ -86,9 +81,6 @@ def sweep(
     A joint without limits makes one turn.
 
     Args:
-        scene: the robot.
-        context: its description.
-        joint: name of the joint.
         given: positions of the others, in rad or m.
         frames: how many images.
 
@@ -130,13 +122,14 @@ def animated(
         progress: called with the number of images done and of all.
         drawing: as `draw` takes it.
     """
-    level = min((float(s.points()[:, 2].min()) for s, _ in shots if len(s.points())), default=None)
+    level = min(scene.level() for scene, _ in shots)
     has_background = drawing.get("background", STUDIO) is not None
     images = []
     for number, (scene, camera) in enumerate(shots):
         image = Image.fromarray(draw(scene, camera, level=level, **drawing))
-        if scene.labels:
-            write(image, scene, camera)
+        write(image, scene, camera)
+        if has_background and drawing.get("floor", True):
+            write_scale(image, camera, level)
         images.append(image.convert("RGB") if has_background else image)
         if progress is not None:
             progress(number + 1, len(shots))

@@ -1,7 +1,5 @@
 """Where an image is taken from. World coordinates in m, z upwards; +x is a robot's front."""
 
-from __future__ import annotations
-
 from math import cos, isfinite, radians, sin, tan
 from typing import NamedTuple, TypedDict
 
@@ -38,23 +36,15 @@ class NoSuchView(UrdfkitError):
 
 
 class Camera(NamedTuple):
-    """A camera.
+    """A camera."""
 
-    Attributes:
-        eye: its place.
-        axes: rows are the directions right, up and backwards, in the world.
-        size: width and height of the image in pixels.
-        field: vertical angle of view in degrees.
-        extent: height in m of what an orthographic image shows; 0 for a perspective one.
-        near: distance in m of the plane before which nothing is drawn.
-    """
-
-    eye: tuple[float, float, float]
+    eye: tuple[float, float, float]  # its place
+    #: Rows are the directions right, up and backwards, in the world.
     axes: tuple[tuple[float, ...], ...]
-    size: tuple[int, int]
-    field: float = FIELD
-    extent: float = 0.0
-    near: float = 0.01
+    size: tuple[int, int]  # width and height of the image in pixels
+    field: float = FIELD  # vertical angle of view in degrees
+    extent: float = 0.0  # height in m of what an orthographic image shows; 0 for a perspective one
+    near: float = 0.01  # distance in m of the plane before which nothing is drawn
 
     @property
     def is_orthographic(self) -> bool:
@@ -207,8 +197,6 @@ def _eye(seen: Floats, slope: float, aspect: float) -> Floats:
     at which both touch a point.
 
     Args:
-        seen: in the axes of the camera.
-        slope: of the upper plane.
         aspect: width by height.
     """
     x, y, z = seen.T

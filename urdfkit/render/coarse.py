@@ -4,8 +4,6 @@ Vertices in one cell of a grid become one (Rossignac, Borrel: Multi-resolution 3
 1993): crude, but fast, and whatever a mesh is like.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
@@ -22,7 +20,6 @@ def coarsened(items: Sequence[SceneItem], limit: int) -> Sequence[SceneItem]:
     """Surfaces with a number of triangles in all, or near it; the same if they have fewer.
 
     Args:
-        items: the surfaces.
         limit: how many triangles are enough.
     """
     for cells in CELLS:

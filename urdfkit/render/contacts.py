@@ -1,36 +1,27 @@
 """Where links overlap in a configuration, measured with coal."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Context
 from urdfkit.robot.adjacency import Adjacency
 
 
 class Overlap(NamedTuple):
-    """Two links whose collision shapes are in one another.
+    """Two links whose collision shapes are in one another."""
 
-    Attributes:
-        first: name of a link.
-        second: of the other one.
-        depth: in m.
-        is_held: True if the links are adjacent, so that programs ignore it.
-    """
-
-    first: str
-    second: str
-    depth: float
-    is_held: bool
+    first: str  # name of a link
+    second: str  # of the other one
+    depth: float  # in m
+    is_held: bool  # True if the links are adjacent, so that programs ignore it
 
 
 def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
     """The pairs of links that overlap.
 
     Args:
-        context: the robot.
         given: positions of joints, in rad or m; the others are at 0.
 
     Raises:
@@ -42,7 +33,7 @@ def overlaps(context: Context, given: Mapping[str, float]) -> Iterator[Overlap]:
         from urdfkit.physics.collision.geometry_arrays import solids
         from urdfkit.physics.collision.pair_queries import Examiner
     except ImportError as error:
-        raise MissingLibrary("contacts need coal: pip install 'urdfkit[dynamics]'") from error
+        raise MissingLibrary(f"contacts need coal: {install_command('dynamics')}") from error
     moving = chain(context.tree)
     bodies, _ = solids(context.model, context.meshes)
     known = set(moving.links)

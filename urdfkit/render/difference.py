@@ -10,14 +10,15 @@ from PIL import Image
 from urdfkit.render.arrays import Bytes
 from urdfkit.render.camera import CameraOptions, place_camera
 from urdfkit.render.draw import DrawingOptions, draw
-from urdfkit.render.labels import caption
+from urdfkit.render.labels import caption, write_legend
 from urdfkit.render.pixels import STUDIO
 from urdfkit.render.scene import Scene
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-GONE, NEW, CHANGED = (214, 48, 49), (22, 150, 76), (240, 160, 20)
+GONE, NEW, CHANGED = (0.84, 0.19, 0.19, 1.0), (0.09, 0.59, 0.30, 1.0), (0.94, 0.63, 0.08, 1.0)
+LEGEND = ((GONE, "only before"), (NEW, "only after"), (CHANGED, "looks different"))
 #: Differences of colour up to this, of 255, are none.
 TOLERANCE = 14
 
@@ -37,9 +38,7 @@ def difference(
     the second one does, amber what looks different in both.
 
     Args:
-        before: the first state.
         after: the second one.
-        view: name of a view.
         size: of all three images together, in pixels.
         camera_options: as `place_camera` takes it.
         drawing: as `draw` takes it.
@@ -50,7 +49,7 @@ def difference(
     cell = (max(size[0] // 3, 16), max(size[1], 16))
     points = np.concatenate((before.points(), after.points()))
     camera = place_camera(points, view, size=cell, **(camera_options or {}))
-    level = float(points[:, 2].min()) if len(points) else None
+    level = min(before.level(), after.level())
     bare, whole = [], Image.new("RGBA", (cell[0] * 3, cell[1]))
     for number, (scene, name) in enumerate(((before, "before"), (after, "after"))):
         bare.append(draw(scene, camera, quality="draft", background=None, floor=False))
@@ -59,26 +58,28 @@ def difference(
         whole.paste(image, (number * cell[0], 0))
     image = Image.fromarray(_compared(*bare))
     caption(image, "difference")
+    write_legend(image, LEGEND)
     whole.paste(image, (2 * cell[0], 0))
     has_background = drawing.get("background", STUDIO) is not None
     return whole.convert("RGB") if has_background else whole
 
 
 def _compared(before: Bytes, after: Bytes) -> Bytes:
-    """The image of the difference of two images of robots and nothing else."""
-    old, new = (pixels.astype(np.int32) for pixels in (before, after))
-    result = np.full(before.shape, 255, dtype=np.uint8)
-    shown = np.where((new[..., 3] > 0)[..., None], new, old)
-    grey = shown[..., :3].mean(axis=2) * 0.25 + 180
-    cover = np.maximum(old[..., 3], new[..., 3]) / 255
-    result[..., :3] = np.rint(255 * (1 - cover) + grey * cover)[..., None]
-    apart = np.abs(old[..., :3] - new[..., :3]).max(axis=2)
-    both = (old[..., 3] > 127) & (new[..., 3] > 127)
-    for where, colour in (
-        (both & (apart > TOLERANCE), CHANGED),
-        ((old[..., 3] > 127) & (new[..., 3] <= 127), GONE),
-        ((new[..., 3] > 127) & (old[..., 3] <= 127), NEW),
-    ):
-        light = shown[where][:, :3].mean(axis=1, keepdims=True) / 255
-        result[where, :3] = np.rint(np.array(colour) * (0.6 + 0.4 * light))
-    return result
+    """The image of the difference of two images of robots and nothing else.
+
+    A pixel that one state covers in part, at an edge, has the colours in these parts.
+    """
+    old, new = (pixels.astype(np.float32) / 255 for pixels in (before, after))
+    cover_old, cover_new = old[..., 3:], new[..., 3:]
+    grey = np.where(cover_new > 0, new, old)[..., :3].mean(axis=2, keepdims=True)
+    apart = np.abs(old[..., :3] - new[..., :3]).max(axis=2, keepdims=True)
+    both = np.minimum(cover_old, cover_new)
+    changed = both * (apart > TOLERANCE / 255)
+    pale = np.float32(0.7) + np.float32(0.25) * grey
+    result = np.ones_like(old)
+    result[..., :3] = 1 - np.maximum(cover_old, cover_new) + (both - changed) * pale
+    gone, new_here = cover_old - both, cover_new - both
+    for part, colour in ((changed, CHANGED), (gone, GONE), (new_here, NEW)):
+        shaded = np.array(colour[:3], dtype=np.float32) * (np.float32(0.6) + np.float32(0.4) * grey)
+        result[..., :3] += part * shaded
+    return np.rint(result * 255).astype(np.uint8)

@@ -5,8 +5,6 @@ which surfaces the pixels see, how much light reaches them, and their colours. N
 the order of the bands, so the bytes are the same for any number of threads.
 """
 
-from __future__ import annotations
-
 import itertools
 from typing import NamedTuple, TypedDict
 
@@ -47,14 +45,10 @@ _OPAQUE, _CLEAR, _OVERLAY = range(3)
 
 
 class Quality(NamedTuple):
-    """How much work an image is worth.
+    """How much work an image is worth."""
 
-    Attributes:
-        samples: of a pixel, for smooth edges.
-        sky, sun: samples of what hides the sky and the sun; none are taken for 0.
-    """
-
-    samples: int
+    samples: int  # of a pixel, for smooth edges
+    #: sky and sun: samples of what hides the sky and the sun; none are taken for 0.
     sky: int
     sun: int
 
@@ -196,19 +190,18 @@ class _Drawing:
         return result
 
     def _lift(self, near: Floats, everything: CameraTriangles, middle: Floats) -> None:
-        """Bring collisions that are seen through a little nearer.
+        """Bring collisions and contacts that are seen through a little nearer.
 
         Many lie on their visuals, or a hair below: without it both would show in patches.
 
         Args:
             near: of the vertices, as the camera projects them.
-            everything: the triangles.
             middle: of the robot, in the world.
         """
         step = np.float32(LIFT * self.size)
         distance = float(np.dot(np.asarray(self.camera.eye) - middle, self.camera.axes[2]))
         for item, piece, kind in zip(self.scene.items, everything.pieces, self.kinds, strict=True):
-            if item.role != "collision" or kind != _CLEAR:
+            if item.role not in ("collision", "contacts") or kind == _OPAQUE:
                 continue
             if self.camera.is_orthographic:
                 near[piece] += step
@@ -288,8 +281,7 @@ class _Drawing:
         sun: Floats,
         background: Background | None,
     ) -> Bytes:
-        """The pixels of a band."""
-        width, height = self.camera.size
+        width = self.camera.size[0]
         some, there = band.opaque
         start, count = first * width, (last - first) * width
         place = matching(some.pixel - start, -there.position[:, 2], depth[first:last], self._near)
@@ -302,7 +294,7 @@ class _Drawing:
             alpha = cover + free * dark
         else:
             alpha = np.ones_like(cover)
-            behind = gradient(background, first, last, height)
+            behind = gradient(background, first, last, self.camera.size)
             light.reshape(-1, width, 3)[:] += (free * (1 - dark)).reshape(-1, width, 1) * behind
         for layer, surfaces in (*reversed(band.clear), *reversed(band.overlays)):
             opacity = self.colours.opacity(layer, surfaces, depth)

@@ -1,7 +1,5 @@
 """An image of a robot whose parts with findings are coloured and labelled with the codes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 from urdfkit.lint.context import Context
@@ -15,6 +13,7 @@ COLOURS: Mapping[Severity, Colour] = {
     Severity.ERROR: (0.87, 0.13, 0.13, 1.0),
     Severity.WARNING: (1.0, 0.62, 0.05, 1.0),
 }
+_LEGEND = tuple((colour, severity.value) for severity, colour in COLOURS.items())
 #: What has no findings steps back.
 QUIET: Colour = (0.80, 0.82, 0.85, 1.0)
 #: Codes in the label of a link; the rest is counted.
@@ -25,11 +24,6 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
     """A scene in which the links with errors are red and those with warnings orange.
 
     Findings that concern no link, such as those about a macro, have no place in it.
-
-    Args:
-        scene: the robot.
-        context: its description.
-        diagnostics: of a check of it.
     """
     found = by_link(context, diagnostics)
     items = tuple(
@@ -41,7 +35,7 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
         for link, reported in found.items()
         if link in scene.frames
     )
-    return scene._replace(items=items, labels=(*scene.labels, *labels))
+    return scene._replace(items=items, labels=(*scene.labels, *labels), legend=_LEGEND)
 
 
 def by_link(context: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:
@@ -57,14 +51,13 @@ def by_link(context: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, li
 
 
 def _painted(item: SceneItem, reported: Sequence[Diagnostic]) -> SceneItem:
-    """An item in the colour of its worst finding; the stripes of a missing mesh stay."""
+    """An item in the colour of its worst finding; of a missing mesh, with its stripes."""
     alpha = item.material.rgba[3]
     if not reported:
         return item._replace(material=SurfaceMaterial((*QUIET[:3], alpha)), colors=None)
-    if item.material == PLACEHOLDER:
-        return item
     colour = COLOURS[reported[0].severity]
-    return item._replace(material=SurfaceMaterial((*colour[:3], alpha)), colors=None)
+    texture = item.material.texture if item.material == PLACEHOLDER else None
+    return item._replace(material=SurfaceMaterial((*colour[:3], alpha), texture), colors=None)
 
 
 def _text(reported: Sequence[Diagnostic]) -> str:

@@ -1,7 +1,5 @@
 """From samples to fragments: what is shaded is a piece of one triangle in one pixel."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -16,40 +14,25 @@ _FAR = np.float32(4)
 
 
 class Fragments(NamedTuple):
-    """Pieces of triangles, in the order of the pixels.
+    """Pieces of triangles, in the order of the pixels."""
 
-    Attributes:
-        pixel: (k,), row times width plus column.
-        number: (k,), of the triangle.
-        weight: (k,), the part of the pixel that it covers.
-        x, y: (k,), where in the image it is shaded.
-        nearness: (k,), of one of its samples.
-    """
-
-    pixel: Integers
-    number: Integers
-    weight: Floats
+    pixel: Integers  # (k,), row times width plus column
+    number: Integers  # (k,), of the triangle
+    weight: Floats  # (k,), the part of the pixel that it covers
+    #: x and y: (k,), where in the image it is shaded.
     x: Floats
     y: Floats
-    nearness: Floats
+    nearness: Floats  # (k,), of one of its samples
 
 
 class FragmentSurface(NamedTuple):
-    """Fragments on their triangles, in the frame of the camera.
+    """Fragments on their triangles, in the frame of the camera."""
 
-    Attributes:
-        position: (k, 3).
-        normal: (k, 3), unit vectors, turned to the viewer.
-        flat: (k, 3), of the face itself, in the same frame.
-        uv: (k, 2); None if no vertex has any.
-        color: (k, 4); None if no vertex has any.
-    """
-
-    position: Floats
-    normal: Floats
-    flat: Floats
-    uv: Floats | None
-    color: Floats | None
+    position: Floats  # (k, 3)
+    normal: Floats  # (k, 3), unit vectors, turned to the viewer
+    flat: Floats  # (k, 3), of the face itself, in the same frame
+    uv: Floats | None  # (k, 2); None if no vertex has any
+    color: Floats | None  # (k, 4); None if no vertex has any
 
 
 def fragments(keys: Keys, grid: Grid) -> Fragments:
@@ -58,7 +41,6 @@ def fragments(keys: Keys, grid: Grid) -> Fragments:
     Consecutive samples of a pixel that see one triangle make one fragment, which is shaded once.
 
     Args:
-        keys: of the samples of the band.
         grid: that they lie on.
     """
     samples, rows = len(grid.offsets), grid.last - grid.first
@@ -92,9 +74,6 @@ def surface(
     """Where fragments lie and how their surfaces are turned; perspective is accounted for.
 
     Args:
-        some: the fragments.
-        whole: the triangles.
-        screen: their vertices in the image.
         camera: that sees them.
     """
     corners = [whole.faces[some.number, corner] for corner in range(3)]

@@ -1,6 +1,4 @@
-"""The floor of the studio: it is not seen itself, only the shadows on it."""
-
-from __future__ import annotations
+"""The ground: it is not seen itself, only the shadows and the metric grid on it."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -11,6 +9,7 @@ from urdfkit.render.arrays import FAR, Floats, Integers, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, ShadowMap
 from urdfkit.render.raster import Grid, nearest, projected, split
+from urdfkit.render.scale import grid_step
 from urdfkit.render.soup import extent
 from urdfkit.render.thread_pool import Workers
 
@@ -25,43 +24,67 @@ COARSE = 4
 #: How high above the floor a surface still darkens it, the blur of it, and how much; the first
 #: two as parts of the robot's size.
 LAYERS = ((0.05, 0.012, 0.5), (0.22, 0.045, 0.45), (0.8, 0.13, 0.35))
+#: How dark the lines of the grid are, and their width in pixels.
+LINE, WIDTH = 0.13, 1.3
+#: The grid fades from squares of the first number of pixels to squares of the second one.
+DENSE, SPARSE = 3, 9
 
 
 class Ground(NamedTuple):
-    """A level floor.
+    """A level floor."""
 
-    Attributes:
-        height: in the world, in m.
-        origin: x and y of the map's corner in the world.
-        cell: edge of a cell in m.
-        shade: (c, c), from 0, not darkened, to 1, black.
-    """
-
-    height: float
-    origin: tuple[float, float]
-    cell: float
-    shade: Floats
+    height: float  # in the world, in m
+    origin: tuple[float, float]  # x and y of the map's corner in the world
+    cell: float  # edge of a cell in m
+    shade: Floats  # (c, c), from 0, not darkened, to 1, black
+    step: float  # edge of a square of the grid in m; 0 without a grid
 
     def seen(self, camera: Camera, first: int, last: int) -> tuple[Floats, Floats]:
         """The floor in a band of an image: its depth in m, and how dark it is, (rows, w) each.
 
         The depth is `FAR` where the floor is not seen.
         """
-        (x, y, z), (ahead_x, ahead_y, ahead_z) = _rays(camera, first, last)
+        # One row more, from which the lines of the grid have their width.
+        (x, y, z), (ahead_x, ahead_y, ahead_z) = _rays(camera, first, last + 1)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             way = (np.float32(self.height) - z) / ahead_z
-        shape = (last - first, camera.size[0])
-        depth = np.where((ahead_z < -1e-4) & (way > 0) & (way < FAR), way, FAR)
-        depth = np.broadcast_to(depth, shape).astype(np.float32)
-        dark = np.zeros(shape, dtype=np.float32)
+        shape = (last + 1 - first, camera.size[0])
+        far = np.where((ahead_z < -1e-4) & (way > 0) & (way < FAR), way, FAR)
+        far = np.broadcast_to(far, shape).astype(np.float32)
+        depth, dark = far[:-1], np.zeros((last - first, camera.size[0]), dtype=np.float32)
         if not (depth < FAR).any():
             return depth, dark
-        column = (x + depth * ahead_x - np.float32(self.origin[0])) / np.float32(self.cell)
-        row = (y + depth * ahead_y - np.float32(self.origin[1])) / np.float32(self.cell)
+        x, y = x + far * ahead_x, y + far * ahead_y
+        column = (x[:-1] - np.float32(self.origin[0])) / np.float32(self.cell)
+        row = (y[:-1] - np.float32(self.origin[1])) / np.float32(self.cell)
         near = (column > 0) & (column < CELLS) & (row > 0) & (row < CELLS)
         half = np.float32(0.5)
         dark[near] = _bilinear(self.shade, column[near] - half, row[near] - half)
+        if self.step:
+            lines = np.maximum(_lines(x, self.step), _lines(y, self.step))
+            faded = lines[near] * _fade(column[near], row[near]) * np.float32(LINE)
+            dark[near] += (1 - dark[near]) * faded
         return depth, dark
+
+
+def _lines(coordinate: Floats, step: float) -> Floats:
+    """How much of each pixel is covered by the lines at multiples of a step.
+
+    Args:
+        coordinate: (rows + 1, w), x or y on the ground, in m.
+        step: in m.
+
+    Returns:
+        (rows, w), from 0 to 1.
+    """
+    down, across = np.diff(coordinate, axis=0), np.gradient(coordinate, axis=1)[:-1]
+    pixel = np.abs(down) + np.abs(across) + np.float32(1e-9)
+    place = coordinate[:-1] / np.float32(step)
+    distance = np.abs(place - np.rint(place)) * np.float32(step) / pixel
+    covered = np.clip(np.float32(WIDTH / 2 + 0.5) - distance, 0, 1)
+    sparse = (np.float32(step) / pixel - DENSE) / np.float32(SPARSE - DENSE)
+    visible: Floats = covered * np.clip(sparse, 0, 1)
+    return visible
 
 
 def _rays(camera: Camera, first: int, last: int) -> tuple[list[Floats], list[Floats]]:
@@ -95,7 +118,6 @@ def ground(
     Args:
         points: (n, 3), vertices in the world.
         faces: (m, 3), of what casts shadows.
-        pieces: where their vertices are.
         map_: what the sun sees.
         camera: in whose frame that is given.
         level: height of the floor; that of the robot's lowest point if None.
@@ -116,7 +138,9 @@ def ground(
     shade = 1 - (1 - CONTACT * contact) * (
         1 - SUN * _sun(floor, map_, camera, size).reshape(CELLS, CELLS)
     )
-    return Ground(height, origin, cell, (shade * _fade()).astype(np.float32))
+    cells = np.arange(CELLS, dtype=np.float32) + np.float32(0.5)
+    faded = shade * _fade(cells, cells[:, None])
+    return Ground(height, origin, cell, faded.astype(np.float32), grid_step(camera, height))
 
 
 def _contact(
@@ -176,10 +200,9 @@ def _coarse(image: Floats) -> Floats:
     return mean
 
 
-def _fade() -> Floats:
+def _fade(column: Floats, row: Floats) -> Floats:
     """1 in the middle of the map, 0 at its edge."""
-    from_middle = np.abs((np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) / CELLS * 2 - 1)
-    distance = np.sqrt(from_middle[:, None] ** 2 + from_middle**2)
+    distance = np.hypot(column / CELLS * 2 - 1, row / CELLS * 2 - 1)
     ramp = np.clip((1 - distance) / np.float32(0.35), 0, 1)
     smooth: Floats = ramp * ramp * (3 - 2 * ramp)
     return smooth

@@ -11,10 +11,11 @@ from PIL import Image, ImageColor
 
 from urdfkit.core import atomic
 from urdfkit.errors import UrdfkitError
-from urdfkit.render.camera import CameraOptions, place_camera, unfit
+from urdfkit.render.camera import Camera, CameraOptions, place_camera, unfit
 from urdfkit.render.draw import DrawingOptions, draw
 from urdfkit.render.labels import caption, opaque, write
 from urdfkit.render.pixels import STUDIO
+from urdfkit.render.scale import write_scale
 from urdfkit.render.scene import Scene
 
 if TYPE_CHECKING:
@@ -60,22 +61,35 @@ def render_image(
     if reason := unfit(size) or unfit((cell[0] - gap, cell[1] - gap)):
         raise ImageError(reason)
     whole = Image.new("RGBA", size, (190, 195, 202, 255) if has_background else (0, 0, 0, 0))
-    for number, view in enumerate(views):
-        camera = place_camera(
-            scene.points(), view, size=(cell[0] - gap, cell[1] - gap), **(camera_options or {})
-        )
+    level = scene.level()
+    cameras = _cameras(scene, views, (cell[0] - gap, cell[1] - gap), camera_options or {})
+    for number, (view, camera) in enumerate(zip(views, cameras, strict=True)):
         part = _part(progress, number, len(views))
-        image = Image.fromarray(draw(scene, camera, progress=part, **drawing))
-        if scene.labels:
-            write(image, scene, camera)
+        image = Image.fromarray(draw(scene, camera, progress=part, level=level, **drawing))
+        write(image, scene, camera)
+        if has_background and drawing.get("floor", True):
+            write_scale(image, camera, level)
         if len(views) > 1:
             caption(image, view)
         whole.paste(image, (number % columns * cell[0], number // columns * cell[1]))
     return whole.convert("RGB") if has_background else whole
 
 
+def _cameras(
+    scene: Scene, views: Sequence[str], size: tuple[int, int], given: CameraOptions
+) -> list[Camera]:
+    """A camera for each view; on a sheet, all but ``iso`` are orthographic and of one scale."""
+    is_sheet = len(views) > 1 and given.get("distance") is None
+    cameras = []
+    for view in views:
+        flat = given.get("orthographic", False) or (is_sheet and view != "iso")
+        options: CameraOptions = {**given, "orthographic": flat}
+        cameras.append(place_camera(scene.points(), view, size=size, **options))
+    extent = max(camera.extent for camera in cameras)
+    return [one._replace(extent=extent) if one.is_orthographic else one for one in cameras]
+
+
 def _part(progress: Progress | None, number: int, count: int) -> Progress | None:
-    """Progress of one view of several."""
     if progress is None:
         return None
     return lambda done, total: progress(number * total + done, count * total)
@@ -95,7 +109,6 @@ def colour(word: str) -> tuple[float, float, float]:
 
 
 def _grid(count: int) -> tuple[int, int]:
-    """Columns and rows of a sheet."""
     columns = 1
     while columns * columns < count:
         columns += 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ from PIL import Image, ImageDraw
 from urdfkit.render.arrays import turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fonts import writing
+from urdfkit.render.materials import Colour
 from urdfkit.render.scene import Scene, placed
 
 INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
@@ -27,7 +29,6 @@ class LabelBox(NamedTuple):
     bottom: float
 
     def meets(self, other: LabelBox) -> bool:
-        """True if the two overlap."""
         return (
             self.left < other.right
             and other.left < self.right
@@ -50,8 +51,22 @@ def caption(image: Image.Image, text: str) -> None:
     ImageDraw.Draw(image).text((size * 0.7, size * 0.5), written, fill=INK, font=font)
 
 
+def write_legend(image: Image.Image, entries: Sequence[tuple[Colour, str]]) -> None:
+    """Write into the lower right corner of an image what colours mean."""
+    size = max(11, min(18, image.height // 30))
+    draw = ImageDraw.Draw(image)
+    right, low = image.width - size * 0.7, image.height - size * 0.7
+    for colour, text in reversed(entries):
+        font, written = writing(text, size)
+        left = right - draw.textlength(written, font=font)
+        draw.text((left, low), written, fill=INK, font=font, anchor="ls")
+        square = (left - 1.2 * size, low - 0.75 * size, left - 0.4 * size, low + 0.05 * size)
+        draw.rectangle(square, fill=tuple(round(part * 255) for part in colour))
+        right = square[0] - 0.8 * size
+
+
 def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
-    """Write the labels of a scene next to their points, so that none covers another.
+    """Write the labels of a scene next to their points, so that none covers another; its legend.
 
     Where there is no place left for a label it is left out; points outside of the image have
     none.
@@ -77,6 +92,7 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
         start = (box.left + 0.3 * size, (box.top + box.bottom) / 2)
         draw.text(start, text, fill=INK, font=font, anchor="lm")
     image.alpha_composite(layer)
+    write_legend(image, scene.legend)
 
 
 def _anchors(scene: Scene, camera: Camera) -> dict[int, tuple[float, float]]:

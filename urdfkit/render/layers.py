@@ -3,8 +3,6 @@
 Signs are seen through what hides them, faintly. Their sizes follow from that of the robot.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import pi
 
@@ -59,8 +57,6 @@ def explained(
     """A scene with layers over it.
 
     Args:
-        scene: the robot.
-        context: its description.
         layers: names of `LAYERS`.
         given: positions of joints, as for the scene.
 
@@ -125,7 +121,7 @@ def middle(scene: Scene, link: str) -> Vector:
 
 
 def _joints(scene: Scene, context: Context, size: float, given: Mapping[str, float]) -> Drawn:
-    """The axis of every joint that moves, its range, and where in it the joint is."""
+    """The axis and the name of every joint that moves, its range, and where in it the joint is."""
     at = positions(context.tree, given)
     for joint in context.model.joints_by_name.values():
         ends = context.tree.ends(joint)
@@ -133,6 +129,7 @@ def _joints(scene: Scene, context: Context, size: float, given: Mapping[str, flo
             continue
         here = joint.origin @ Transform(transposed(basis(direction(joint))))
         yield _sign(ends[0], "joints", _arrow(FRAME * size, both=True), here, AXIS)
+        yield Label(joint.name, ends[0], joint.origin.position)
         if joint.kind in TURNING:
             yield from _turning(ends[0], joint, here, ARC * size, at[joint.name])
         elif joint.kind in SLIDING:

@@ -1,7 +1,5 @@
 """The lamps of the studio, and the shadows that the sun casts."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -45,19 +43,12 @@ def rig(camera: Camera) -> Rig:
 
 
 class ShadowMap(NamedTuple):
-    """What the sun sees.
+    """What the sun sees."""
 
-    Attributes:
-        axes: rows are the directions across, along and to the sun, in the camera's frame.
-        origin: (3,), of the map, in these axes.
-        scale: texels per m.
-        nearness: (t, t), height in m of the nearest surface; 0 where there is none.
-    """
-
-    axes: Floats
-    origin: Floats
-    scale: float
-    nearness: Floats
+    axes: Floats  # rows are the directions across, along and to the sun, in the camera's frame
+    origin: Floats  # (3,), of the map, in these axes
+    scale: float  # texels per m
+    nearness: Floats  # (t, t), height in m of the nearest surface; 0 where there is none
 
     def coordinates(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """Points (n, 3) of the camera's frame: column and row in texels, and height in m."""
@@ -78,10 +69,7 @@ def shadow_map(
     """The shadow map of some triangles.
 
     Args:
-        whole: the triangles.
         faces: (m, 3), those that cast a shadow.
-        pieces: where their vertices are.
-        rig: the lamps.
         workers: that do it.
     """
     axes = _axes(rig)
@@ -122,11 +110,9 @@ def sunlight(
     """How much of the sun surfaces see, (k,), from 0 to 1; grainy in a lattice of pixels.
 
     Args:
-        map_: the shadow map.
         points: (k, 3), in the camera's frame.
         normals: (k, 3).
         pixel: (k,), row times width plus column.
-        width: of the image.
         taps: samples of each.
     """
     texel = np.float32(1 / map_.scale)

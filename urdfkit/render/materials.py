@@ -1,7 +1,5 @@
 """The materials of the surfaces of a robot."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from urdfkit.lint.context import Context
@@ -14,17 +12,12 @@ Colour = tuple[float, float, float, float]
 
 
 class SurfaceMaterial(NamedTuple):
-    """The colour or the texture of a surface.
+    """The colour or the texture of a surface."""
 
-    Attributes:
-        rgba: each part from 0 to 1, as written (sRGB); multiplied with the texture.
-        texture: path of an image, or its bytes; None without one.
-        overlay: True for what explains the robot and is no part of it: it casts no shadow, and is
-            seen through what hides it.
-    """
-
-    rgba: Colour
-    texture: str | bytes | None = None
+    rgba: Colour  # each part from 0 to 1, as written (sRGB); multiplied with the texture
+    texture: str | bytes | None = None  # path of an image, or its bytes; None without one
+    #: True for what explains the robot and is no part of it: it casts no shadow, and is seen
+    #: through what hides it.
     overlay: bool = False
 
 
@@ -32,7 +25,7 @@ class SurfaceMaterial(NamedTuple):
 PLAIN = SurfaceMaterial((0.72, 0.74, 0.77, 1.0))
 #: For the box that stands for a missing mesh; the name is drawn as stripes.
 STRIPES = "urdfkit:stripes"
-PLACEHOLDER = SurfaceMaterial((1.0, 1.0, 1.0, 1.0), STRIPES)
+PLACEHOLDER = SurfaceMaterial((1.0, 0.48, 0.0, 1.0), STRIPES)
 #: Collisions are seen through where visuals are shown, too.
 COLLISION = SurfaceMaterial((0.93, 0.42, 0.12, 0.45))
 
@@ -64,10 +57,7 @@ class ModelMaterials:
         """The material of triangles.
 
         Args:
-            link: name of the link.
             role: ``visual`` or ``collision``.
-            body: the visual or collision.
-            embedded: the material in the mesh file.
         """
         if role == "collision":
             return self._collision

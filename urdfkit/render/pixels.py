@@ -1,7 +1,5 @@
 """From fragments to pixels: light over lattices, sums, backgrounds and bytes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -9,7 +7,7 @@ import numpy as np
 from urdfkit.render.arrays import Bytes, Floats, Integers
 from urdfkit.render.fragments import Fragments
 from urdfkit.render.light import LATTICE
-from urdfkit.render.textures import srgb_to_linear
+from urdfkit.render.textures import LINEAR
 
 #: Two colours, above and below, sRGB from 0 to 1.
 Background = tuple[tuple[float, float, float], tuple[float, float, float]]
@@ -99,7 +97,6 @@ def summed(some: Fragments, light: Floats, start: int, count: int) -> tuple[Floa
     """Fragments in their pixels: light (p, 3), times coverage, and the coverage (p,).
 
     Args:
-        some: the fragments.
         light: (k, 3), that they send.
         start: number of the first pixel.
         count: of pixels.
@@ -111,12 +108,19 @@ def summed(some: Fragments, light: Floats, start: int, count: int) -> tuple[Floa
     return result, np.bincount(place, some.weight, count).astype(np.float32)
 
 
-def gradient(background: Background, first: int, last: int, height: int) -> Floats:
-    """The background of rows, (rows, 1, 3), in linear light."""
-    above, below = srgb_to_linear(np.array(background, dtype=np.float32))
-    row = np.arange(first, last, dtype=np.float32)[:, None, None]
-    mixed: Floats = above + (below - above) * ((row + np.float32(0.5)) / np.float32(height))
-    return mixed
+def gradient(background: Background, first: int, last: int, size: tuple[int, int]) -> Floats:
+    """The background of rows, (rows, w, 3), in linear light.
+
+    Its steps of 1/255 are mixed in a pattern, so that no bands are seen.
+    """
+    width, height = size
+    above, below = 255 * np.array(background, dtype=np.float32)
+    row, column = np.arange(first, last), np.arange(width)
+    part = (row.astype(np.float32) + np.float32(0.5)) / np.float32(height)
+    mixed = above + (below - above) * part[:, None, None]
+    threshold = _THRESHOLDS[row[:, None] % len(_THRESHOLDS), column % len(_THRESHOLDS)]
+    dithered: Floats = LINEAR[(mixed + threshold[..., None]).astype(np.uint8)]
+    return dithered
 
 
 def encoded(light: Floats, alpha: Floats) -> Bytes:
@@ -128,6 +132,17 @@ def encoded(light: Floats, alpha: Floats) -> Bytes:
     result[:, :3] = _TABLE[index]
     result[:, 3] = np.rint(np.clip(alpha, 0, 1) * 255)
     return result
+
+
+def _thresholds() -> Floats:
+    """Thresholds of ordered dithering from 0 to 1, (8, 8): Bayer's matrix."""
+    matrix = np.zeros((1, 1))
+    for _ in range(3):
+        matrix = np.block([[4 * matrix, 4 * matrix + 2], [4 * matrix + 3, 4 * matrix + 1]])
+    return ((matrix + 0.5) / matrix.size).astype(np.float32)
+
+
+_THRESHOLDS = _thresholds()
 
 
 def _table() -> Bytes:

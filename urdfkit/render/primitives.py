@@ -1,7 +1,5 @@
 """URDF's shapes as triangles, with the normals of the true surface. Lengths in m."""
 
-from __future__ import annotations
-
 from functools import cache
 from math import pi
 from typing import NamedTuple
@@ -15,19 +13,12 @@ SIDES, RINGS = 96, 24
 
 
 class Triangles(NamedTuple):
-    """Triangles with normals.
+    """Triangles with normals."""
 
-    Attributes:
-        vertices: (n, 3), in m.
-        faces: (m, 3), indices of vertices, counter-clockwise from outside.
-        normals: (n, 3), unit vectors; None if every face is flat.
-        uv: (n, 2), texture coordinates with v upwards; None without them.
-    """
-
-    vertices: Floats
-    faces: Integers
-    normals: Floats | None = None
-    uv: Floats | None = None
+    vertices: Floats  # (n, 3), in m
+    faces: Integers  # (m, 3), indices of vertices, counter-clockwise from outside
+    normals: Floats | None = None  # (n, 3), unit vectors; None if every face is flat
+    uv: Floats | None = None  # (n, 2), texture coordinates with v upwards; None without them
 
 
 def box(x: float, y: float, z: float) -> Triangles:
@@ -46,12 +37,10 @@ def box(x: float, y: float, z: float) -> Triangles:
 
 
 def cylinder(radius: float, length: float) -> Triangles:
-    """A cylinder along z, about its centre."""
     return revolved((0, radius, radius, 0), (-length / 2, -length / 2, length / 2, length / 2))
 
 
 def sphere(radius: float) -> Triangles:
-    """A sphere about its centre."""
     return capsule(radius, 0.0)
 
 

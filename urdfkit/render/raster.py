@@ -26,19 +26,14 @@ _LOW, _HIGH = (0, 1) if sys.byteorder == "little" else (1, 0)
 
 
 class Projected(NamedTuple):
-    """Triangles in an image.
+    """Triangles in an image."""
 
-    Attributes:
-        x, y: (n,), vertices in pixels from the upper left corner.
-        nearness: (n,), positive, larger for what is nearer, linear in the image.
-        corners: three times (m,), the indices of the vertices.
-        top, bottom: (m,), the least and the greatest y of each triangle.
-    """
-
+    #: x and y: (n,), vertices in pixels from the upper left corner.
     x: Floats
     y: Floats
-    nearness: Floats
-    corners: tuple[Integers, Integers, Integers]
+    nearness: Floats  # (n,), positive, larger for what is nearer, linear in the image
+    corners: tuple[Integers, Integers, Integers]  # three times (m,), the indices of the vertices
+    #: top and bottom: (m,), the least and the greatest y of each triangle.
     top: Floats
     bottom: Floats
 
@@ -62,17 +57,13 @@ class Grid(NamedTuple):
     Every pixel has ``len(offsets)`` rows of samples, one sample in each row, at an offset of its
     own from the left: rooks on a board that threaten one another nowhere. Edges of all
     directions come out as smooth as with the square of that many samples.
-
-    Attributes:
-        width: of the image in pixels.
-        first, last: rows of pixels, the last one excluded.
-        offsets: (s,), of the samples of a pixel, from 0 to 1.
     """
 
-    width: int
+    width: int  # of the image in pixels
+    #: first and last: rows of pixels, the last one excluded.
     first: int
     last: int
-    offsets: Floats
+    offsets: Floats  # (s,), of the samples of a pixel, from 0 to 1
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -97,9 +88,7 @@ def nearest(
     """The keys of the samples of a band.
 
     Args:
-        triangles: of the image.
         chosen: numbers of those to draw.
-        grid: the samples.
         above: keys that must be beaten to be seen at all; those of what is opaque.
         below: keys that must not be reached; those of the layer before.
 
@@ -140,7 +129,6 @@ class Spans(NamedTuple):
     number: Integers
 
     def some(self, few: slice) -> Spans:
-        """A part of them."""
         return Spans(
             self.place[few], self.length[few], self.nearness[few], self.step[few], self.number[few]
         )
@@ -158,7 +146,6 @@ def _rows(triangles: Projected, numbers: Integers, grid: Grid) -> tuple[Integers
 
 
 def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> Spans:
-    """The spans of some triangles."""
     first, rows = _rows(triangles, numbers, grid)
     some = rows > 0
     first, rows, numbers = first[some], rows[some], numbers[some]
@@ -204,7 +191,6 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
 
 
 def _quotient(dividend: Floats, divisor: Floats) -> Floats:
-    """A quotient; 0 where there is none."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         result: Floats = dividend / divisor
     result[~np.isfinite(result)] = 0

@@ -16,7 +16,7 @@ from urdfkit.mesh.normals import shaded
 from urdfkit.mesh.transforms import scaled_part
 from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds
-from urdfkit.render.materials import PLACEHOLDER, ModelMaterials, SurfaceMaterial
+from urdfkit.render.materials import PLACEHOLDER, Colour, ModelMaterials, SurfaceMaterial
 from urdfkit.robot import kinematics
 from urdfkit.robot.model import Body, Link, Shape
 
@@ -34,28 +34,17 @@ LIMIT = 1e6
 
 
 class SceneItem(NamedTuple):
-    """Triangles of one material that move with one link.
+    """Triangles of one material that move with one link."""
 
-    Attributes:
-        link: name of the link.
-        role: ``visual``, ``collision``, or the layer that it belongs to.
-        label: what it shows: the name of a mesh file or the kind of a shape.
-        material: its colour or texture.
-        vertices: (n, 3), in the frame of the link, in m.
-        faces: (m, 3), indices of vertices, counter-clockwise from outside.
-        normals: (n, 3), unit vectors; None if every face is flat.
-        uv: (n, 2), texture coordinates with v upwards; None without a texture.
-        colors: (n, 4), of the vertices, instead of the colour of the material; None without them.
-    """
-
-    link: str
-    role: str
-    label: str
-    material: SurfaceMaterial
-    vertices: Floats
-    faces: Integers
-    normals: Floats | None = None
-    uv: Floats | None = None
+    link: str  # name of the link
+    role: str  # ``visual``, ``collision``, or the layer that it belongs to
+    label: str  # what it shows: the name of a mesh file or the kind of a shape
+    material: SurfaceMaterial  # its colour or texture
+    vertices: Floats  # (n, 3), in the frame of the link, in m
+    faces: Integers  # (m, 3), indices of vertices, counter-clockwise from outside
+    normals: Floats | None = None  # (n, 3), unit vectors; None if every face is flat
+    uv: Floats | None = None  # (n, 2), texture coordinates with v upwards; None without a texture
+    #: (n, 4), of the vertices, instead of the colour of the material; None without them.
     colors: Floats | None = None
 
     def moved(self, frame: Transform) -> SceneItem:
@@ -65,51 +54,32 @@ class SceneItem(NamedTuple):
 
 
 class MissingMesh(NamedTuple):
-    """A mesh that a placeholder stands for.
+    """A mesh that a placeholder stands for."""
 
-    Attributes:
-        link: name of the link.
-        role: ``visual`` or ``collision``.
-        filename: of the mesh, as written.
-        reason: why it cannot be drawn.
-    """
-
-    link: str
-    role: str
-    filename: str
-    reason: str
+    link: str  # name of the link
+    role: str  # ``visual`` or ``collision``
+    filename: str  # of the mesh, as written
+    reason: str  # why it cannot be drawn
 
 
 class Label(NamedTuple):
-    """A word in an image.
+    """A word in an image."""
 
-    Attributes:
-        text: the word.
-        link: in whose frame the point is.
-        point: what it belongs to, in m.
-    """
-
-    text: str
-    link: str
-    point: Vector
+    text: str  # the word
+    link: str  # in whose frame the point is
+    point: Vector  # what it belongs to, in m
 
 
 class Scene(NamedTuple):
-    """A robot in a configuration.
+    """A robot in a configuration."""
 
-    Attributes:
-        items: what there is to draw.
-        frames: where each link is, by its name.
-        missing: the meshes that placeholders stand for.
-        labels: words to write.
-        notes: what there was nothing of to draw, or is not as it looks, a sentence each.
-    """
-
-    items: tuple[SceneItem, ...]
-    frames: Mapping[str, Transform]
-    missing: tuple[MissingMesh, ...] = ()
-    labels: tuple[Label, ...] = ()
+    items: tuple[SceneItem, ...]  # what there is to draw
+    frames: Mapping[str, Transform]  # where each link is, by its name
+    missing: tuple[MissingMesh, ...] = ()  # the meshes that placeholders stand for
+    labels: tuple[Label, ...] = ()  # words to write
+    #: What there was nothing of to draw, or is not as it looks, a sentence each.
     notes: tuple[str, ...] = ()
+    legend: tuple[tuple[Colour, str], ...] = ()  # what colours mean
 
     def points(self) -> Floats:
         """All vertices of the robot in the world, (n, 3), in m; overlays are no part of it."""
@@ -119,6 +89,11 @@ class Scene(NamedTuple):
             if not item.material.overlay
         ]
         return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
+
+    def level(self) -> float:
+        """The height of the lowest vertex of the robot in the world, in m; 0 without one."""
+        points = self.points()
+        return float(points[:, 2].min()) if len(points) else 0.0
 
 
 @np.errstate(over="ignore", invalid="ignore")  # of sizes that no robot has
@@ -132,7 +107,6 @@ def build(
     Links that no root leads to are left out: they are nowhere.
 
     Args:
-        context: the description.
         positions: of joints, in rad or m; the others are at 0.
         roles: of ``visual`` and ``collision``, what to show.
 

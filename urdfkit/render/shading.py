@@ -1,7 +1,5 @@
 """What colour a surface has in the light of the studio."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -23,15 +21,10 @@ KNEE = 0.72
 
 
 class Illumination(NamedTuple):
-    """What reaches a surface.
+    """What reaches a surface."""
 
-    Attributes:
-        sun: (k,), the part of the sun that it sees.
-        sky: (k,), the part of the sky.
-    """
-
-    sun: Floats
-    sky: Floats
+    sun: Floats  # (k,), the part of the sun that it sees
+    sky: Floats  # (k,), the part of the sky
 
 
 def shaded(
@@ -44,7 +37,6 @@ def shaded(
         position: (k, 3), in the frame of the camera.
         normal: (k, 3), unit vectors there.
         lit: what reaches them.
-        rig: the lamps.
         parallel: True if the image is orthographic.
     """
     if parallel:

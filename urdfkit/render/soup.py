@@ -1,7 +1,5 @@
 """All triangles of a scene in one list, in the frame of a camera, cut at its near plane."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import accumulate, pairwise
 from typing import NamedTuple
@@ -14,27 +12,16 @@ from urdfkit.render.scene import Scene
 
 
 class CameraTriangles(NamedTuple):
-    """Triangles.
+    """Triangles."""
 
-    Attributes:
-        points: (n, 3), vertices in the frame of the camera.
-        normals: (n, 3), unit vectors there; 0 where faces are flat.
-        uv: (n, 2), 0 where there are none; None if nothing has a texture.
-        colors: (n, 4), 1 where there are none; None if nothing has any.
-        faces: (m, 3), indices of the vertices.
-        item: (m,), the index of the item in the scene.
-        flat: (m, 3), the normals of the faces.
-        pieces: where in the list the vertices of each item are.
-    """
-
-    points: Floats
-    normals: Floats
-    uv: Floats | None
-    colors: Floats | None
-    faces: Integers
-    item: Integers
-    flat: Floats
-    pieces: tuple[slice, ...]
+    points: Floats  # (n, 3), vertices in the frame of the camera
+    normals: Floats  # (n, 3), unit vectors there; 0 where faces are flat
+    uv: Floats | None  # (n, 2), 0 where there are none; None if nothing has a texture
+    colors: Floats | None  # (n, 4), 1 where there are none; None if nothing has any
+    faces: Integers  # (m, 3), indices of the vertices
+    item: Integers  # (m,), the index of the item in the scene
+    flat: Floats  # (m, 3), the normals of the faces
+    pieces: tuple[slice, ...]  # where in the list the vertices of each item are
 
 
 def soup(scene: Scene, camera: Camera) -> CameraTriangles:
@@ -98,7 +85,6 @@ def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
 
 
 def chosen_triangles(whole: CameraTriangles, chosen: Bools | Integers) -> CameraTriangles:
-    """Some of the triangles, with all vertices."""
     return whole._replace(
         faces=whole.faces[chosen], item=whole.item[chosen], flat=whole.flat[chosen]
     )

@@ -1,7 +1,5 @@
 """Images on surfaces: read once, halved as often as it takes, and sampled."""
 
-from __future__ import annotations
-
 import io
 from functools import cache, lru_cache
 
@@ -41,6 +39,12 @@ class Texture:
         self._levels[0].save(file, "JPEG", quality=88)
         return file.getvalue()
 
+    def png(self) -> bytes:
+        """The image as a file without losses."""
+        file = io.BytesIO()
+        self._levels[0].save(file, "PNG")
+        return file.getvalue()
+
 
 def srgb_to_linear(values: Floats) -> Floats:
     """Colours as written to amounts of light (IEC 61966-2-1)."""
@@ -71,12 +75,12 @@ def texture(source: str | bytes) -> Texture | None:
 
 @cache
 def stripes() -> bytes:
-    """Slanting stripes in orange and dark grey, as on a barrier: a PNG."""
+    """Slanting stripes in white and dark grey, which take a colour: a PNG."""
     x, y = np.meshgrid(np.arange(256), np.arange(256))
     bright = ((x + y) // 32 % 2 == 0)[..., None]
-    orange, grey = np.array((255, 122, 0)), np.array((58, 58, 62))
+    white, grey = np.array((255, 255, 255)), np.array((58, 58, 62))
     file = io.BytesIO()
-    Image.fromarray(np.where(bright, orange, grey).astype(np.uint8)).save(file, "PNG")
+    Image.fromarray(np.where(bright, white, grey).astype(np.uint8)).save(file, "PNG")
     return file.getvalue()
 
 
@@ -84,7 +88,6 @@ def sample(image: Texture, uv: Floats, spread: Floats) -> Floats:
     """The colours at texture coordinates, (k, 3), in linear light; images repeat.
 
     Args:
-        image: the texture.
         uv: (k, 2), v upwards.
         spread: (k,), the edge of a pixel of the rendered image, as a part of the texture.
     """
@@ -113,7 +116,8 @@ def _bilinear(pixels: Bytes, uv: Floats) -> Floats:
 
 
 def _light(pixels: Bytes, row: Integers, column: Integers) -> Floats:
-    return _LINEAR[pixels[row, column]]
+    return LINEAR[pixels[row, column]]
 
 
-_LINEAR = srgb_to_linear(np.arange(256, dtype=np.float32) / np.float32(255))
+#: The linear light of the bytes of sRGB.
+LINEAR = srgb_to_linear(np.arange(256, dtype=np.float32) / np.float32(255))

@@ -13,22 +13,20 @@ from urdfkit.robot.shapes import BoundingBox, solid
 if TYPE_CHECKING:
     from urdfkit.robot import Robot
 
-#: Why a mesh is not measured where numpy or the readers of meshes are not installed.
-WITHOUT_MESHES = "meshes are not read without: pip install 'urdfkit[meshes]'"
+
+def without_meshes() -> str:
+    """Why a mesh is not measured where numpy or the readers of meshes are not installed."""
+    from urdfkit.core.installation import install_command
+
+    return f"meshes are not read without: {install_command('meshes')}"
 
 
 class RobotExtent(Record):
-    """What some shapes take up.
+    """What some shapes take up."""
 
-    Attributes:
-        box: around them, along the axes of their root; None without any.
-        measured: how many links have a shape in it.
-        left_out: why shapes are not in the box, by link.
-    """
-
-    box: BoundingBox | None
-    measured: int
-    left_out: dict[str, str]
+    box: BoundingBox | None  # around them, along the axes of their root; None without any
+    measured: int  # how many links have a shape in it
+    left_out: dict[str, str]  # why shapes are not in the box, by link
 
 
 def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
@@ -38,7 +36,6 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
     counts.
 
     Args:
-        robot: the robot.
         placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
     """
     boxes: list[BoundingBox] = []
@@ -69,8 +66,6 @@ def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
     """The box around a visual or collision of a link, or why there is none.
 
     Args:
-        robot: the robot.
-        body: the visual or collision.
         link: the frame of the link, in which the box is wanted.
     """
     shape = body.shape
@@ -82,7 +77,7 @@ def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
     try:
         vertices = robot.meshes.vertices(shape)
     except ImportError:
-        return WITHOUT_MESHES
+        return without_meshes()
     if vertices is None:
         return robot.meshes.reason(shape)
     rotation, position = link @ body.origin

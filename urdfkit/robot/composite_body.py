@@ -16,27 +16,20 @@ _MOST = 3
 
 
 class CompositeBody(Record):
-    """A robot as one rigid body at a configuration.
+    """A robot as one rigid body at a configuration."""
 
-    Attributes:
-        mass: of all links, in kg.
-        properties: mass, centre and tensor in the frame of ``root``; None where nothing says how
-            the links with mass stand to one another.
-        root: the root link above them; empty without one.
-        reason: why there are no properties; empty if there are.
-    """
-
-    mass: float
+    mass: float  # of all links, in kg
+    #: Mass, centre and tensor in the frame of ``root``; None where nothing says how the links with
+    #: mass stand to one another.
     properties: MassProperties | None
-    root: str
-    reason: str
+    root: str  # the root link above them; empty without one
+    reason: str  # why there are no properties; empty if there are
 
 
 def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> CompositeBody:
     """All links together.
 
     Args:
-        tree: of the model.
         placed: where each link is, as `urdfkit.robot.kinematics.frames` says.
     """
     mass = tree.model.mass

@@ -30,17 +30,11 @@ ZERO = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class MassProperties(Record):
-    """A rigid body as dynamics sees it.
+    """A rigid body as dynamics sees it."""
 
-    Attributes:
-        mass: in kg.
-        center: of mass, in m.
-        tensor: about the centre of mass, along the axes of the same frame, in kg·m².
-    """
-
-    mass: float
-    center: Vector
-    tensor: Tensor
+    mass: float  # in kg
+    center: Vector  # of mass, in m
+    tensor: Tensor  # about the centre of mass, along the axes of the same frame, in kg·m²
 
     def moved(self, frame: Transform) -> MassProperties:
         """The same, given in a frame, in the parent of that frame."""
@@ -153,13 +147,11 @@ def box(mass: float, size: Vector) -> Tensor:
 
 
 def cylinder(mass: float, radius: float, length: float) -> Tensor:
-    """A solid cylinder along z."""
     across = mass * (3 * radius * radius + length * length) / 12
     return Tensor(across, 0.0, 0.0, across, 0.0, mass * radius * radius / 2)
 
 
 def sphere(mass: float, radius: float) -> Tensor:
-    """A solid ball."""
     moment = 2 * mass * radius * radius / 5
     return Tensor(moment, 0.0, 0.0, moment, 0.0, moment)
 
@@ -205,7 +197,6 @@ def rotated(tensor: Tensor, rotation: Rotation) -> Tensor:
 
 
 def scaled(tensor: Tensor, factor: float) -> Tensor:
-    """Every entry times a factor."""
     return Tensor(*(factor * value for value in tensor))
 
 

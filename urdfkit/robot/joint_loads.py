@@ -4,8 +4,6 @@ The weight below a joint at the longest lever that its links can make: an upper 
 one walk over the tree. Where it is under the effort of a joint, no pose overloads that joint.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from math import hypot
 
@@ -51,9 +49,6 @@ def largest(tree: KinematicTree) -> dict[str, float]:
     """The upper bound of what each joint must hold, in N·m or N, by its name.
 
     Joints that follow another one load that one, as if a linkage joined them.
-
-    Args:
-        tree: of a sound model.
     """
     mass: dict[str, float] = {}
     lever: dict[str, float] = {}  # the sum of mass times distance from the origin of a link

@@ -18,16 +18,13 @@ TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
 
 
 class MimicLaw(Record):
-    """What a joint follows: ``position = factor * position of the leader + shift``.
+    """What a joint follows: ``position = factor * position of the leader + shift``."""
 
-    Attributes:
-        leader: a joint that follows none; the joint itself where it follows none; empty for one
-            that is locked, since it follows a joint that is not there, a ring, or by numbers
-            that no linkage has.
-        factor, shift: of all multipliers and offsets on the way to the leader.
-    """
-
+    #: A joint that follows none; the joint itself where it follows none; empty for one that is
+    #: locked, since it follows a joint that is not there, a ring, or by numbers that no linkage
+    #: has.
     leader: str
+    #: factor and shift: of all multipliers and offsets on the way to the leader.
     factor: float
     shift: float
 
@@ -76,7 +73,6 @@ def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, floa
     """The position of every joint that one number moves.
 
     Args:
-        tree: of the model.
         given: positions of joints; the others are at 0. A joint that mimics another one follows
             it, whatever is given for it; in a ring of such joints all stay at 0.
     """

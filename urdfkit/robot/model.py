@@ -71,25 +71,15 @@ class Inertial(Record):
 
 
 class Shape(Record):
-    """What stands in a ``<geometry>``.
+    """What stands in a ``<geometry>``."""
 
-    Attributes:
-        at: the shape's element.
-        kind: its tag: ``box``, ``cylinder``, ``sphere``, ``capsule``, ``mesh`` or another.
-        size: of a box, in m; None elsewhere or where unreadable.
-        radius: of a cylinder, capsule or sphere, in m.
-        length: of a cylinder or capsule, in m.
-        filename: of a mesh, as written.
-        scale: of a mesh.
-    """
-
-    at: Element
-    kind: str
-    size: Vector | None
-    radius: float | None
-    length: float | None
-    filename: Placed[str] | None
-    scale: Vector
+    at: Element  # the shape's element
+    kind: str  # its tag: ``box``, ``cylinder``, ``sphere``, ``capsule``, ``mesh`` or another
+    size: Vector | None  # of a box, in m; None elsewhere or where unreadable
+    radius: float | None  # of a cylinder, capsule or sphere, in m
+    length: float | None  # of a cylinder or capsule, in m
+    filename: Placed[str] | None  # of a mesh, as written
+    scale: Vector  # of a mesh
 
     @property
     def half_extents(self) -> Vector | None:

@@ -23,28 +23,18 @@ STARTS, ROUNDS = 12, 200
 
 
 class Reach(Record):
-    """The longest chain.
+    """The longest chain."""
 
-    Attributes:
-        distance: from the first moving joint of the chain to the origin of its last link, in m.
-        joint: that first joint.
-        link: that last link.
-        pose: the positions of the joints of the chain there, in rad or m.
-    """
-
-    distance: float
-    joint: str
-    link: str
-    pose: dict[str, float]
+    distance: float  # from the first moving joint of the chain to the origin of its last link, in m
+    joint: str  # that first joint
+    link: str  # that last link
+    pose: dict[str, float]  # the positions of the joints of the chain there, in rad or m
 
 
 def reach(tree: KinematicTree) -> Reach | None:
     """The longest reach of all chains; None where nothing moves.
 
     Joints that follow others by ``<mimic>`` count as if they were free within their limits.
-
-    Args:
-        tree: of the model.
     """
     chains = [
         chain for chain in _chains(tree) if len(chain) <= MAX_JOINTS and isfinite(_span(chain))

@@ -18,14 +18,10 @@ NO_MASS = 1e-6
 
 
 class RigidBody(Record):
-    """Links without a moving joint between them.
+    """Links without a moving joint between them."""
 
-    Attributes:
-        joint: that moves the body; None for one with a root link.
-        links: the topmost first, each with its frame in that of the topmost.
-    """
-
-    joint: Joint | None
+    joint: Joint | None  # that moves the body; None for one with a root link
+    #: The topmost first, each with its frame in that of the topmost.
     links: tuple[tuple[Link, Transform], ...]
 
     @property
@@ -53,7 +49,6 @@ def properties_of(link: Link, frame: Transform) -> MassProperties:
     """Mass, centre and tensor of a link in another frame; what is not written is zero.
 
     Args:
-        link: the link.
         frame: of the link, in the frame in which they are wanted.
     """
     if link.inertial is None:
@@ -71,7 +66,6 @@ def rigid_bodies(
     A link in a closed loop that no root leads to is in no body.
 
     Args:
-        tree: of the model.
         preserved: names of fixed joints that are kept as joints.
     """
     bodies: list[RigidBody] = []

@@ -1,12 +1,9 @@
 """Small robots as text, for the examples of rules."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 
 def robot_xml(*parts: str) -> str:
-    """Elements one below the other."""
     return "\n".join(parts)
 
 
@@ -46,8 +43,6 @@ def hand_xml(kind: str, left: Iterable[str], right: Iterable[str], *finger: str)
 
     Args:
         kind: the type of ``left_joint`` and ``right_joint``.
-        left: elements of the left joint.
-        right: elements of the right joint.
         finger: elements of each of the three links.
     """
     return robot_xml(

@@ -82,21 +82,13 @@ class BoundingBox(Record):
 
 
 class Primitive(Record):
-    """A box, cylinder, sphere or capsule with positive sizes.
+    """A box, cylinder, sphere or capsule with positive sizes."""
 
-    Attributes:
-        kind: one of these.
-        size: edges of the box along x, y, z; zeros for the others.
-        radius: 0 for the box.
-        length: along z, of the cylinder or between the centres of the capsule's ends; else 0.
-        origin: in the frame of the link.
-    """
-
-    kind: str
-    size: Vector
-    radius: float
-    length: float
-    origin: Transform
+    kind: str  # one of these
+    size: Vector  # edges of the box along x, y, z; zeros for the others
+    radius: float  # 0 for the box
+    length: float  # along z, of the cylinder or between the centres of the capsule's ends; else 0
+    origin: Transform  # in the frame of the link
 
     @property
     def volume(self) -> float:
@@ -161,20 +153,13 @@ class Primitive(Record):
 
 
 class MeshSolid(Record):
-    """A mesh as a solid in the frame of a link.
+    """A mesh as a solid in the frame of a link."""
 
-    Attributes:
-        name: of the file.
-        shape_mass: what it encloses at a density of 1 kg/m³, or its convex hull.
-        hull: volume of the convex hull in m^3.
-        is_closed: True if it encloses a solid; it is taken for its hull otherwise.
-        points: extreme vertices; the mesh reaches hardly farther in any direction than they.
-    """
-
-    name: str
-    shape_mass: MassProperties
-    hull: float
-    is_closed: bool
+    name: str  # of the file
+    shape_mass: MassProperties  # what it encloses at a density of 1 kg/m³, or its convex hull
+    hull: float  # volume of the convex hull in m^3
+    is_closed: bool  # True if it encloses a solid; it is taken for its hull otherwise
+    #: Extreme vertices; the mesh reaches hardly farther in any direction than they.
     points: tuple[Vector, ...]
 
     @property
@@ -271,7 +256,6 @@ def solid(
     no primitive.
 
     Args:
-        bodies: the visuals or collisions.
         mesh_solid: measures those that are meshes.
     """
     parts: list[Primitive | MeshSolid] = []

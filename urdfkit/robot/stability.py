@@ -44,27 +44,19 @@ VERDICTS = {
 
 
 class Stability(Record):
-    """How a robot stands.
+    """How a robot stands."""
 
-    Attributes:
-        links: that touch the ground, in the order of the model.
-        polygon: corners of the convex hull of all contacts seen from above, counter-clockwise.
-        center: of mass, in the frame of the root.
-        ground: height of the ground in that frame.
-        margin: distance of the centre of mass from the nearest edge, seen from above; negative
-            outside.
-        angle: how far the ground may slope before it tips over that edge which gives way first,
-            in rad; negative where it falls on level ground.
-        direction: horizontal unit vector, outwards across that edge.
-    """
-
-    links: tuple[str, ...]
+    links: tuple[str, ...]  # that touch the ground, in the order of the model
+    #: Corners of the convex hull of all contacts seen from above, counter-clockwise.
     polygon: tuple[Point, ...]
-    center: Vector
-    ground: float
+    center: Vector  # of mass, in the frame of the root
+    ground: float  # height of the ground in that frame
+    #: Distance of the centre of mass from the nearest edge, seen from above; negative outside.
     margin: float
+    #: How far the ground may slope before it tips over that edge which gives way first, in rad;
+    #: negative where it falls on level ground.
     angle: float
-    direction: Point
+    direction: Point  # horizontal unit vector, outwards across that edge
 
     @property
     def tips(self) -> bool:
@@ -81,21 +73,14 @@ class Stability(Record):
 
 
 class Standing(Record):
-    """Whether a robot stands on the ground: what ``urdfkit statics`` and the report print.
+    """Whether a robot stands on the ground: what ``urdfkit statics`` and the report print."""
 
-    Attributes:
-        verdict: one of ``VERDICTS``.
-        links: that touch the ground, in the order of the model.
-        stability: how safely; None unless it stands or tips over.
-        visual_only: links that reach the ground with a visual, and have no collision.
-        visuals: True if these count as contacts.
-    """
-
-    verdict: str
-    links: tuple[str, ...] = ()
-    stability: Stability | None = None
+    verdict: str  # one of ``VERDICTS``
+    links: tuple[str, ...] = ()  # that touch the ground, in the order of the model
+    stability: Stability | None = None  # how safely; None unless it stands or tips over
+    #: Links that reach the ground with a visual, and have no collision.
     visual_only: tuple[str, ...] = ()
-    visuals: bool = False
+    visuals: bool = False  # True if these count as contacts
 
     def facts(self) -> dict[str, object]:
         """For JSON; lengths in m, angles in rad, None where the verdict says nothing of them."""
@@ -122,7 +107,6 @@ def standing(
     """The verdict on a robot at a pose; without the mesh libraries, by its primitives alone.
 
     Args:
-        robot: the robot.
         pose: positions of joints in rad or m; the others are at 0.
         contacts: names of the links it stands on; those that reach the lowest point if None.
         payload: masses in kg that links carry at their origin.
@@ -215,7 +199,6 @@ def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
     """True for what stands by itself: not on its base alone, which is bolted down, nor on legs.
 
     Args:
-        tree: of the robot.
         links: that touch the ground.
     """
     root = rigid_bodies(tree)[0]

@@ -134,7 +134,6 @@ def apart(found: Iterable[tuple[str, str]], parents: Mapping[str, str]) -> list[
     industrial arms.
 
     Args:
-        found: pairs of names of links.
         parents: the parent of each link that has one.
     """
     spans = _spans(parents)

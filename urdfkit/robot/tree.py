@@ -4,8 +4,6 @@ Cycles, two parents, islands, unknown links and 100 000 links in a row are all n
 nothing here recurses, and every walk visits a link once.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 
 from urdfkit.core.spatial import Transform
@@ -20,16 +18,14 @@ _DONE = -1
 class KinematicTree:
     """The parent and child joints of each link.
 
-    Attributes:
-        children: the joints that have a link as parent, by its name.
-        parents: the joints that have a link as child, by its name; more than one is a defect.
-
     Only joints between two known, different links take part.
     """
 
     def __init__(self, model: RobotModel) -> None:
         self.model = model
+        #: The joints that have a link as parent, by its name.
         self.children: dict[str, list[Joint]] = {name: [] for name in model.links_by_name}
+        #: The joints that have a link as child, by its name; more than one is a defect.
         self.parents: dict[str, list[Joint]] = {name: [] for name in model.links_by_name}
         for joint in model.joints:
             ends = self.ends(joint)

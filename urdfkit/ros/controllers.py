@@ -31,20 +31,14 @@ _PARAMETERS = "ros__parameters"
 
 
 class Section(Record):
-    """The parameters of a node.
+    """The parameters of a node."""
 
-    Attributes:
-        given: by name, with dots between levels, lists and single values apart.
-        places: of the names.
-        at: where it begins; None if the file has no parameters for the node.
-    """
-
+    #: By name, with dots between levels, lists and single values apart.
     given: dict[str, Value | list[Node]]
-    places: dict[str, Span]
-    at: Span | None
+    places: dict[str, Span]  # of the names
+    at: Span | None  # where it begins; None if the file has no parameters for the node
 
     def add(self, node: dict[str, Node]) -> None:
-        """Take over the parameters in a mapping."""
         stack: list[tuple[str, dict[str, Node]]] = [("", node)]
         while stack:
             above, mapping = stack.pop()
@@ -72,21 +66,13 @@ class Section(Record):
 
 
 class Controller(Record):
-    """A controller with a type.
+    """A controller with a type."""
 
-    Attributes:
-        name: of its node.
-        type: its class, as the controller manager loads it.
-        type_at: where the type is written.
-        ros: 1 or 2.
-        section: its parameters as they are written.
-    """
-
-    name: str
-    type: str
-    type_at: Span
-    ros: int
-    section: Section
+    name: str  # of its node
+    type: str  # its class, as the controller manager loads it
+    type_at: Span  # where the type is written
+    ros: int  # 1 or 2
+    section: Section  # its parameters as they are written
 
     def values(self, names: Iterable[str]) -> list[Value]:
         """What some parameters hold, one after the other."""
@@ -94,18 +80,12 @@ class Controller(Record):
 
 
 class ParameterFile(Record):
-    """A parameter file.
+    """A parameter file."""
 
-    Attributes:
-        span: where it is named: in a control plugin or in the launch file.
-        path: as it is after expansion; absolute.
-        found: the file, or None if there is none.
-        element: the ``<parameters>`` of the plugin; None if the launch file names it.
-    """
-
-    span: Span
-    path: str
-    found: str | None
+    span: Span  # where it is named: in a control plugin or in the launch file
+    path: str  # as it is after expansion; absolute
+    found: str | None  # the file, or None if there is none
+    #: The ``<parameters>`` of the plugin; None if the launch file names it.
     element: Element | None = None
 
     @property

@@ -18,24 +18,19 @@ class Compiler(Record):
     """The settings of MuJoCo's compiler that change how a robot is read, with their defaults.
 
     Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#compiler
-
-    Attributes:
-        mesh_directory: of the mesh files; relative to the URDF, or absolute.
-        strips_path: True if of the name of a mesh only what follows the last slash counts.
-        drops_visuals: True if visuals, and their meshes, are not loaded.
-        balances_inertia: True if moments that violate the triangle inequality become equal.
-        least_mass, least_moment: what links have at least, in kg and kg·m².
-        fuses_static: True if what no joint moves becomes part of the body above.
-        inertia_from_geometry: True if every mass is computed from shapes, whatever is written.
     """
 
-    mesh_directory: str = ""
+    mesh_directory: str = ""  # of the mesh files; relative to the URDF, or absolute
+    #: True if of the name of a mesh only what follows the last slash counts.
     strips_path: bool = False
-    drops_visuals: bool = True
+    drops_visuals: bool = True  # True if visuals, and their meshes, are not loaded
+    #: True if moments that violate the triangle inequality become equal.
     balances_inertia: bool = False
+    #: least_mass and least_moment: what links have at least, in kg and kg·m².
     least_mass: float = 0.0
     least_moment: float = 0.0
-    fuses_static: bool = True
+    fuses_static: bool = True  # True if what no joint moves becomes part of the body above
+    #: True if every mass is computed from shapes, whatever is written.
     inertia_from_geometry: bool = False
 
     def bounded(self, given: MassProperties) -> MassProperties:
@@ -58,7 +53,6 @@ class Compiler(Record):
 
 
 def compiler_of(model: RobotModel) -> Compiler:
-    """The settings in a model."""
     block = model.document.root.child("mujoco")
     element = block.child("compiler") if block else None
     if element is None:

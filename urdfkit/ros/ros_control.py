@@ -46,7 +46,6 @@ class Interface(Record):
     name: str
 
     def parameter(self, name: str) -> Element | None:
-        """The ``<param>`` of a name."""
         return parameter(self.at, name)
 
     def bound(self, name: str) -> float | None:
@@ -69,19 +68,12 @@ class ControlPart(Record):
 
 
 class Component(Record):
-    """A ``<ros2_control>`` block.
+    """A ``<ros2_control>`` block."""
 
-    Attributes:
-        at: the block.
-        name: empty where there is none.
-        plugin: the element that names the hardware class, or None.
-        parts: joints, sensors and GPIOs, in the order of the document.
-    """
-
-    at: Element
-    name: str
-    plugin: Element | None
-    parts: tuple[ControlPart, ...]
+    at: Element  # the block
+    name: str  # empty where there is none
+    plugin: Element | None  # the element that names the hardware class, or None
+    parts: tuple[ControlPart, ...]  # joints, sensors and GPIOs, in the order of the document
 
     @property
     def hardware(self) -> str:
@@ -94,26 +86,18 @@ class Component(Record):
 
     @property
     def called(self) -> str:
-        """For messages."""
         return f"<ros2_control> '{self.name}'" if self.name else "<ros2_control>"
 
 
 class ControlPlugin(Record):
-    """A plugin of Gazebo that runs controllers.
+    """A plugin of Gazebo that runs controllers."""
 
-    Attributes:
-        at: the ``<plugin>``.
-        kind: its name in the catalogue, such as ``gz_ros2_control``.
-        filename: as written.
-    """
-
-    at: Element
-    kind: str
-    filename: str
+    at: Element  # the ``<plugin>``
+    kind: str  # its name in the catalogue, such as ``gz_ros2_control``
+    filename: str  # as written
 
 
 def components(model: RobotModel) -> list[Component]:
-    """The ``<ros2_control>`` blocks of a model."""
     return [_component(element) for element in model.ros2_controls]
 
 
@@ -130,7 +114,6 @@ def control_plugins(model: RobotModel) -> list[ControlPlugin]:
 
 
 def parameter(element: Element, name: str) -> Element | None:
-    """The first ``<param>`` of a name."""
     for found in element.all("param"):
         if found.get("name") == name:
             return found

@@ -40,15 +40,10 @@ class UnknownTarget(UrdfkitError):
 
 
 class Targets(Record):
-    """The programs that a description is checked for.
+    """The programs that a description is checked for."""
 
-    Attributes:
-        names: in the order of ``TARGETS``.
-        evidence: why each of them was detected; empty if they were given.
-    """
-
-    names: tuple[str, ...]
-    evidence: tuple[str, ...] = ()
+    names: tuple[str, ...]  # in the order of ``TARGETS``
+    evidence: tuple[str, ...] = ()  # why each of them was detected; empty if they were given
 
     def among(self, names: Iterable[str]) -> tuple[str, ...]:
         """Those of some targets that are among these."""
@@ -65,7 +60,6 @@ class Targets(Record):
 
     @property
     def facts(self) -> tuple[TargetFacts, ...]:
-        """What is known of each of them."""
         return tuple(map(facts_of, self.names))
 
     def that(self, fact: str) -> tuple[str, ...]:
@@ -82,79 +76,51 @@ class Targets(Record):
 
 
 class TargetFacts(Record):
-    """What one program makes of a robot, where it is not what urdfdom and RViz make of it.
+    """What one program makes of a robot, where it is not what urdfdom and RViz make of it."""
 
-    Attributes:
-        name: of the target.
-        title: what it stands for.
-        unread: families of rules about what the program does not read.
-        meshes: the formats that it loads; empty if that is not known, or depends on the machine.
-        leaves_out_visuals: True if it takes a robot whose visuals are in other formats.
-        drops_visuals: True if it loads no visuals unless it is asked to.
-        loads_first_object: True if it loads only the first object or group of an OBJ.
-        collides_hulls: True if the convex hulls of meshes collide, not their triangles.
-        collides_with_welded: True if a link collides with the one above, where that is welded to
-            the world.
-        severities: of rules, where they differ for it, by their codes: what it rejects is an
-            ``error``, what it takes is none.
-        simulates: True if forces move the links, so that they need a mass.
-        builds_kdl: True if it makes a KDL tree of the robot, which lacks the inertia of the root.
-        finds_packages: False if a mesh is a path to it, ``package://`` as well.
-        ignores_units: True if the numbers of COLLADA files are metres to it.
-        ignores_limits: True if it takes a joint without ``<limit>``, effort or velocity.
-        reads_capsules: True if it reads ``<capsule>`` in each version of URDF.
-        reads_ball_joints: True if it reads joints of the type ``spherical``.
-        reads_unnamed_materials: True if a material needs no name.
-        reserves_world: True if a link ``world`` is the world.
-        adds_world: True if joints may name the world, which no link stands for.
-        needs_movable_mimic: True if it rejects a mimic of a joint that one number does not move.
-        needs_usd_names: True if names are those of USD, which begin with no digit.
-        rejects_repeated: True if it rejects an element that is there twice.
-        rejects_massless: True if it rejects a moving link without mass.
-        density: in kg/m³, of the collisions of a link without ``<inertial>``, whose mass it
-            computes; 0 if it computes none.
-        rejects_rounding: True if moments must hold the triangle inequality to their last digit.
-        least_moment: in kg·m²; it rejects tensors with less. 0 if it takes all.
-        rejects_empty_shapes: True if it rejects a collision one edge of which is 0.
-        least_volume: in m³; it rejects collision meshes with less. 0 if it takes all.
-        most_triangles: of an STL file that it loads; 0 if it loads all.
-    """
-
-    name: str
-    title: str
-    unread: tuple[str, ...] = ()
+    name: str  # of the target
+    title: str  # what it stands for
+    unread: tuple[str, ...] = ()  # families of rules about what the program does not read
+    #: The formats that it loads; empty if that is not known, or depends on the machine.
     meshes: tuple[str, ...] = ()
-    leaves_out_visuals: bool = False
-    drops_visuals: bool = False
-    loads_first_object: bool = False
-    collides_hulls: bool = False
+    leaves_out_visuals: bool = False  # True if it takes a robot whose visuals are in other formats
+    drops_visuals: bool = False  # True if it loads no visuals unless it is asked to
+    loads_first_object: bool = False  # True if it loads only the first object or group of an OBJ
+    collides_hulls: bool = False  # True if the convex hulls of meshes collide, not their triangles
+    #: True if a link collides with the one above, where that is welded to the world.
     collides_with_welded: bool = False
+    #: Of rules, where they differ for it, by their codes: what it rejects is an ``error``, what it
+    #: takes is none.
     severities: Mapping[str, str] = {}
-    simulates: bool = False
+    simulates: bool = False  # True if forces move the links, so that they need a mass
+    #: True if it makes a KDL tree of the robot, which lacks the inertia of the root.
     builds_kdl: bool = False
-    finds_packages: bool = True
-    ignores_units: bool = False
-    ignores_limits: bool = False
-    reads_capsules: bool = False
-    reads_ball_joints: bool = False
-    reads_unnamed_materials: bool = False
-    reserves_world: bool = False
-    adds_world: bool = False
+    finds_packages: bool = True  # False if a mesh is a path to it, ``package://`` as well
+    ignores_units: bool = False  # True if the numbers of COLLADA files are metres to it
+    ignores_limits: bool = False  # True if it takes a joint without ``<limit>``, effort or velocity
+    reads_capsules: bool = False  # True if it reads ``<capsule>`` in each version of URDF
+    reads_ball_joints: bool = False  # True if it reads joints of the type ``spherical``
+    reads_unnamed_materials: bool = False  # True if a material needs no name
+    reserves_world: bool = False  # True if a link ``world`` is the world
+    adds_world: bool = False  # True if joints may name the world, which no link stands for
+    #: True if it rejects a mimic of a joint that one number does not move.
     needs_movable_mimic: bool = False
-    needs_usd_names: bool = False
-    rejects_repeated: bool = False
-    rejects_massless: bool = False
+    needs_usd_names: bool = False  # True if names are those of USD, which begin with no digit
+    rejects_repeated: bool = False  # True if it rejects an element that is there twice
+    rejects_massless: bool = False  # True if it rejects a moving link without mass
+    #: In kg/m³, of the collisions of a link without ``<inertial>``, whose mass it computes; 0 if it
+    #: computes none.
     density: float = 0.0
+    #: True if moments must hold the triangle inequality to their last digit.
     rejects_rounding: bool = False
-    least_moment: float = 0.0
-    rejects_empty_shapes: bool = False
-    least_volume: float = 0.0
-    most_triangles: int = 0
+    least_moment: float = 0.0  # in kg·m²; it rejects tensors with less. 0 if it takes all
+    rejects_empty_shapes: bool = False  # True if it rejects a collision one edge of which is 0
+    least_volume: float = 0.0  # in m³; it rejects collision meshes with less. 0 if it takes all
+    most_triangles: int = 0  # of an STL file that it loads; 0 if it loads all
 
 
 @cache
 def facts_of(name: str) -> TargetFacts:
-    """The facts of a target."""
     return record(TargetFacts, data(f"targets/{name}"), name=name)
 
 

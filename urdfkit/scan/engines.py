@@ -1,7 +1,5 @@
 """What runs a scan: processes of this machine, or Dask. Both ask the same `Isolated`."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
@@ -9,6 +7,7 @@ from itertools import islice
 from queue import SimpleQueue
 from typing import Any
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.scan.isolated import Isolated, Settings
 from urdfkit.scan.models import Model
@@ -24,7 +23,6 @@ def local(models: Iterable[Model], settings: Settings, jobs: int) -> Iterator[Mo
     """The rows of models, as they are done by processes of this machine.
 
     Args:
-        models: on disk.
         settings: how they are checked.
         jobs: how many processes.
 
@@ -111,7 +109,7 @@ def _dask_client(jobs: int, address: str) -> Any:
     try:
         from distributed import Client
     except ImportError as error:
-        raise MissingLibrary("--engine dask needs Dask: pip install 'urdfkit[scan]'") from error
+        raise MissingLibrary(f"--engine dask needs Dask: {install_command('scan')}") from error
     here = {"n_workers": jobs, "threads_per_worker": 1, "dashboard_address": None}
     try:
         return Client(address) if address else Client(**here)

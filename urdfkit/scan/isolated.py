@@ -28,16 +28,11 @@ _MODELS = 2000
 
 
 class Settings(Record):
-    """How models are checked.
+    """How models are checked."""
 
-    Attributes:
-        options: of the check.
-        seconds: that a model may take.
-        memory: address space that a process may take, in bytes; Windows has no such limit.
-    """
-
-    options: Options
-    seconds: float = 60.0
+    options: Options  # of the check
+    seconds: float = 60.0  # that a model may take
+    #: Address space that a process may take, in bytes; Windows has no such limit.
     memory: int = 4 * 2**30
 
 
@@ -76,7 +71,6 @@ class Isolated:
         return row
 
     def end(self) -> None:
-        """End the process, whatever it is doing."""
         self._left = 0
         if self._process is not None:
             self._process.kill()

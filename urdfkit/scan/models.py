@@ -40,20 +40,14 @@ _UNREADABLE = (
 
 
 class Model(Record):
-    """A description of a collection.
+    """A description of a collection."""
 
-    Attributes:
-        name: by which it is known in the results: the path as the source gives it; of a member of
-            an archive, the path of the archive and that in it.
-        path: where it is on disk.
-        archive: that it comes from; empty if from none.
-        directory: that the archive was extracted to.
-    """
-
+    #: By which it is known in the results: the path as the source gives it; of a member of an
+    #: archive, the path of the archive and that in it.
     name: str
-    path: str
-    archive: str = ""
-    directory: str = ""
+    path: str  # where it is on disk
+    archive: str = ""  # that it comes from; empty if from none
+    directory: str = ""  # that the archive was extracted to
 
 
 def models(sources: Iterable[str], lists: frozenset[str] = frozenset()) -> Iterator[Model]:

@@ -24,79 +24,59 @@ from urdfkit.workspace.resolve import Resolver
 
 
 class FindingRow(Record):
-    """A finding.
+    """A finding."""
 
-    Attributes:
-        code, rule: of the rule, such as ``MSH001`` and ``missing-file``.
-        severity: ``error``, ``warning`` or ``info``.
-        message: one sentence.
-        path: of the file; in an archive, below the path of the archive.
-        line, column: in it, from 1.
-        element: path of the element after expansion.
-        places: how many expansions of a macro it has.
-    """
-
+    #: code and rule: of the rule, such as ``MSH001`` and ``missing-file``.
     code: str
     rule: str
-    severity: str
-    message: str
-    path: str
+    severity: str  # ``error``, ``warning`` or ``info``
+    message: str  # one sentence
+    path: str  # of the file; in an archive, below the path of the archive
+    #: line and column: in it, from 1.
     line: int
     column: int
-    element: str
-    places: int
+    element: str  # path of the element after expansion
+    places: int  # how many expansions of a macro it has
 
 
 class ModelRow(Record):
-    """A model.
+    """A model."""
 
-    Attributes:
-        model: its name in the scan.
-        status: ``ok``, ``unreadable`` (no file, no XML, does not expand), ``crashed`` (a bug in
-            urdfkit), ``timeout``, ``memory``, or ``died`` (its process was killed).
-        reason: why it is not ``ok``.
-        hash: SHA-256 of the expanded description and the mesh files that it names.
-        robot: the name in it.
-        links, joints, dof, visuals, collisions: how many.
-        meshes, missing: mesh files that were found, and references that lead to none.
-        mass: of all links, in kg.
-        size_x, size_y, size_z: of the box around all shapes in the zero configuration, in m; None
-            without shapes.
-        errors, warnings, infos: how many findings.
-        seconds: of the check.
-        cpu_seconds: of processor time.
-        findings: one row each.
-    """
-
-    model: str
+    model: str  # its name in the scan
+    #: ``ok``, ``unreadable`` (no file, no XML, does not expand), ``crashed`` (a bug in urdfkit),
+    #: ``timeout``, ``memory``, or ``died`` (its process was killed).
     status: str
-    reason: str = ""
-    hash: str = ""
-    robot: str = ""
+    reason: str = ""  # why it is not ``ok``
+    hash: str = ""  # SHA-256 of the expanded description and the mesh files that it names
+    robot: str = ""  # the name in it
+    #: links, joints, dof, visuals, collisions: how many.
     links: int | None = None
     joints: int | None = None
     dof: int | None = None
     visuals: int | None = None
     collisions: int | None = None
+    #: meshes and missing: mesh files that were found, and references that lead to none.
     meshes: int | None = None
     missing: int | None = None
-    mass: float | None = None
+    mass: float | None = None  # of all links, in kg
+    #: size_x, size_y, size_z: of the box around all shapes in the zero configuration, in m; None
+    #: without shapes.
     size_x: float | None = None
     size_y: float | None = None
     size_z: float | None = None
+    #: errors, warnings, infos: how many findings.
     errors: int = 0
     warnings: int = 0
     infos: int = 0
-    seconds: float = 0.0
-    cpu_seconds: float = 0.0
-    findings: tuple[FindingRow, ...] = ()
+    seconds: float = 0.0  # of the check
+    cpu_seconds: float = 0.0  # of processor time
+    findings: tuple[FindingRow, ...] = ()  # one row each
 
 
 def check_model(model: Model, options: Options, resolver: Resolver) -> ModelRow:
     """Check a model and measure it.
 
     Args:
-        model: on disk.
         options: resolved.
         resolver: what the models before have found of packages and directories.
     """

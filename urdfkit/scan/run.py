@@ -1,7 +1,5 @@
 """scan(): the models of some sources make a directory of results."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from threading import Thread
 from typing import Any
@@ -32,7 +30,6 @@ def scan(
         settings: how models are checked.
         engine: ``local`` or ``dask``.
         address: of a scheduler of Dask; a cluster on this machine if empty.
-        jobs: processes on this machine.
         progress: called with the number of models done in this run, and of all that it does; 0
             until these are counted.
 

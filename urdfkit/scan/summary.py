@@ -28,65 +28,45 @@ _FEWEST = 8
 
 
 class RuleRate(Record):
-    """How often a rule found something.
+    """How often a rule found something."""
 
-    Attributes:
-        code, rule, severity: of it; the worst severity.
-        findings, models: how many findings, in how many models.
-        examples: names of models.
-    """
-
+    #: code, rule, severity: of it; the worst severity.
     code: str
     rule: str
     severity: str
+    #: findings and models: how many findings, in how many models.
     findings: int
     models: int
-    examples: tuple[str, ...]
+    examples: tuple[str, ...]  # names of models
 
 
 class Outlier(Record):
-    """A model far from the others.
+    """A model far from the others."""
 
-    Attributes:
-        fact: one of `FACTS`.
-        value: of the model.
-        low, high: between which the middle half of the models is.
-        model: its name.
-    """
-
-    fact: str
-    value: float
+    fact: str  # one of `FACTS`
+    value: float  # of the model
+    #: low and high: between which the middle half of the models is.
     low: float
     high: float
-    model: str
+    model: str  # its name
 
 
 class Summary(Record):
-    """A scan on one page.
+    """A scan on one page."""
 
-    Attributes:
-        models: how many.
-        statuses: how many of each status.
-        with_errors, with_warnings, clean: models with an error; with a warning and no error; read,
-            and without either.
-        cpu_seconds: of all checks.
-        rules: those that found something, in most models first.
-        duplicates: models with the same content, most first.
-        redundant: how many models are copies of another one.
-        outliers: the farthest of each fact.
-        failures: the models that are not ``ok``, by name with status and reason.
-    """
-
-    models: int
-    statuses: dict[str, int]
+    models: int  # how many
+    statuses: dict[str, int]  # how many of each status
+    #: with_errors, with_warnings, clean: models with an error; with a warning and no error; read,
+    #: and without either.
     with_errors: int
     with_warnings: int
     clean: int
-    cpu_seconds: float
-    rules: tuple[RuleRate, ...]
-    duplicates: tuple[tuple[str, ...], ...]
-    redundant: int
-    outliers: tuple[Outlier, ...]
+    cpu_seconds: float  # of all checks
+    rules: tuple[RuleRate, ...]  # those that found something, in most models first
+    duplicates: tuple[tuple[str, ...], ...]  # models with the same content, most first
+    redundant: int  # how many models are copies of another one
+    outliers: tuple[Outlier, ...]  # the farthest of each fact
+    #: The models that are not ``ok``, by name with status and reason.
     failures: tuple[tuple[str, str, str], ...]
 
 

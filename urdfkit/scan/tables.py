@@ -1,12 +1,11 @@
 """The results of a scan as two Parquet files: one row for a model, one for a finding."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import Any
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 from urdfkit.scan import journal
 from urdfkit.scan.rows import FindingRow, ModelRow
@@ -19,9 +18,6 @@ _CHUNK = 1000
 def write_tables(directory: str) -> None:
     """Write the Parquet files next to the results that they are made of, whole or not at all.
 
-    Args:
-        directory: of the results of a scan.
-
     Raises:
         MissingLibrary: pyarrow is not installed.
         UnreadableFile: the directory holds no scan.
@@ -30,7 +26,7 @@ def write_tables(directory: str) -> None:
         import pyarrow
         from pyarrow.parquet import ParquetWriter
     except ImportError as error:
-        raise MissingLibrary("Parquet needs pyarrow: pip install 'urdfkit[scan]'") from error
+        raise MissingLibrary(f"Parquet needs pyarrow: {install_command('scan')}") from error
     kinds = {"str": pyarrow.string(), "int": pyarrow.int64(), "float": pyarrow.float64()}
 
     def schema(fields: dict[str, str]) -> Any:

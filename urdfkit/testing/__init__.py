@@ -57,11 +57,6 @@ class Description:
         config: the settings that hold for it; those of the nearest file unless given.
         variant: which of those that the configuration has of the file.
 
-    Attributes:
-        path: of the file.
-        arguments: for xacro, with those of the configuration.
-        config: the settings that hold for it.
-
     Raises:
         ConfigError: the configuration has several variants of the file, or none of this name.
     """
@@ -73,8 +68,9 @@ class Description:
         config: Config | None = None,
         variant: str = "",
     ) -> None:
-        self.path = path
-        self.config = _config(path) if config is None else config
+        self.path = path  # of the file
+        self.config = _config(path) if config is None else config  # the settings that hold for it
+        #: For xacro, with those of the configuration.
         self.arguments = self.config.entry(path, arguments, variant).arguments
 
     @cached_property

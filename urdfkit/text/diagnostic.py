@@ -73,29 +73,17 @@ class Related(Record):
 
 
 class Problem(Record):
-    """Something wrong with the text of a description.
+    """Something wrong with the text of a description."""
 
-    Attributes:
-        code: the rule that explains it.
-        span: where.
-        message: what.
-        help: what to do; the rule's own help if empty.
-        frame: the macro calls and includes that led there.
-        related: other places that explain it.
-        fix: as text edits.
-        severity: if it is not that of the rule.
-        argument: the xacro argument that has no value there, if that is the problem.
-    """
-
-    code: str
-    span: Span
-    message: str
-    help: str = ""
-    frame: CallFrame | None = None
-    related: tuple[Related, ...] = ()
-    fix: Fix | None = None
-    severity: Severity | None = None
-    argument: str = ""
+    code: str  # the rule that explains it
+    span: Span  # where
+    message: str  # what
+    help: str = ""  # what to do; the rule's own help if empty
+    frame: CallFrame | None = None  # the macro calls and includes that led there
+    related: tuple[Related, ...] = ()  # other places that explain it
+    fix: Fix | None = None  # as text edits
+    severity: Severity | None = None  # if it is not that of the rule
+    argument: str = ""  # the xacro argument that has no value there, if that is the problem
 
 
 class Call(Record):

@@ -26,19 +26,12 @@ def _compiled(pattern: bytes) -> re.Pattern[bytes]:
 
 
 class Step(Record):
-    """One step of an expansion trace: a macro call, an include or a launch file.
+    """One step of an expansion trace: a macro call, an include or a launch file."""
 
-    Attributes:
-        kind: ``macro``, ``include`` or ``launch``.
-        name: of the macro, or of the included file.
-        span: the call.
-        definition: the ``<xacro:macro>`` that was called; None for an include.
-    """
-
-    kind: str
-    name: str
-    span: Span
-    definition: Span | None
+    kind: str  # ``macro``, ``include`` or ``launch``
+    name: str  # of the macro, or of the included file
+    span: Span  # the call
+    definition: Span | None  # the ``<xacro:macro>`` that was called; None for an include
 
 
 class CallFrame:
@@ -56,7 +49,6 @@ class CallFrame:
         self.outer = outer
 
     def steps(self) -> tuple[Step, ...]:
-        """All steps, outermost first."""
         steps: list[Step] = []
         frame: CallFrame | None = self
         while frame is not None:
@@ -67,17 +59,11 @@ class CallFrame:
 
 
 class Tag(Record):
-    """Where an element was written: its start tag, and its end tag if it has one.
+    """Where an element was written: its start tag, and its end tag if it has one."""
 
-    Attributes:
-        source: the file.
-        start: offset of the ``<`` of the start tag.
-        close: offset of the ``<`` of the end tag; equal to ``start`` for ``<a/>``.
-    """
-
-    source: Source
-    start: int
-    close: int
+    source: Source  # the file
+    start: int  # offset of the ``<`` of the start tag
+    close: int  # offset of the ``<`` of the end tag; equal to ``start`` for ``<a/>``
 
     @classmethod
     def between(cls, source: Source, start: int, at: int, *, empty: bool) -> Tag:
@@ -104,7 +90,6 @@ class Tag(Record):
 
     @property
     def name_span(self) -> Span:
-        """The name in the start tag."""
         match = _compiled(_TAG_NAME).match(self.source.data, self.start)
         start, end = match.span(1) if match else (self.start, self.start + 1)
         return Span(self.source, start, end)
@@ -141,22 +126,16 @@ def _attribute_spans(tag: Tag) -> Mapping[str, Span]:
 
 
 class Attribute:
-    """An attribute as it is after expansion.
-
-    Attributes:
-        name: with its prefix, as written.
-        value: after expansion.
-        element: that has it.
-        written_in: the tag that holds the text; not the element's own where an
-            ``<xacro:attribute>`` gave it.
-    """
+    """An attribute as it is after expansion."""
 
     __slots__ = ("element", "name", "value", "written_in")
 
     def __init__(self, name: str, value: str, element: Element, written_in: Tag | None = None):
-        self.name = name
-        self.value = value
-        self.element = element
+        self.name = name  # with its prefix, as written
+        self.value = value  # after expansion
+        self.element = element  # that has it
+        #: The tag that holds the text; not the element's own where an ``<xacro:attribute>`` gave
+        #: it.
         self.written_in = written_in
 
     @property
@@ -186,35 +165,24 @@ class Attribute:
 
 
 class Element:
-    """An element as it is after expansion.
-
-    Attributes:
-        tag: its name, with the prefix, as written.
-        attributes: by name, in the order of the document.
-        children: the elements in it.
-        text: the character data directly in it, joined.
-        parent: the element around it; None for the root.
-        tag_at: where it was written.
-        frame: the macro call or include that led there, or None.
-    """
+    """An element as it is after expansion."""
 
     __slots__ = ("_number", "attributes", "children", "frame", "parent", "tag", "tag_at", "text")
 
     def __init__(
         self, tag: str, tag_at: Tag, parent: Element | None, frame: CallFrame | None = None
     ):
-        self.tag = tag
-        self.tag_at = tag_at
-        self.parent = parent
-        self.frame = frame
-        self.attributes: dict[str, Attribute] = {}
-        self.children: list[Element] = []
-        self.text = ""
+        self.tag = tag  # its name, with the prefix, as written
+        self.tag_at = tag_at  # where it was written
+        self.parent = parent  # the element around it; None for the root
+        self.frame = frame  # the macro call or include that led there, or None
+        self.attributes: dict[str, Attribute] = {}  # by name, in the order of the document
+        self.children: list[Element] = []  # the elements in it
+        self.text = ""  # the character data directly in it, joined
         self._number = 0  # among its siblings of that tag; 0 until somebody asks
 
     @property
     def span(self) -> Span:
-        """The start tag."""
         return self.tag_at.span
 
     @property
@@ -223,19 +191,16 @@ class Element:
         return self.frame.steps() if self.frame else ()
 
     def get(self, name: str) -> str | None:
-        """The value of an attribute."""
         attribute = self.attributes.get(name)
         return None if attribute is None else attribute.value
 
     def child(self, tag: str) -> Element | None:
-        """The first child of that name."""
         for child in self.children:
             if child.tag == tag:
                 return child
         return None
 
     def all(self, tag: str) -> list[Element]:
-        """The children of that name."""
         return [child for child in self.children if child.tag == tag]
 
     def walk(self) -> Iterator[Element]:
@@ -275,12 +240,7 @@ class Element:
 
 
 class Document(Record):
-    """An XML document after expansion.
+    """An XML document after expansion."""
 
-    Attributes:
-        root: its root element.
-        sources: every file that was read for it, the checked one first.
-    """
-
-    root: Element
-    sources: tuple[Source, ...]
+    root: Element  # its root element
+    sources: tuple[Source, ...]  # every file that was read for it, the checked one first

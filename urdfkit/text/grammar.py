@@ -31,18 +31,12 @@ _BREAK = rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]"
 
 
 class Deviation(Record):
-    """One deviation; which fields are set depends on the rule that reports it.
+    """One deviation; which fields are set depends on the rule that reports it."""
 
-    Attributes:
-        element: the element that is wrong or lacks something.
-        attribute: that is wrong.
-        name: what is missing or expected.
-        suggested: the intended name, or the version of URDF that is needed; empty if unknown.
-    """
-
-    element: Element
-    attribute: Attribute | None = None
-    name: str = ""
+    element: Element  # the element that is wrong or lacks something
+    attribute: Attribute | None = None  # that is wrong
+    name: str = ""  # what is missing or expected
+    #: The intended name, or the version of URDF that is needed; empty if unknown.
     suggested: str = ""
 
 

@@ -52,7 +52,6 @@ Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
 
 
 def load(source: Source) -> Node:
-    """The first document of a YAML file."""
     if len(source.data) > MAX_BYTES:
         return None
     import yaml  # 15 ms, and few models name a file of parameters

@@ -1,17 +1,11 @@
 """Python files of others as syntax trees: they are read, and never run."""
 
-from __future__ import annotations
-
 import ast
 import warnings
 
 
 def parse(text: bytes | str, path: str = "<unknown>") -> ast.Module:
     """The syntax tree of a Python file.
-
-    Args:
-        text: of the file.
-        path: for messages.
 
     Raises:
         SyntaxError: it is no Python, or nested too deeply to be read.

@@ -31,41 +31,24 @@ VERSIONS = ("1.0", "1.1", "1.2")
 
 
 class AttributeRule(Record):
-    """What an attribute holds.
+    """What an attribute holds."""
 
-    Attributes:
-        type: one of the constants above, or the words of which it is one: ``true|false``.
-        required: True if parsers reject the element without it.
-        since: the first URDF version that has it.
-    """
-
-    type: str
-    required: bool = False
-    since: str = VERSIONS[0]
+    type: str  # one of the constants above, or the words of which it is one: ``true|false``
+    required: bool = False  # True if parsers reject the element without it
+    since: str = VERSIONS[0]  # the first URDF version that has it
 
 
 class Grammar(Record):
-    """What an element may hold.
+    """What an element may hold."""
 
-    Attributes:
-        attributes: by name.
-        children: by tag, the grammar of each.
-        required: tags that must occur.
-        many: tags that may occur more than once.
-        open: True if anything else may stand here too.
-        choice: True if exactly one of the children stands here, and first.
-        any_of: attributes of which at least one is required.
-        since: the first URDF version that has the element.
-    """
-
-    attributes: dict[str, AttributeRule]
-    children: dict[str, Grammar]
-    required: tuple[str, ...] = ()
-    many: tuple[str, ...] = ()
-    open: bool = False
-    choice: bool = False
-    any_of: tuple[str, ...] = ()
-    since: str = VERSIONS[0]
+    attributes: dict[str, AttributeRule]  # by name
+    children: dict[str, Grammar]  # by tag, the grammar of each
+    required: tuple[str, ...] = ()  # tags that must occur
+    many: tuple[str, ...] = ()  # tags that may occur more than once
+    open: bool = False  # True if anything else may stand here too
+    choice: bool = False  # True if exactly one of the children stands here, and first
+    any_of: tuple[str, ...] = ()  # attributes of which at least one is required
+    since: str = VERSIONS[0]  # the first URDF version that has the element
 
 
 _REQUIRED_FLOAT = AttributeRule(FLOAT, required=True)

@@ -15,23 +15,17 @@ LOOK_BACK = 2000
 
 
 class SyntaxMistake(Record):
-    """One error of syntax.
+    """One error of syntax."""
 
-    Attributes:
-        start, end: bytes of the text that are wrong; equal where something is missing.
-        message: what is wrong.
-        notes: other places that explain it, as (start, end, message).
-        trailing: True for what follows the end of the root element.
-        help: what to do; empty where the message says it.
-        fix: texts that put it right, as (start, end, text); empty where they are not known.
-    """
-
+    #: start and end: bytes of the text that are wrong; equal where something is missing.
     start: int
     end: int
-    message: str
+    message: str  # what is wrong
+    #: Other places that explain it, as (start, end, message).
     notes: tuple[tuple[int, int, str], ...] = ()
-    trailing: bool = False
-    help: str = ""
+    trailing: bool = False  # True for what follows the end of the root element
+    help: str = ""  # what to do; empty where the message says it
+    #: Texts that put it right, as (start, end, text); empty where they are not known.
     fix: tuple[tuple[int, int, str], ...] = ()
 
 
@@ -142,7 +136,6 @@ class TagMatching:
         self._pop()
 
     def _instead(self, tag: TagToken) -> None:
-        """An end tag with a wrong name."""
         expected = self._pop()
         note = expected.note(f"{self._shown(expected)} is open since here")
         message = f"</{tag.name}> stands where </{expected.name}> is expected"
@@ -183,7 +176,6 @@ class TagMatching:
         return None
 
     def _end(self) -> None:
-        """The end of the file."""
         if self._cut_off:
             return
         unclosed = [tag for tag in reversed(self._open) if tag.kind == "open"]

@@ -37,34 +37,22 @@ class TokenKind(Enum):
 
 
 class AttributeToken(Record):
-    """An attribute of a tag.
+    """An attribute of a tag."""
 
-    Attributes:
-        name: first and last byte of it, with its prefix.
-        value: those of the value without quotes; None if there is none yet.
-    """
-
-    name: tuple[int, int]
-    value: tuple[int, int] | None
+    name: tuple[int, int]  # first and last byte of it, with its prefix
+    value: tuple[int, int] | None  # those of the value without quotes; None if there is none yet
 
 
 class Token(Record):
-    """A piece of a text.
+    """A piece of a text."""
 
-    Attributes:
-        kind: what it is.
-        data: the whole text.
-        start, end: first and last byte of the piece.
-        name_span: those of the name of a tag; empty right behind a ``<``.
-        attributes: of a start tag, in their order.
-    """
-
-    kind: TokenKind
-    data: bytes
+    kind: TokenKind  # what it is
+    data: bytes  # the whole text
+    #: start and end: first and last byte of the piece.
     start: int
     end: int
-    name_span: tuple[int, int] = (0, 0)
-    attributes: tuple[AttributeToken, ...] = ()
+    name_span: tuple[int, int] = (0, 0)  # those of the name of a tag; empty right behind a ``<``
+    attributes: tuple[AttributeToken, ...] = ()  # of a start tag, in their order
 
     @property
     def text(self) -> str:

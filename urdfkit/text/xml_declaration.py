@@ -1,7 +1,5 @@
 """The encoding of a file and its XML declaration, as URDF parsers take them."""
 
-from __future__ import annotations
-
 import re
 from xml.parsers import expat
 
@@ -19,7 +17,6 @@ def encoding_problems(source: Source, *, strict: bool) -> list[Problem]:
     """An encoding that readers do not know, or a byte that is not text in it.
 
     Args:
-        source: the file.
         strict: True where only UTF-8 is read, as by xacro.
     """
     if source.undecodable is not None:

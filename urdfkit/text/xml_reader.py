@@ -37,7 +37,6 @@ def read_xml(
     version number, undeclared prefixes) is read, and reported as a Problem.
 
     Args:
-        source: the file.
         frame: the launch file that names it, if one does.
 
     Returns:
@@ -140,7 +139,6 @@ class _DocumentBuilder:
         return found
 
     def unexpanded(self) -> list[Problem]:
-        """Tags of xacro in a plain file."""
         if not self._unexpanded:
             return []
         first, *others = self._unexpanded
@@ -206,7 +204,6 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
     """All syntax errors of a file that is not well formed.
 
     Args:
-        source: the file.
         data: its text if read otherwise than it stands, at the same offsets.
     """
     from urdfkit.text.xml_errors import syntax_mistakes  # needed for broken files only

@@ -18,6 +18,7 @@ from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.options import Options
@@ -182,7 +183,7 @@ def application(viewer: Viewer, token: str) -> Starlette:
         from starlette.responses import HTMLResponse, JSONResponse, Response, StreamingResponse
         from starlette.routing import Route
     except ImportError as error:
-        raise UrdfkitError("the viewer needs a server: pip install 'urdfkit[report]'") from error
+        raise UrdfkitError(f"the viewer needs a server: {install_command('report')}") from error
 
     async def page(request: Request) -> Response:
         return HTMLResponse(await asyncio.to_thread(viewer.page), headers=_HEADERS)
@@ -237,9 +238,6 @@ def serve(
     """Show a robot until Ctrl-C.
 
     Args:
-        file: a URDF or xacro file.
-        options: of its check.
-        translator: into the reader's language.
         port: to listen at; a free one if 0.
         opened: called with the address when the page is to be had.
 
@@ -250,7 +248,7 @@ def serve(
     try:
         import uvicorn
     except ImportError as error:
-        raise UrdfkitError("the viewer needs a server: pip install 'urdfkit[report]'") from error
+        raise UrdfkitError(f"the viewer needs a server: {install_command('report')}") from error
 
     try:
         listening = socket.create_server((HOST, port))  # a browser that comes early waits

@@ -25,25 +25,15 @@ FileVersion = tuple[int, int] | None
 
 
 class ViewerState(Record):
-    """A robot as it was read.
+    """A robot as it was read."""
 
-    Attributes:
-        document: its contents.
-        drawings: addresses of images, by name.
-        scene: the robot in three dimensions; None if it cannot be had.
-        declared: the arguments that the xacro declares, each with its value.
-        versions: of every file that it was made from.
-        reported: what it was made of.
-        is_whole: False while that which takes a while is not there yet.
-    """
-
-    document: ReportDocument
-    drawings: dict[str, str]
-    scene: PageScene | None
-    declared: dict[str, str]
-    versions: dict[str, FileVersion]
-    reported: ReportInput
-    is_whole: bool = False
+    document: ReportDocument  # its contents
+    drawings: dict[str, str]  # addresses of images, by name
+    scene: PageScene | None  # the robot in three dimensions; None if it cannot be had
+    declared: dict[str, str]  # the arguments that the xacro declares, each with its value
+    versions: dict[str, FileVersion]  # of every file that it was made from
+    reported: ReportInput  # what it was made of
+    is_whole: bool = False  # False while that which takes a while is not there yet
 
     def message(self, translator: Translator, *, with_scene: bool = True) -> dict[str, Any]:
         """What a page needs to show it; JSON can hold it."""

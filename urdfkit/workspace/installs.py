@@ -32,15 +32,10 @@ _END_OF_SOURCES = frozenset(
 
 
 class Installed(Record):
-    """One thing that a build installs.
+    """One thing that a build installs."""
 
-    Attributes:
-        source: path below the package's directory.
-        target: where it is installed, below the prefix.
-    """
-
-    source: str
-    target: str
+    source: str  # path below the package's directory
+    target: str  # where it is installed, below the prefix
 
 
 class _Command(Record):
@@ -53,8 +48,6 @@ def source_paths(rules: Iterable[Installed], package: str, relative: str) -> lis
 
     Args:
         rules: what the build of the package installs.
-        package: its name.
-        relative: a path in the installed package.
     """
     wanted = posixpath.normpath(f"share/{package}/{relative}")
     found = []

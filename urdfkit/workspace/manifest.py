@@ -42,17 +42,11 @@ _BY_FORMAT = {
 
 
 class Manifest(Record):
-    """What a package.xml says.
+    """What a package.xml says."""
 
-    Attributes:
-        path: of it.
-        package: its name.
-        data: its text without comments.
-    """
-
-    path: str
-    package: str
-    data: bytes
+    path: str  # of it
+    package: str  # its name
+    data: bytes  # its text without comments
 
     @property
     def dependencies(self) -> frozenset[str]:
@@ -119,10 +113,8 @@ def depends_on(name: str, other: str, near: str, resolver: Resolver) -> bool:
     What its descriptions use counts, declared or not.
 
     Args:
-        name: of the package.
         other: name of the one that it may need.
         near: path of a file from which packages are searched.
-        resolver: finds packages.
     """
     seen = {name}
     waiting = [name]

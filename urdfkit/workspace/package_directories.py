@@ -1,7 +1,5 @@
 """Directories as packages: which package a directory is, and whether it is a repository."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping
 from functools import lru_cache
@@ -15,14 +13,10 @@ _NOT_SOURCES = frozenset("build devel install log node_modules __pycache__ site-
 
 
 class PackageDirectories:
-    """The names of packages by directory; everything is read once.
-
-    Attributes:
-        listings: what is in directories.
-    """
+    """The names of packages by directory; everything is read once."""
 
     def __init__(self, listings: Directories) -> None:
-        self.listings = listings
+        self.listings = listings  # what is in directories
         self._names: dict[str, str | None] = {}
 
     def name_of(self, directory: str) -> str | None:

@@ -26,18 +26,13 @@ _MENTION = rf"""(?sx)<!--.*?(?:-->|\Z)
 
 
 class PackageReference(Record):
-    """A package at one place in a text.
+    """A package at one place in a text."""
 
-    Attributes:
-        package: its name.
-        relative: the path behind it, as far as it is written plainly; a directory if it goes on
-            with an expression.
-        span: the whole reference.
-    """
-
-    package: str
+    package: str  # its name
+    #: The path behind it, as far as it is written plainly; a directory if it goes on with an
+    #: expression.
     relative: str
-    span: Span
+    span: Span  # the whole reference
 
 
 def are_in(sources: Iterable[Source]) -> bool:

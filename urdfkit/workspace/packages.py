@@ -26,17 +26,11 @@ _MODEL_PATH = rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 
 
 class Candidate(Record):
-    """A directory that may be the package of a name.
+    """A directory that may be the package of a name."""
 
-    Attributes:
-        directory: the package's directory.
-        certain: False if it only has the name of the package, without a ``package.xml``.
-        trusted: True if the environment of the user names it.
-    """
-
-    directory: str
-    certain: bool = True
-    trusted: bool = False
+    directory: str  # the package's directory
+    certain: bool = True  # False if it only has the name of the package, without a ``package.xml``
+    trusted: bool = False  # True if the environment of the user names it
 
 
 class Packages:
@@ -71,7 +65,6 @@ class Packages:
         """The directories that may be a package, the best first of those that are certain.
 
         Args:
-            name: of the package.
             near: path of the file that refers to it.
         """
         if name in self.explicit:
@@ -90,7 +83,7 @@ class Packages:
             found = self._scan(level).find(name)
             if found:
                 yield Candidate(found)
-        for directory in self._by_directory_name(name, near):
+        for directory in self.siblings_named(name, near):
             yield Candidate(directory, certain=False)
 
     def searched(self, name: str, near: str) -> tuple[str, ...]:
@@ -159,6 +152,14 @@ class Packages:
         """The name of the package whose directory this is; None if it is no package's."""
         return self._packages.name_of(directory)
 
+    def siblings_named(self, name: str, near: str) -> Iterator[str]:
+        """Directories of that name next to those above a file, from the inside out."""
+        above = [at for at in upwards(self.directory_of(near)) if self.searches(at, near)]
+        for directory in above:
+            sibling = os.path.join(directory, name)
+            if sibling not in above and disk.is_directory(sibling):
+                yield sibling
+
     def _may_be_around(self, directory: str, near: str) -> bool:
         """False of a directory above a file that lies outside of its repository or workspace."""
         return not self.root(near).mark or self.searches(directory, near)
@@ -194,14 +195,6 @@ class Packages:
             and directory not in self._roots.too_wide
             if self._may_be_around(directory, near)
         ]
-
-    def _by_directory_name(self, name: str, near: str) -> Iterator[str]:
-        """Siblings of that name of the directories above a file."""
-        above = [at for at in upwards(self.directory_of(near)) if self.searches(at, near)]
-        for directory in above:
-            sibling = os.path.join(directory, name)
-            if sibling not in above and disk.is_directory(sibling):
-                yield sibling
 
 
 def path_list(environment: Mapping[str, str], variable: str) -> list[str]:

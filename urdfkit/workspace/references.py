@@ -12,30 +12,19 @@ DRIVE = r"/?[A-Za-z]:/"
 
 
 class ResolvedReference(Record):
-    """What a reference leads to.
+    """What a reference leads to."""
 
-    Attributes:
-        reference: as written.
-        scheme: ``package``, ``model``, ``absolute`` (a path or ``file://``), ``relative``, or
-            another one in small letters.
-        package: name of the package that is referred to, or None.
-        directory: of that package, or None if it is not found.
-        relative: the path below the package, or below the file that refers to it.
-        path: the file, or None if there is none.
-        tried: the paths that were tried, in order.
-        outside: a file that the reference leads to and that the model may not read.
-        searched: where the package was searched, if it is not found.
-    """
-
-    reference: str
+    reference: str  # as written
+    #: ``package``, ``model``, ``absolute`` (a path or ``file://``), ``relative``, or another one in
+    #: small letters.
     scheme: str
-    package: str | None = None
-    directory: str | None = None
-    relative: str = ""
-    path: str | None = None
-    tried: tuple[str, ...] = ()
-    searched: tuple[str, ...] = ()
-    outside: str | None = None
+    package: str | None = None  # name of the package that is referred to, or None
+    directory: str | None = None  # of that package, or None if it is not found
+    relative: str = ""  # the path below the package, or below the file that refers to it
+    path: str | None = None  # the file, or None if there is none
+    tried: tuple[str, ...] = ()  # the paths that were tried, in order
+    searched: tuple[str, ...] = ()  # where the package was searched, if it is not found
+    outside: str | None = None  # a file that the reference leads to and that the model may not read
 
     @property
     def attempts(self) -> str:

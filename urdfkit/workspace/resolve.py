@@ -107,7 +107,6 @@ class Resolver:
         """The directory of a ROS package.
 
         Args:
-            name: of the package.
             near: path of the file in which the reference stands.
 
         Raises:
@@ -157,7 +156,6 @@ class Resolver:
 
         Args:
             path: the file, which need not exist.
-            near: path of the checked file.
         """
         path, near = os.path.abspath(path), os.path.abspath(near)
         if "\0" in path:

@@ -1,7 +1,5 @@
 """Files as they were in a git revision."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 
@@ -22,7 +20,6 @@ def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES
     Args:
         path: of a file in the repository, that may be gone by now.
         revision: a tag, branch or commit.
-        directory: to write into.
         largest: files over so many bytes are left out.
 
     Returns:
@@ -93,7 +90,6 @@ def _top(path: str) -> str:
 
 
 def _commit(top: str, revision: str) -> str:
-    """The hash of a revision's commit."""
     words = ("rev-parse", "--verify", "--end-of-options", f"{revision}^{{commit}}")
     try:
         return _git(top, *words).decode().strip()

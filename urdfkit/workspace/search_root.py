@@ -53,27 +53,17 @@ _SHARED_BY_ALL = frozenset(
 
 
 class Root(Record):
-    """The directory at which the search for packages ends.
+    """The directory at which the search for packages ends."""
 
-    Attributes:
-        directory: of the repository or workspace, else of the package, else of the file.
-        mark: the name in it that decided, such as ``.git``; empty if nothing did.
-    """
-
-    directory: str
-    mark: str
+    directory: str  # of the repository or workspace, else of the package, else of the file
+    mark: str  # the name in it that decided, such as ``.git``; empty if nothing did
 
 
 class ScannedDirectory(Record):
-    """A directory that is scanned for packages.
+    """A directory that is scanned for packages."""
 
-    Attributes:
-        root: the directory.
-        inside: True if it belongs to the same repository or workspace as the file.
-    """
-
-    root: str
-    inside: bool
+    root: str  # the directory
+    inside: bool  # True if it belongs to the same repository or workspace as the file
 
 
 class SearchRoots:

@@ -46,9 +46,7 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     They name it with arguments of its own, or do not say which file they are made for.
 
     Args:
-        robot: path of it.
         name: of it; an SRDF is of the robot that it is called like.
-        resolver: finds files.
     """
     package = resolver.packages.enclosing(robot)
     if _is_for_tests(robot, package):
@@ -104,18 +102,13 @@ def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
 
 
 class SetupAssistant(Record):
-    """What MoveIt's ``.setup_assistant`` says of a package; all empty where there is none.
+    """What MoveIt's ``.setup_assistant`` says of a package; all empty where there is none."""
 
-    Attributes:
-        package, urdf: of the robot's file.
-        srdf: of the SRDF, below the package of MoveIt.
-        has_arguments: True if the robot is expanded with arguments.
-    """
-
+    #: package and urdf: of the robot's file.
     package: str = ""
     urdf: str = ""
-    srdf: str = ""
-    has_arguments: bool = False
+    srdf: str = ""  # of the SRDF, below the package of MoveIt
+    has_arguments: bool = False  # True if the robot is expanded with arguments
 
     def is_for(self, robot: str, package: tuple[str, str]) -> bool:
         """True if it was made for a file of a package."""

@@ -12,16 +12,11 @@ from urdfkit.workspace.revisions import MAX_BYTES, check_out
 
 
 class OldFile(Record):
-    """A file of a git revision in a directory of its own.
+    """A file of a git revision in a directory of its own."""
 
-    Attributes:
-        path: of the file there.
-        top: of the repository that it is from.
-        packages: directories by name: of the repository as they were, else as they are.
-    """
-
-    path: str
-    top: str
+    path: str  # of the file there
+    top: str  # of the repository that it is from
+    #: Directories by name: of the repository as they were, else as they are.
     packages: dict[str, str]
 
 

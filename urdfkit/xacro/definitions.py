@@ -19,35 +19,23 @@ _KEY = "annotations of urdfkit"
 
 
 class Definition(Record):
-    """Something that a xacro file defines: a macro, a property or an argument.
+    """Something that a xacro file defines: a macro, a property or an argument."""
 
-    Attributes:
-        name: of it.
-        tag: the defining tag.
-        frame: the calls that led to the definition.
-        attributes: of the tag, as written.
-    """
-
-    name: str
-    tag: Tag
-    frame: CallFrame | None
-    attributes: dict[str, str]
+    name: str  # of it
+    tag: Tag  # the defining tag
+    frame: CallFrame | None  # the calls that led to the definition
+    attributes: dict[str, str]  # of the tag, as written
 
 
 class TableAnnotations:
-    """What urdfkit knows of the names in one of xacro's tables of properties and parameters.
-
-    Attributes:
-        definers: the elements that define them.
-        used: those that were looked up since.
-        inputs: what the expressions of their values looked up, if the run is traced.
-    """
+    """What urdfkit knows of the names in one of xacro's tables of properties and parameters."""
 
     __slots__ = ("definers", "inputs", "used")
 
     def __init__(self) -> None:
-        self.definers: dict[str, Node] = {}
-        self.used: set[str] = set()
+        self.definers: dict[str, Node] = {}  # the elements that define them
+        self.used: set[str] = set()  # those that were looked up since
+        #: What the expressions of their values looked up, if the run is traced.
         self.inputs: dict[str, tuple[Origin, ...]] = {}
 
 
@@ -61,36 +49,26 @@ def annotations_of(table: Any) -> TableAnnotations:
 
 
 class Definitions:
-    """What the files define, in order, and the arguments that they are given.
-
-    Attributes:
-        source: the checked file.
-        sources: the xacro files that were read, by path.
-        given: values of ``xacro:arg`` by name.
-        macros, properties: everything that was defined.
-        arguments: every ``xacro:arg`` of the files, evaluated or not.
-        argument_nodes: their elements.
-    """
+    """What the files define, in order, and the arguments that they are given."""
 
     def __init__(
         self, source: Source, sources: Mapping[str, Source], given: Mapping[str, str]
     ) -> None:
-        self.source = source
-        self.sources = sources
-        self.given = dict(given)
+        self.source = source  # the checked file
+        self.sources = sources  # the xacro files that were read, by path
+        self.given = dict(given)  # values of ``xacro:arg`` by name
+        #: macros and properties: everything that was defined.
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
-        self.arguments: list[Definition] = []
-        self.argument_nodes: list[Node] = []
+        self.arguments: list[Definition] = []  # every ``xacro:arg`` of the files, evaluated or not
+        self.argument_nodes: list[Node] = []  # their elements
 
     def add_arguments(self, nodes: Iterable[Node]) -> None:
-        """Add the ``xacro:arg`` elements of a file."""
         for node in nodes:
             self.argument_nodes.append(node)
             self.arguments.append(_definition(node))
 
     def add_macro(self, node: Node) -> None:
-        """Add a macro."""
         name = node.getAttribute("name").removeprefix("xacro:")
         self.macros.append(_definition(node)._replace(name=name))
 

@@ -59,18 +59,14 @@ class Attr(_StockAttr):  # type: ignore[misc]
 
 
 class Text(_StockText):  # type: ignore[misc]
-    """A text, whose ``data`` is an attribute and no property.
-
-    Attributes:
-        data: the text.
-        ends: where in the file what comes behind it begins, if there is a ``$`` in it.
-    """
+    """A text, whose ``data`` is an attribute and no property."""
 
     data = ""
+    #: Where in the file what comes behind it begins, if there is a ``$`` in it.
     ends: int | None = None
 
     def __init__(self, data: str = "", document: Any = None) -> None:
-        self.data = data
+        self.data = data  # the text
         self.ownerDocument = document
         self.parentNode = self.previousSibling = self.nextSibling = None
 
@@ -195,7 +191,6 @@ def replace_node(node: Any, by: Any, content_only: bool = False) -> None:
     Args:
         node: that goes.
         by: a node or a list of nodes that come; None for none.
-        content_only: their children come instead.
     """
     coming = [] if by is None else by if isinstance(by, list) else [by]
     if content_only:
@@ -242,7 +237,6 @@ def remove_previous_comments(node: Any, marker: Any) -> None:
     """xacro's function of this name; by one step instead of one for every comment.
 
     Args:
-        node: the element above which comments go.
         marker: an empty text that keeps the next element from taking those above.
     """
     comments: list[Any] = []
@@ -302,7 +296,6 @@ def comments(dom: Dom) -> Iterator[str]:
 
 
 def to_document(dom: Dom, sources: tuple[Source, ...]) -> Document:
-    """The expanded DOM as a Document."""
     root = _to_element(dom.documentElement, None)
     stack = [(dom.documentElement, root)]
     while stack:

@@ -1,7 +1,5 @@
 """A xacro file as DOM: the events of expat become nodes that know where they were written."""
 
-from __future__ import annotations
-
 from typing import Any
 from xml.dom import XMLNS_NAMESPACE, expatbuilder
 from xml.parsers import expat
@@ -31,7 +29,6 @@ def parse(
         The DOM, what is odd about the text, and the ``xacro:arg`` elements.
 
     Args:
-        source: the file.
         frame: the include that names it; None for the checked file.
         budget: what the expansion may make.
 

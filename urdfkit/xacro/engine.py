@@ -85,14 +85,10 @@ def _private_copy() -> Any:
 
 
 class XacroEngine:
-    """The private xacro; it works for one run at a time, as its state is global.
-
-    Attributes:
-        xacro: the module.
-    """
+    """The private xacro; it works for one run at a time, as its state is global."""
 
     def __init__(self, xacro: Any) -> None:
-        self.xacro = xacro
+        self.xacro = xacro  # the module
         self._evaluation = Evaluation(xacro)
         self._lock = allocate_lock()
         self._exchange_evaluation()

@@ -37,17 +37,12 @@ class EscapesRoots(Exception):
 
 
 class BrokenYaml(Exception):
-    """A YAML file that is none; the text is the parser's.
-
-    Attributes:
-        span: where.
-        reason: in short.
-    """
+    """A YAML file that is none; the text is the parser's."""
 
     def __init__(self, text: str, span: Span, reason: str) -> None:
         super().__init__(text)
-        self.span = span
-        self.reason = reason
+        self.span = span  # where
+        self.reason = reason  # in short
 
 
 def root_cause(error: BaseException) -> BaseException:

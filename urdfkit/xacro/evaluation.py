@@ -42,13 +42,9 @@ def tokens(text: str) -> tuple[tuple[str, str, int], ...]:
 
 
 class Evaluation:
-    """xacro's functions that evaluate, for one run at a time.
+    """xacro's functions that evaluate, for one run at a time."""
 
-    Attributes:
-        run: that they work for.
-    """
-
-    run: ExpansionRun
+    run: ExpansionRun  # that they work for
 
     def __init__(self, xacro: Any) -> None:
         self._xacro = xacro

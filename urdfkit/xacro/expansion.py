@@ -49,13 +49,6 @@ class ExpansionRun:
         log: takes problems and messages.
         reader: reads files.
         deadline: time at which it must have ended.
-
-    Attributes:
-        defined: macros, properties and arguments of the files.
-        xacro: the private module of the engine that expands.
-        included: places of the include tags that were carried out, as (path, offset).
-        dependencies: included and loaded files, as the models spell them.
-        document: the DOM, as far as it got.
     """
 
     def __init__(
@@ -83,12 +76,14 @@ class ExpansionRun:
         self.sandbox = Sandbox(self.budget)
         self.log = log
         self.reader = reader
+        #: Macros, properties and arguments of the files.
         self.defined = Definitions(source, reader.sources, arguments)
         self.tracer = _tracer(self.defined) if traced else None
-        self.xacro: Any = None
+        self.xacro: Any = None  # the private module of the engine that expands
+        #: Places of the include tags that were carried out, as (path, offset).
         self.included: set[tuple[str, int]] = set()
-        self.dependencies: list[str] = []
-        self.document: Dom | None = None
+        self.dependencies: list[str] = []  # included and loaded files, as the models spell them
+        self.document: Dom | None = None  # the DOM, as far as it got
         # What the instrumented engine is doing at the moment.
         self.resolving: list[tuple[Any, str]] = []
         self.including: list[Node] = []
@@ -275,7 +270,6 @@ class ExpansionRun:
     # --------------------------------------------------------------- messages
 
     def warn(self, text: str) -> None:
-        """xacro warns."""
         from urdfkit.xacro import diagnosis  # which most runs do without
 
         node, local = diagnosis.node_in(_caller())

@@ -37,17 +37,12 @@ class Message(Record):
 
 
 class ExpansionLog:
-    """Problems and messages, as they are met.
-
-    Attributes:
-        first_error: as stock xacro words it; None without one.
-        messages: of xacro and of the model in the last attempt, in order.
-        lost: names that nothing defines any more, because what did so failed.
-    """
+    """Problems and messages, as they are met."""
 
     def __init__(self) -> None:
-        self.first_error: str | None = None
-        self.messages: list[Message] = []
+        self.first_error: str | None = None  # as stock xacro words it; None without one
+        self.messages: list[Message] = []  # of xacro and of the model in the last attempt, in order
+        #: Names that nothing defines any more, because what did so failed.
         self.lost: set[str] = set()
         self._problems: dict[object, Problem] = {}
 
@@ -67,7 +62,6 @@ class ExpansionLog:
         return len(self._problems) >= MAX_PROBLEMS
 
     def say(self, message: Message) -> None:
-        """Keep a message."""
         if len(self.messages) < MAX_MESSAGES:
             self.messages.append(message)
 

@@ -6,8 +6,6 @@ harmless kinds of nodes pass. What may lead out of the data, or grow without bou
 to a call of the Sandbox, which decides when the values are known.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import warnings
@@ -181,9 +179,7 @@ def evaluate(text: str, names: Any, sandbox: Sandbox) -> Any:
     """The value of an expression; of an iterator the list.
 
     Args:
-        text: of it.
         names: what it may look up; raises KeyError.
-        sandbox: bounds it.
 
     Raises:
         Exception: whatever goes wrong in it.

@@ -29,15 +29,12 @@ class FileReader:
         resolver: knows which files may be read, and where those of an installed package are.
         near: path of the checked file, from the working directory.
         trust: True to read any file.
-
-    Attributes:
-        sources: the xacro files by path, the checked one first.
-        data_files: the YAML files.
     """
 
     def __init__(self, source: Source, resolver: Resolver, *, near: str, trust: bool) -> None:
+        #: The xacro files by path, the checked one first.
         self.sources: dict[str, Source] = {source.path: source}
-        self.data_files: list[str] = []
+        self.data_files: list[str] = []  # the YAML files
         self._near = near
         self._resolver = resolver
         self._trust = trust
@@ -95,7 +92,6 @@ class FileReader:
         """The paths that ``glob.glob`` gives, searched for in admitted directories only.
 
         Args:
-            pattern: with wildcards.
             budget: that the search is charged to.
 
         Raises:

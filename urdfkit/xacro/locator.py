@@ -26,17 +26,13 @@ _WRITTEN = {
 
 
 class LocatedExpression(Record):
-    """An expression in a text.
+    """An expression in a text."""
 
-    Attributes:
-        text: as XML gives it.
-        offset, token: of the expression, with its brackets.
-        resolving: the properties around it that are being resolved, as (table, name).
-    """
-
-    text: str
+    text: str  # as XML gives it
+    #: offset and token: of the expression, with its brackets.
     offset: int
     token: str
+    #: The properties around it that are being resolved, as (table, name).
     resolving: tuple[tuple[Any, str], ...] = ()
 
 
@@ -53,7 +49,6 @@ def locate(node: Node, local: dict[str, Any], located: LocatedExpression) -> Err
     Args:
         node: that xacro works on, or that holds the text it works on.
         local: the variables of the function that does.
-        located: the expression.
     """
     if (span := _in_attribute(node, local, located)) is not None:
         return ErrorLocation(span, node.frame)

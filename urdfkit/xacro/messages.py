@@ -48,7 +48,6 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
 
     Args:
         defined: by the files.
-        error: as it was raised.
         cause: the innermost one.
     """
     if isinstance(cause, FileNotFoundError) and cause.filename:

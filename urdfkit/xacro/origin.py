@@ -11,20 +11,12 @@ if TYPE_CHECKING:
 
 
 class Origin(Record):
-    """How a name got its value.
+    """How a name got its value."""
 
-    Attributes:
-        name: of the property, parameter or argument; the key in a YAML file.
-        value: as text.
-        kind: ``property``, ``argument``, ``default``, ``xacro:arg``, ``command line`` or ``YAML``.
-        span: where it is given; None for the command line.
-        text: what is written there.
-        inputs: the names that the text looks up.
-    """
-
-    name: str
-    value: str
+    name: str  # of the property, parameter or argument; the key in a YAML file
+    value: str  # as text
+    #: ``property``, ``argument``, ``default``, ``xacro:arg``, ``command line`` or ``YAML``.
     kind: str
-    span: Span | None
-    text: str
-    inputs: tuple[Origin, ...]
+    span: Span | None  # where it is given; None for the command line
+    text: str  # what is written there
+    inputs: tuple[Origin, ...]  # the names that the text looks up

@@ -6,8 +6,6 @@ than MAX_LENGTH, however often it shares its parts. So whatever walks over one (
 ``hash``) is done soon, and what all of them make together the Budget bounds.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -46,15 +44,12 @@ _WIDE_FIELD = r"(?s)%(?:\(.*\))?[#0\- +]*(?:\*|\d{4,}|\d*\.(?:\*|\d{4,}))"
 
 
 class Sandbox:
-    """The guards of one expansion.
-
-    Attributes:
-        guards: the functions that rewritten expressions call, by names that no model can give
-            to anything, as they hold a space.
-    """
+    """The guards of one expansion."""
 
     def __init__(self, budget: Budget) -> None:
         self._budget = budget
+        #: The functions that rewritten expressions call, by names that no model can give to
+        #: anything, as they hold a space.
         self.guards: dict[str, Callable[..., Any]] = {
             "sandbox attribute": self.attribute,
             "sandbox format": self.format,

@@ -40,27 +40,16 @@ class EnvironmentRefused(SubstitutionError):
 
 
 class SubstitutionContext(Record):
-    """What the commands refer to.
+    """What the commands refer to."""
 
-    Attributes:
-        find: directory of a package by name.
-        argument: value of a xacro argument; raises KeyError.
-        directory: that of the file being processed.
-        working_directory: for ``$(cwd)``.
-        environment: the variables.
-        sandbox: for expressions; None if every variable and expression is allowed.
-        functions: what expressions may call.
-        ros_version: what ``ROS_VERSION`` is where no ROS has set it.
-    """
-
-    find: Callable[[str], str]
-    argument: Callable[[str], str]
-    directory: str
-    working_directory: str
-    environment: Mapping[str, str]
-    sandbox: Sandbox | None
-    functions: Mapping[str, Any]
-    ros_version: Callable[[], str]
+    find: Callable[[str], str]  # directory of a package by name
+    argument: Callable[[str], str]  # value of a xacro argument; raises KeyError
+    directory: str  # that of the file being processed
+    working_directory: str  # for ``$(cwd)``
+    environment: Mapping[str, str]  # the variables
+    sandbox: Sandbox | None  # for expressions; None if every variable and expression is allowed
+    functions: Mapping[str, Any]  # what expressions may call
+    ros_version: Callable[[], str]  # what ``ROS_VERSION`` is where no ROS has set it
 
 
 def substitute(content: str, context: SubstitutionContext) -> str:

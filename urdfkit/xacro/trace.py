@@ -136,8 +136,6 @@ def inputs_of(dom: Dom, element: Element, name: str) -> tuple[Origin, ...]:
 
     Args:
         dom: the expanded DOM of a traced run.
-        element: of the Document made from it.
-        name: of the attribute.
     """
     way: list[int] = []
     while element.parent is not None:

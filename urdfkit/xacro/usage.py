@@ -23,19 +23,12 @@ _NEAR = 200
 
 
 class Usage(Record):
-    """What the files mention.
+    """What the files mention."""
 
-    Attributes:
-        names: every word in an expression, forwarded parameters and inserted blocks.
-        calls: the last parts of all ``<xacro:...>`` tags; ``call`` for a dynamic call.
-        includes: places of the include tags, as (path, offset).
-        arguments: names in ``$(arg name)`` and ``xacro.arg('name')``.
-    """
-
-    names: frozenset[str]
-    calls: frozenset[str]
-    includes: frozenset[tuple[str, int]]
-    arguments: frozenset[str]
+    names: frozenset[str]  # every word in an expression, forwarded parameters and inserted blocks
+    calls: frozenset[str]  # the last parts of all ``<xacro:...>`` tags; ``call`` for a dynamic call
+    includes: frozenset[tuple[str, int]]  # places of the include tags, as (path, offset)
+    arguments: frozenset[str]  # names in ``$(arg name)`` and ``xacro.arg('name')``
 
 
 def usage(sources: Iterable[Source]) -> Usage:

@@ -4,6 +4,7 @@ import pytest
 
 from tests.jointed import joint, robot
 from tests.reported import reported
+from urdfkit.core.installation import install_command
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.source import Source
@@ -52,4 +53,4 @@ def test_without_pinocchio_it_is_skipped_and_the_command_to_install_it_told(
     assert report.diagnostics == ()
     (skipped,) = report.skipped
     assert skipped.code == "DYN001"
-    assert "pip install 'urdfkit[dynamics]'" in skipped.reason
+    assert install_command("dynamics") in skipped.reason

@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 
+from urdfkit.core.installation import install_command
 from urdfkit.errors import UnreadableFile, UnreadableRobot, UrdfkitError
 from urdfkit.output.comparison import KINDS, Comparison, compare, surfaces
 from urdfkit.output.comparison import html as as_html
@@ -170,7 +171,7 @@ def test_without_trimesh_the_bytes_are_compared(
     assert [str(one) for one in found.differences] == [
         "link 'base': the file of its visual mesh differs"
     ]
-    assert "pip install 'urdfkit[meshes]'" in as_text.render(found)
+    assert install_command("meshes") in as_text.render(found)
 
 
 def test_a_mesh_that_is_gone(pair: Path) -> None:

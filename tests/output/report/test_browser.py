@@ -339,3 +339,54 @@ def test_the_filters(page: Page, tmp_path: Path) -> None:
     assert 0 < page.run(shown) < every
     page.find(".filter input[type=search]").send_keys("hokuyo missing-file")
     assert page.run(shown) == 1
+
+
+def colours(page: Page) -> set[tuple[int, int, int]]:
+    """The colours of the 3D view, in steps of 16."""
+    page.wait("new Promise((then) => requestAnimationFrame(() => requestAnimationFrame(then)))")
+    image = pytest.importorskip("PIL.Image")
+    with image.open(BytesIO(page.find("#stage canvas").screenshot_as_png)) as shot:
+        small = shot.convert("RGB").resize((80, 80)).tobytes()
+    return {(r // 16, g // 16, b // 16) for r, g, b in zip(*[iter(small)] * 3, strict=True)}
+
+
+def test_findings_colour_the_links_and_all_others_step_back(page: Page, tmp_path: Path) -> None:
+    page.open(written(MISSION, tmp_path))
+    green = {one for one in colours(page) if one[1] > 2 * max(one[0], one[2])}
+    assert green  # the link of the IMU, which has infos only
+    assert not page.find("#legend").is_displayed()
+    page.find("[data-layer=findings]").click()
+    shown = colours(page)
+    assert not green & shown
+    assert any(r > 2 * max(g, b) for r, g, b in shown)  # the missing mesh
+    assert any(r > 8 and 2 * b < g < r for r, g, b in shown)  # the wheels
+    assert page.find("#legend").text.split() == ["error", "warning"]
+    assert page.find("#scale").text == "grid 0.1 m"
+
+
+def test_a_click_on_a_link_leads_to_its_findings(page: Page, tmp_path: Path) -> None:
+    page.resize(1280, 900)
+    page.open(written(MISSION, tmp_path))
+    assert page.run("return window.scrollY") == 0
+    page.run("urdfkit.showLink('wheel_1')")
+    top = "document.getElementById('findings').getBoundingClientRect().top"
+    page.wait(f"new Promise((then) => setInterval(() => {top} < 100 && then(), 50))")
+    links = "map((one) => one.dataset.links)"
+    shown = page.run(f"return [...document.querySelectorAll('.finding:not([hidden])')].{links}")
+    assert shown
+    assert all("wheel_1" in names for names in shown)
+
+
+def test_the_width_of_the_view_is_the_readers_and_no_table_is_cut(
+    page: Page, tmp_path: Path
+) -> None:
+    from selenium.webdriver.common.keys import Keys
+
+    page.resize(1280, 900)
+    page.open(written(MISSION, tmp_path))
+    cut = "filter((one) => one.querySelector('table') && one.scrollWidth > one.clientWidth)"
+    assert page.run(f"return [...document.querySelectorAll('.wide')].{cut}.length") == 0
+    width = "return document.getElementById('view').offsetWidth"
+    before = page.run(width)
+    page.find("#divider").send_keys(Keys.ARROW_RIGHT)
+    assert before < page.run(width) < before + 40

@@ -15,6 +15,7 @@ import trimesh
 
 from tests.conftest import MODELS
 from tests.mesh.shapes_made import as_mesh
+from urdfkit.core.installation import install_command
 from urdfkit.lint.loading import read
 from urdfkit.mesh.writers import write
 from urdfkit.robot.inertia import MassProperties
@@ -237,4 +238,4 @@ def test_without_the_libraries_meshes_are_not_known_and_that_is_said(
     write(as_mesh(trimesh.creation.box()), tmp_path / "m.stl")
     monkeypatch.setattr("urdfkit.core.libraries.missing_for_meshes", lambda: "numpy")
     one = only(robot(tmp_path, collision('<mesh filename="m.stl"/>')))
-    assert one.reason.endswith("without numpy: pip install 'urdfkit[meshes]'")
+    assert one.reason.endswith(f"without numpy: {install_command('meshes')}")

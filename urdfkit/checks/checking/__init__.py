@@ -1,7 +1,5 @@
 """The checking itself: robots that are not checked, and comments that suppress findings."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -4,8 +4,6 @@ The defect is fixed, or the comment is above another element. An unused comment 
 next defect there: delete it.
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rule_index import get, matching
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
 from urdfkit.text.editing.edits import remove_spans

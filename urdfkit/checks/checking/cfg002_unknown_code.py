@@ -5,8 +5,6 @@ all rules that begin with it. The former code of a rule, which was merged with a
 suppresses the warnings and infos of both, but no error; that it has another code now is an info.
 """
 
-from __future__ import annotations
-
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.rule_index import ignore_note, matching
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule

@@ -17,8 +17,6 @@ as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `u
     arguments.prefix = "left_"
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.source import Span

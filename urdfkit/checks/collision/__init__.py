@@ -1,7 +1,5 @@
 """Self-collision: overlapping collision geometry."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -1,7 +1,5 @@
 """Controllers of ros2_control: their parameter files."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

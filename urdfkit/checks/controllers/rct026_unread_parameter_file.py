@@ -14,8 +14,6 @@ Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core.suggest import nearest_file

@@ -11,8 +11,6 @@ Sources:
     gazebo_plugins, skid steer: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_skid_steer_drive.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.ros.gazebo.drives import drive_of, driven

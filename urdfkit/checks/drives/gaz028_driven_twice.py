@@ -8,8 +8,6 @@ Sources:
     gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.gazebo.drives import driven
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml

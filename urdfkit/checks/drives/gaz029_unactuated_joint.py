@@ -8,8 +8,6 @@ Sources:
     Gazebo Classic, plugins: https://classic.gazebosim.org/tutorials?tut=ros_gzplugins
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml

@@ -73,13 +73,11 @@ def check(context: Context) -> Findings:
         low = [one for one in _friction(context.model, link) if one.value < LITTLE]
         given = _friction(context.model, link)
         if low and len(low) == len(given):
-            yield Finding(
-                low[0],
+            message = (
                 f"driven wheel '{link}' has a friction coefficient of {low[0].value:g}: it spins "
-                "in place",
-                "write about 1",
-                weight=-low[0].value,
+                "in place"
             )
+            yield Finding(low[0], message, "write about 1", weight=-low[0].value)
     yield from _casters(context, set(driven))
 
 

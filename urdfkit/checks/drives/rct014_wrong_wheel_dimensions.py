@@ -77,13 +77,11 @@ def _of_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
         may_slip = kind.slips and measured == "separation" and value > real[0]
         if not may_slip and _differs(value, real):
             default = ", the default" if at is use.at else ""
-            yield Finding(
-                at,
+            message = (
                 f"{use.title}: <{name}> is {value:g} m{default}, but {_MEASURED[measured]} "
-                f"{real[0]:.4g} m",
-                _help(real[0]),
-                weight=abs(value - real[0]),
+                f"{real[0]:.4g} m"
             )
+            yield Finding(at, message, _help(real[0]), weight=abs(value - real[0]))
 
 
 def _separations(driven: list[Wheel]) -> list[float]:

@@ -1,7 +1,5 @@
 """Dynamics: gravity torques, stability, the mass matrix."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 

@@ -10,8 +10,6 @@ Sources:
     Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.requirements import need_pinocchio

@@ -106,10 +106,8 @@ def _finding(joint: Joint, load: Load) -> Finding:
         f"{name} {place:.3g}" for name, place in load.pose.items() if abs(place) > 5e-4
     )
     unit = effort_unit(joint)
-    return Finding(
-        joint.limit.effort,
+    message = (
         f"joint '{joint.name}' needs {load.worst:.4g} {unit} to hold against gravity at "
-        f"{pose or 'zero'}; its effort limit is {load.effort:.4g} {unit}",
-        weight=load.used or 0.0,
-        group_key="effort",
+        f"{pose or 'zero'}; its effort limit is {load.effort:.4g} {unit}"
     )
+    return Finding(joint.limit.effort, message, weight=load.used or 0.0, group_key="effort")

@@ -10,13 +10,11 @@ Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.bounding_box import WITHOUT_MESHES
+from urdfkit.robot.bounding_box import without_meshes
 from urdfkit.robot.model import RobotModel, Shape
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.stability import Stability, is_freestanding, stand
@@ -73,7 +71,7 @@ def check(context: Context) -> Findings:
                 return
             standing = stand(context)
         except ImportError as error:
-            raise Unavailable(WITHOUT_MESHES) from error
+            raise Unavailable(without_meshes()) from error
     if standing is None or not _falls(context, standing):
         return
     links = context.model.links_by_name

@@ -11,8 +11,6 @@ Sources:
     robotology/icub-models#121: https://github.com/robotology/icub-models/issues/121
 """
 
-from __future__ import annotations
-
 from math import isinf
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -49,7 +47,5 @@ def check(context: Context) -> Findings:
     first = next((name for name in found.joints if name in names), light_joints[0].name)
     ratio = "is singular" if isinf(found.number) else f"has the condition {found.number:.2g}"
     joints = " against ".join(f"'{name}'" for name in found.joints[:2])
-    yield Finding(
-        context.model.joints_by_name[first].at,
-        f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves almost no mass",
-    )
+    message = f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves almost no mass"
+    yield Finding(context.model.joints_by_name[first].at, message)

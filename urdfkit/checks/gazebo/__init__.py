@@ -1,7 +1,5 @@
 """The ``<gazebo>`` elements: references, tags, materials, frames."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -1,7 +1,5 @@
 """Force-torque sensors and ``<provideFeedback>`` on joints that Gazebo merges."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity

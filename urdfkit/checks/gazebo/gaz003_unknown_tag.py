@@ -11,8 +11,6 @@ Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import Suggester, did_you_mean, nearest
@@ -71,12 +69,8 @@ def _unknown(tag: str, elements: list[Element]) -> Finding:
 
 
 def _misspelt(element: Element, right: str) -> Finding:
-    return Finding(
-        element,
-        f"unknown element <{element.tag}> in <gazebo> (ignored)",
-        f"did you mean <{right}>?",
-        fix_tag(element, right),
-    )
+    message = f"unknown element <{element.tag}> in <gazebo> (ignored)"
+    return Finding(element, message, f"did you mean <{right}>?", fix_tag(element, right))
 
 
 def _in_sensors(model: RobotModel) -> Findings:

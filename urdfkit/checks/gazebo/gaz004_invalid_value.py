@@ -27,8 +27,6 @@ Sources:
     measured: what libsdformat 12.3 rejects
 """
 
-from __future__ import annotations
-
 from math import isnan
 
 from urdfkit.checks.gazebo.plugin_values import invalid_in_plugins

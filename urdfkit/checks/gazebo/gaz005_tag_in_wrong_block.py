@@ -14,8 +14,6 @@ Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule

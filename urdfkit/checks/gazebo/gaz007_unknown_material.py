@@ -14,8 +14,6 @@ Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.samples import robot_xml
@@ -57,10 +55,6 @@ def check(context: Context) -> Findings:
 
 def _finding(child: Element, name: str, right: str) -> Finding:
     edits = replace_text(child, right) if right and not child.get("value") else None
-    return Finding(
-        child,
-        f"unknown Gazebo material '{name}'" if name else "<material> is empty",
-        f"did you mean '{right}'?" if right else "",
-        Fix.of(f"write {right}", edits),
-        group_key=name,
-    )
+    message = f"unknown Gazebo material '{name}'" if name else "<material> is empty"
+    help = f"did you mean '{right}'?" if right else ""
+    return Finding(child, message, help, Fix.of(f"write {right}", edits), group_key=name)

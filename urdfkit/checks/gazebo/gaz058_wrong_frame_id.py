@@ -17,8 +17,6 @@ Sources:
     measured: 13 of 676 public models name a frame that does not exist
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import Suggester
@@ -71,12 +69,9 @@ def _unknown(context: Context) -> Findings:
         elif bare not in known and name not in known and not _is_of_the_world(name):
             suggested = suggester.suggested(name)
             help = f"did you mean '{suggested}'?" if suggested else "name a link of the robot"
+            message = f"{who}: frame_id '{name}' is not a link of the robot"
             yield Finding(
-                at,
-                f"{who}: frame_id '{name}' is not a link of the robot",
-                help,
-                fix_value(at, suggested),
-                confidence=Confidence.INFERRED,
+                at, message, help, fix_value(at, suggested), confidence=Confidence.INFERRED
             )
 
 

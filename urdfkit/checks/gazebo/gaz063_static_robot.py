@@ -7,8 +7,6 @@ Sources:
     SDF, model: http://sdformat.org/spec?ver=1.9&elem=model
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.model import DEGREES_OF_FREEDOM
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml

@@ -1,7 +1,5 @@
 """Values in the tags of plugins that are not of the type that the plugin reads."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import did_you_mean

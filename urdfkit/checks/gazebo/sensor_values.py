@@ -1,7 +1,5 @@
 """Values in the settings of sensors that SDF does not accept, and bounds that are swapped."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import isnan
 
@@ -41,12 +39,8 @@ def invalid_in_sensors(context: Context) -> Findings:
         for at, name, text, setting in _settings(sensor):
             if problem := _problem(name, setting, text):
                 shown = f"attribute {name}" if isinstance(at, Attribute) else f"<{name}>"
-                yield Finding(
-                    at,
-                    f"{sensor.who}: {shown} is {quoted(text)}, {problem[0]}",
-                    problem[1],
-                    severity=_severity(context, problem[0]),
-                )
+                message = f"{sensor.who}: {shown} is {quoted(text)}, {problem[0]}"
+                yield Finding(at, message, problem[1], severity=_severity(context, problem[0]))
         yield from _lidar(sensor, context)
         yield from _clip(sensor)
 

@@ -1,7 +1,5 @@
 """Gazebo plugins: libraries, parameters, the links and joints that they refer to."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

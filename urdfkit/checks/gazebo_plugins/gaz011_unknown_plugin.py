@@ -17,8 +17,6 @@ Sources:
     measured: half of the 66 plugins that 213 public models use are a vendor's
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -53,22 +51,16 @@ def check(context: Context) -> Findings:
             yield _misspelt(use, system)._replace(fix=None)
         elif use.filename not in reported:
             reported.add(use.filename)  # one robot may use a library a hundred times
-            yield Finding(
-                use.at.attributes["filename"],
-                f"unknown plugin library '{use.filename}'",
-            )
+            message = f"unknown plugin library '{use.filename}'"
+            yield Finding(use.at.attributes["filename"], message)
 
 
 def _misspelt(use: PluginUse, suggested: str) -> Finding:
     at = use.at.attributes["filename"]
-    return Finding(
-        at,
-        f"{use.title}: unknown plugin library",
-        f"did you mean '{suggested}'?",
-        fix_value(at, suggested),
-        group_key=suggested,
-        severity=Severity.WARNING,
-    )
+    message = f"{use.title}: unknown plugin library"
+    help = f"did you mean '{suggested}'?"
+    fix = fix_value(at, suggested)
+    return Finding(at, message, help, fix, group_key=suggested, severity=Severity.WARNING)
 
 
 def _unknown_class(use: PluginUse) -> Findings:
@@ -77,13 +69,9 @@ def _unknown_class(use: PluginUse) -> Findings:
     if not classes or not use.name or name is None:
         return  # GAZ010
     if _current_name(use.name) not in map(_current_name, classes):
-        yield Finding(
-            name,
-            f"{use.title}: the library has no class '{use.name}', only {' or '.join(classes)}",
-            f'write name="{classes[0]}"',
-            fix_value(name, classes[0]),
-            severity=Severity.ERROR,
-        )
+        message = f"{use.title}: the library has no class '{use.name}', only {' or '.join(classes)}"
+        help = f'write name="{classes[0]}"'
+        yield Finding(name, message, help, fix_value(name, classes[0]), severity=Severity.ERROR)
 
 
 def _class_of(plugin: Plugin, use: PluginUse) -> str:

@@ -17,8 +17,6 @@ Sources:
     gazebosim/gz-sensors#497: https://github.com/gazebosim/gz-sensors/issues/497
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.plugins import PluginUse

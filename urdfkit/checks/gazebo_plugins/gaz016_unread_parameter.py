@@ -17,8 +17,6 @@ Sources:
     tu-darmstadt-ros-pkg/hector_gazebo#65: https://github.com/tu-darmstadt-ros-pkg/hector_gazebo/issues/65
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import listed
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml

@@ -10,8 +10,6 @@ Sources:
     ros-simulation/gazebo_ros_pkgs#609: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/609
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Parameter, Plugin

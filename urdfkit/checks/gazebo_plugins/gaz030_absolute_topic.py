@@ -8,8 +8,6 @@ Sources:
     ros-simulation/gazebo_ros_pkgs#920: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/920
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml

@@ -1,7 +1,5 @@
 """Sensors of Gazebo: types, rates, ranges, frames."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -21,8 +21,6 @@ Sources:
     measured: libsdformat 12.3 rejects a model with a noise without a type
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 
 from urdfkit.core.suggest import did_you_mean, nearest
@@ -116,11 +114,9 @@ def _noise_without_type(sensor: Sensor, noise: Element) -> Finding:
     type = child.text.strip() if child else "gaussian"
     source, _, end = noise.tag_at.name_span
     title = f'write <noise type="{type}">'
+    message = f"{sensor.who}: <noise> has no type: {REJECTED}"
     return Finding(
-        noise,
-        f"{sensor.who}: <noise> has no type: {REJECTED}",
-        title,
-        Fix(title, (Edit(Span(source, end, end), f' type="{type}"'),)),
+        noise, message, title, Fix(title, (Edit(Span(source, end, end), f' type="{type}"'),))
     )
 
 

@@ -9,8 +9,6 @@ Sources:
     gazebosim/gz-sim#2743: https://github.com/gazebosim/gz-sim/issues/2743
 """
 
-from __future__ import annotations
-
 from math import pi
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
@@ -40,9 +38,5 @@ def check(context: Context) -> Findings:
             more = "the first and the last coincide"
             if span > 2 * pi + step / 2:
                 more = "the last repeat the first"
-            yield Finding(
-                last,
-                f"{sensor.who}: {count:g} beams over {span:g} rad: {more}",
-                f"write {text}",
-                fix_value(last.at, text),
-            )
+            message = f"{sensor.who}: {count:g} beams over {span:g} rad: {more}"
+            yield Finding(last, message, f"write {text}", fix_value(last.at, text))

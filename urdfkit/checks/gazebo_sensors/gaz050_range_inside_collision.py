@@ -9,8 +9,6 @@ Sources:
     gazebosim/gazebo-classic#2187: https://github.com/gazebosim/gazebo-classic/issues/2187
 """
 
-from __future__ import annotations
-
 from urdfkit.core.spatial import IDENTITY
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.model import Body

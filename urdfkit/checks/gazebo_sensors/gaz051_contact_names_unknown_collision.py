@@ -10,8 +10,6 @@ Sources:
     ros-simulation/gazebo_ros_pkgs#260: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/260
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import collision_xml, robot_xml
@@ -52,16 +50,10 @@ def check(context: Context) -> Findings:
                 continue
             renamed = [new for new, at in known.items() if name in _called(at)]
             suggested = renamed[0] if len(renamed) == 1 else Suggester(known).suggested(name)
-            hint = (
-                f"; its name in Gazebo is '{suggested}'"
-                if renamed
-                else f"; did you mean '{suggested}'?"
-            )
-            yield Finding(
-                named,
-                f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}",
-                fix=fix_value(named, suggested),
-            )
+            what = "its name in Gazebo is '{}'" if len(renamed) == 1 else "did you mean '{}'?"
+            hint = f"; {what.format(suggested)}" if suggested else ""
+            message = f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}"
+            yield Finding(named, message, fix=fix_value(named, suggested))
 
 
 def _called(collision: Element) -> tuple[str, ...]:

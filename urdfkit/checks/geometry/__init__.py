@@ -1,7 +1,5 @@
 """Shapes and colours of visuals and collisions."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -20,8 +20,6 @@ Sources:
     Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
 """
 
-from __future__ import annotations
-
 from math import prod
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule

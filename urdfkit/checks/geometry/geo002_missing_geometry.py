@@ -16,8 +16,6 @@ Sources:
     Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml
@@ -77,12 +75,10 @@ def _without_collision(context: Context) -> Findings:
 def _without_visual(context: Context) -> Findings:
     for link in context.model.links:
         if link.collisions and not link.visuals:
+            message = f"link '{link.name}' has a collision and no visual"
+            help = "add a <visual> if the link should be visible"
             yield Finding(
-                link.collisions[0].at,
-                f"link '{link.name}' has a collision and no visual",
-                "add a <visual> if the link should be visible",
-                group_key="no visual",
-                severity=Severity.INFO,
+                link.collisions[0].at, message, help, group_key="no visual", severity=Severity.INFO
             )
 
 

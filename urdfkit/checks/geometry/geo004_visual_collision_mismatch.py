@@ -22,8 +22,6 @@ Sources:
     measured: of 579 public robots, nine differ in size, eight of them by a scale
 """
 
-from __future__ import annotations
-
 from urdfkit.core.spatial import Transform, minus
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.visual_collision import (

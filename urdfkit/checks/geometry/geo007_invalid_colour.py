@@ -12,8 +12,6 @@ Sources:
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
-from __future__ import annotations
-
 import re
 from itertools import chain
 
@@ -55,11 +53,9 @@ def _invisible(model: RobotModel) -> Findings:
         if rgba.at not in reported and not re.search(_INTENDED, name):
             reported.add(rgba.at)
             called = f" '{name}'" if name else ""
+            message = f"link '{link.name}': the material{called} of a visual has an alpha of 0"
             yield Finding(
-                rgba,
-                f"link '{link.name}': the material{called} of a visual has an alpha of 0",
-                "write 1 as the fourth number of rgba",
-                severity=Severity.INFO,
+                rgba, message, "write 1 as the fourth number of rgba", severity=Severity.INFO
             )
 
 
@@ -71,12 +67,9 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
     better = _fixed(values)
     color = material.at.child("color")
     assert color is not None
-    return Finding(
-        material.rgba,
-        f"{name}: {', '.join(wrong)} {verb} not between 0 and 1",
-        f'write rgba="{better}"' if better else "",
-        fix_value(color.attributes["rgba"], better),
-    )
+    message = f"{name}: {', '.join(wrong)} {verb} not between 0 and 1"
+    help = f'write rgba="{better}"' if better else ""
+    return Finding(material.rgba, message, help, fix_value(color.attributes["rgba"], better))
 
 
 def _fixed(values: tuple[float, ...]) -> str:

@@ -10,8 +10,6 @@ Sources:
     gz-sim, migration of materials: https://github.com/gazebosim/gz-sim/blob/main/tutorials/migration_sdf.md
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.model import Material

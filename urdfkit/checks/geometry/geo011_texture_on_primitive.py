@@ -10,8 +10,6 @@ Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.samples import link_xml, visual_xml

@@ -1,7 +1,5 @@
 """The grammar of URDF: elements, attributes, values."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 from urdfkit.lint.context import Context

@@ -5,8 +5,9 @@ the tag belongs to another format (SDF, an old ROS tutorial, another simulator).
 inside `<geometry>` gives no colour, an `<origin>` directly in a link moves nothing, a `<mass>`
 outside `<inertial>` has no effect. Correct the name, move the element, or remove it. A tag with a
 namespace prefix, such as `drake:proximity_properties`, is an extension and is not reported; one
-that a program in the workspace reads is an info, as is one whose attributes are all zero, one in
-the axis of a fixed joint, and one that `<xacro:element>` makes.
+that a program reads, in its package, one next to it or one that it depends on, is an info, as is
+one whose attributes are all zero, one in the axis of a fixed joint, and one that `<xacro:element>`
+makes.
 
 It is an error where a needed element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -18,8 +19,6 @@ Sources:
     urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
     urdf-usd-converter, benchmarks: misplaced in 74 of 408 public models: https://github.com/newton-physics/urdf-usd-converter
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 

@@ -11,8 +11,6 @@ Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import listed, more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml

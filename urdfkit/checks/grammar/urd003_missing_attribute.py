@@ -15,8 +15,6 @@ Sources:
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
-from __future__ import annotations
-
 import os
 import re
 

@@ -18,8 +18,6 @@ Sources:
     ros/urdfdom#98: https://github.com/ros/urdfdom/issues/98
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import counted
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import collision_xml, link_xml
@@ -52,13 +50,9 @@ def check(context: Context) -> Findings:
             reason = alike = _reason(text, length)
             better = _fixed(text, length)
         fix = fix_value(attribute, better)
-        yield Finding(
-            attribute,
-            f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}",
-            f'write {attribute.name}="{better}"' if better else "",
-            fix,
-            group_key=alike,
-        )
+        message = f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}"
+        help = f'write {attribute.name}="{better}"' if better else ""
+        yield Finding(attribute, message, help, fix, group_key=alike)
 
 
 def _of_words(attribute: Attribute, words: list[str]) -> Finding:

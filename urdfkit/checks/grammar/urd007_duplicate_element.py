@@ -12,8 +12,6 @@ Sources:
     MuJoCo, FindSubElem in xml_util.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_util.cc
 """
 
-from __future__ import annotations
-
 from itertools import zip_longest
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule

@@ -10,8 +10,6 @@ Sources:
     gazebosim/gazebo-classic#3391: https://github.com/gazebosim/gazebo-classic/issues/3391
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule

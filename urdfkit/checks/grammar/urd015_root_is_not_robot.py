@@ -11,8 +11,6 @@ Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.text.document import Element
@@ -35,12 +33,9 @@ def check(context: Context) -> Findings:
         return
     for element, *_ in context.deviations.get("URD015", ()):
         edits = rename_element(element, "robot") if nearest(element.tag, ["robot"]) else None
-        yield Finding(
-            element,
-            f"the root element is <{element.tag}>, not <robot>",
-            "rename it to <robot>" if edits else _help(element),
-            Fix.of(f"rename <{element.tag}> to <robot>", edits),
-        )
+        message = f"the root element is <{element.tag}>, not <robot>"
+        help = "rename it to <robot>" if edits else _help(element)
+        yield Finding(element, message, help, Fix.of(f"rename <{element.tag}> to <robot>", edits))
 
 
 def _help(element: Element) -> str:

@@ -9,8 +9,6 @@ Sources:
     URDF, XML specification: http://wiki.ros.org/urdf/XML
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule

@@ -1,7 +1,5 @@
 """Mass and inertia."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

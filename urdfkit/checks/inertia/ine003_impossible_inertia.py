@@ -21,8 +21,6 @@ Sources:
     gazebosim/ros_gz#155: https://github.com/gazebosim/ros_gz/issues/155
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
@@ -78,10 +76,5 @@ def _finding(one: LinkInertia, masses: Masses) -> Finding:
         )
         weight = (high - low - middle) / high
     diagnosis = of_impossible(one, masses)
-    return Finding(
-        one.at,
-        f"link '{one.link.name}': {message}",
-        str(diagnosis),
-        replacement(one, diagnosis.tensor),
-        weight=weight,
-    )
+    fix = replacement(one, diagnosis.tensor)
+    return Finding(one.at, f"link '{one.link.name}': {message}", str(diagnosis), fix, weight=weight)

@@ -23,8 +23,6 @@ Sources:
     gazebosim/gz-sim#2815: https://github.com/gazebosim/gz-sim/issues/2815
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import few, listed
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody
@@ -143,10 +141,8 @@ def _finding(body: RigidBody, context: Context) -> Finding | None:
     if body.joint:  # a fixed one leads from the world
         verb = "held" if body.joint.kind == "fixed" else "moved"
         by = f"{verb} by the {body.joint.kind} joint '{body.joint.name}'"
-    return Finding(
-        body.top.at,
-        f"link '{name}' is {by} and has no mass: Gazebo drops it{others}",
-    )
+    message = f"link '{name}' is {by} and has no mass: Gazebo drops it{others}"
+    return Finding(body.top.at, message)
 
 
 def _of_tiny_mass(context: Context) -> Findings:

@@ -18,8 +18,6 @@ Sources:
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.inertia.copies import together
@@ -88,14 +86,11 @@ def _finding(one: LinkInertia, joint: Joint) -> Finding:
                 f"write the mass of the link, which has {one.solid.volume:.3g} m³, and its tensor"
             )
             fix = None
-    return Finding(
-        one.at,
+    message = (
         f"link '{one.link.name}' of {one.mass:g} kg has no moment of inertia and is moved by the "
-        f"{joint.kind} joint '{joint.name}'",
-        help,
-        fix,
-        weight=one.mass,
+        f"{joint.kind} joint '{joint.name}'"
     )
+    return Finding(one.at, message, help, fix, weight=one.mass)
 
 
 def _thin(context: Context) -> Findings:

@@ -11,8 +11,6 @@ Sources:
     Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values

@@ -10,8 +10,6 @@ Sources:
     measured: a tensor of ones in 122 of 676 public models
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
@@ -37,10 +35,8 @@ def check(context: Context) -> Findings:
 
 
 def _finding(one: LinkInertia) -> Finding:
-    return Finding(
-        one.at,
+    message = (
         f"link '{one.link.name}' of {one.mass:g} kg: placeholder inertia "
-        f"{values(one.diagonal)} (radius of gyration {one.radius_of_gyration:.3g} m)",
-        confidence=Confidence.INFERRED,
-        weight=one.radius_of_gyration,
+        f"{values(one.diagonal)} (radius of gyration {one.radius_of_gyration:.3g} m)"
     )
+    return Finding(one.at, message, confidence=Confidence.INFERRED, weight=one.radius_of_gyration)

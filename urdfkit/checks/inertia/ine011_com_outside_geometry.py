@@ -13,8 +13,6 @@ Sources:
     measured: of 1300 public descriptions, 42 have a link whose centre a sign would bring inside.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 from urdfkit.core.spatial import Vector

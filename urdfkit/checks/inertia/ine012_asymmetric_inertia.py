@@ -9,8 +9,6 @@ Sources:
     robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import LinkInertia

@@ -10,8 +10,6 @@ Sources:
     robotology/icub-models#121: https://github.com/robotology/icub-models/issues/121
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO

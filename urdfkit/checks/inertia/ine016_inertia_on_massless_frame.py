@@ -8,8 +8,6 @@ Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.robot.inertials.link_comparison import NOISE
@@ -39,8 +37,5 @@ def check(context: Context) -> Findings:
         merged = body is not None and body.top is not link
         if merged and inertial.mass.value == 0 and max(map(abs, tensor)) > NOISE:
             moments = values((tensor.ixx, tensor.iyy, tensor.izz))
-            yield Finding(
-                inertial.tensor,
-                f"link '{link.name}' has a mass of 0 kg and moments of inertia of {moments}",
-                weight=max(map(abs, tensor)),
-            )
+            message = f"link '{link.name}' has a mass of 0 kg and moments of inertia of {moments}"
+            yield Finding(inertial.tensor, message, weight=max(map(abs, tensor)))

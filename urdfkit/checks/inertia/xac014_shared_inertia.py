@@ -18,8 +18,6 @@ Sources:
     Kinovarobotics/kinova-ros#204: https://github.com/Kinovarobotics/kinova-ros/issues/204
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, values
 from urdfkit.robot.inertials.link_comparison import LinkInertia

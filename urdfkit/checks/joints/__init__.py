@@ -1,7 +1,5 @@
 """Joints: types, axes, limits."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

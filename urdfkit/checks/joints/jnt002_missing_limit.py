@@ -15,8 +15,6 @@ Sources:
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import BOUNDED, effort_unit, unit
 from urdfkit.robot.model import Joint, Limit, RobotModel
@@ -49,11 +47,9 @@ def _lacking(model: RobotModel) -> Findings:
             continue
         missing = [key for key in units if key not in joint.limit.at.attributes]
         if missing:
-            yield Finding(
-                joint.limit.at,
-                f"joint '{joint.name}': <limit> has no {' and no '.join(missing)}",
-                "add " + " and ".join(f"{key} in {units[key]}" for key in missing),
-            )
+            message = f"joint '{joint.name}': <limit> has no {' and no '.join(missing)}"
+            help = "add " + " and ".join(f"{key} in {units[key]}" for key in missing)
+            yield Finding(joint.limit.at, message, help)
 
 
 def _unequal(model: RobotModel) -> Findings:

@@ -8,8 +8,6 @@ Sources:
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING
 from urdfkit.robot.samples import arm_xml

@@ -21,8 +21,6 @@ Sources:
     measured: of 1300 public descriptions none has such a velocity
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import lru_cache
 from math import pi, radians
@@ -124,13 +122,11 @@ def _rotations(root: Element) -> Findings:
         at = origin.parent
         what = owner(at) if at.tag == "joint" else f"{owner(at)}: <{at.tag}>"
         worst = max(filter(_is_degrees, angles), key=abs)
-        yield Finding(
-            rpy,
+        message = (
             f"{what} has an rpy of {worst:g} rad, {abs(worst) / (2 * pi):.1f} turns, which looks "
-            "like degrees",
-            fix=_in_radians(rpy, angles),
-            confidence=Confidence.INFERRED,
+            "like degrees"
         )
+        yield Finding(rpy, message, fix=_in_radians(rpy, angles), confidence=Confidence.INFERRED)
 
 
 def _origins(root: Element) -> Iterator[Element]:
@@ -199,11 +195,9 @@ def _is_suspect(velocity: float) -> bool:
 
 def _speed(joint: Joint, velocity: Placed[float]) -> Finding:
     right = f"{radians(velocity.value):.10g}"
-    return Finding(
-        velocity,
+    message = (
         f"joint '{joint.name}' has velocity limit {velocity.value:g} rad/s, which looks like "
-        f"degrees per second ({float(right):.3g} rad/s)",
-        fix=fix_value(velocity.at, right),
-        confidence=Confidence.INFERRED,
-        group_key="velocity",
+        f"degrees per second ({float(right):.3g} rad/s)"
     )
+    fix = fix_value(velocity.at, right)
+    return Finding(velocity, message, fix=fix, confidence=Confidence.INFERRED, group_key="velocity")

@@ -19,8 +19,6 @@ Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
-from __future__ import annotations
-
 from urdfkit.core.spatial import length
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.joints import bounds, related, several

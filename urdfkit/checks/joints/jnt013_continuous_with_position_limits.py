@@ -11,8 +11,6 @@ Sources:
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
-from __future__ import annotations
-
 from math import pi
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule

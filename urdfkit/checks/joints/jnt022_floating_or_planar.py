@@ -13,8 +13,6 @@ Sources:
     MoveIt, planar_joint_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/planar_joint_model.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import arm_xml, link_xml
 from urdfkit.ros.targets import GAZEBO

@@ -9,8 +9,6 @@ Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import bounds, related, several, unit
 from urdfkit.robot.model import Joint, Limit

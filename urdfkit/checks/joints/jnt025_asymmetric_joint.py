@@ -20,8 +20,6 @@ Sources:
     measured: of 671 public robots one has a misplaced pair, of wheels; of 1300 none another axis
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.joints.mirrored import misplaced

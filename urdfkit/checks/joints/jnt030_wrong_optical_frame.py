@@ -17,8 +17,6 @@ Sources:
     gazebo_ros_camera.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_camera.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.spatial import Rotation, multiply, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Joint
@@ -97,12 +95,9 @@ def _of_gazebo(context: Context) -> Findings:
         link = sensor.reference
         if "optical" in link:
             if _looks_aside(context, link) and not _is_rotated(sensor.find("pose")):
-                yield Finding(
-                    sensor.at,
-                    f"{sensor.who} looks along x of '{link}', to the robot's right",
-                    "refer to the camera's link, and name the optical frame in the plugin",
-                    group_key="optical",
-                )
+                message = f"{sensor.who} looks along x of '{link}', to the robot's right"
+                help = "refer to the camera's link, and name the optical frame in the plugin"
+                yield Finding(sensor.at, message, help, group_key="optical")
             continue
         for parent in (sensor.at, *sensor.plugins):
             for frame in (one for tag in _FRAME_IDS for one in parent.all(tag)):

@@ -12,8 +12,6 @@ Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from urdfkit.core.spatial import Vector, dot, rotate
@@ -74,7 +72,6 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
 
 
 def _limited(joint: Joint, link: Link) -> Findings:
-    """A wheel with position limits."""
     ends = bounds(joint)
     if joint.kind != "revolute" or ends is None or ends[0] >= ends[1]:
         return

@@ -8,8 +8,6 @@ Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.spatial import Transform
@@ -69,9 +67,6 @@ def _gap(context: Context, here: Link, there: Link, frame: Transform) -> tuple[f
     """The gap between two links and the length of the longer one, in m; None if there is none.
 
     Args:
-        context: the robot.
-        here: one link.
-        there: the other one.
         frame: of the other one in that of the first.
     """
     first, second = (_solid(context, link) for link in (here, there))
@@ -89,9 +84,6 @@ def _is_bridged(
     """True if a link that is merged with one of two links is near the other, or may be.
 
     Args:
-        context: the robot.
-        parent: one of the links.
-        child: the other one.
         body_of: the links that are merged with each link, by its name.
     """
     frames = context.tree.frames

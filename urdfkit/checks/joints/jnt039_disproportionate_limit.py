@@ -11,8 +11,6 @@ Sources:
     measured: in 1300 public descriptions Baxter's head_pan has it, and one joint of an IRB 6700.
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING, effort_unit, unit
 from urdfkit.robot.model import Joint, Placed

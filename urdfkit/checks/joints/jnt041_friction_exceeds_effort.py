@@ -11,8 +11,6 @@ Sources:
     measured: of 1300 public descriptions one hand has it, with friction of 5 and effort of 0.7 N·m.
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.joints import MOVING, effort_unit, unit
@@ -48,11 +46,9 @@ def _judged(joint: Joint, dynamics: Element, most: float) -> Findings:
     friction, damping = (number(dynamics.get(key)) or 0.0 for key in ("friction", "damping"))
     who, of = f"joint '{joint.name}'", effort_unit(joint)
     if friction > most:
+        message = f"{who}: friction {friction:g} {of} exceeds the effort limit of {most:g} {of}"
         yield Finding(
-            dynamics.attributes["friction"],
-            f"{who}: friction {friction:g} {of} exceeds the effort limit of {most:g} {of}",
-            weight=friction / most,
-            group_key="friction",
+            dynamics.attributes["friction"], message, weight=friction / most, group_key="friction"
         )
     speed = joint.limit.velocity.value if joint.limit and joint.limit.velocity else 0.0
     reached = most / damping if damping > 0 else speed

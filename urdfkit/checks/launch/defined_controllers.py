@@ -1,7 +1,5 @@
 """The controllers that a launch file has at hand."""
 
-from __future__ import annotations
-
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context
 from urdfkit.ros.controllers import Controller, read

@@ -8,8 +8,6 @@ Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"

@@ -15,8 +15,6 @@ Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 from urdfkit.lint.rule_index import get

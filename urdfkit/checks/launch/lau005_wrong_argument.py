@@ -14,8 +14,6 @@ Sources:
     launch, include_launch_description.py: https://github.com/ros2/launch/blob/rolling/launch/launch/actions/include_launch_description.py
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core.suggest import did_you_mean

@@ -12,8 +12,6 @@ Sources:
     launch, launch_configuration.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/launch_configuration.py
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"

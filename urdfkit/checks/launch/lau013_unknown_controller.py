@@ -11,8 +11,6 @@ Sources:
     ros2_control, spawner.py: https://github.com/ros-controls/ros2_control/blob/master/controller_manager/controller_manager/spawner.py
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import islice
 

@@ -7,8 +7,6 @@ Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 

@@ -12,8 +12,6 @@ Sources:
     gazebo_ros, spawn_model: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_ros/scripts/spawn_model
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

@@ -8,8 +8,6 @@ Sources:
     launch_ros, ParameterFile: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/parameter_descriptions.py
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
 
 NAME = "robot.launch"

@@ -18,8 +18,6 @@ Sources:
     ros_gz_bridge, mappings.py: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/ros_gz_bridge/mappings.py
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest

@@ -1,7 +1,5 @@
 """What the mesh files of a robot contain."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

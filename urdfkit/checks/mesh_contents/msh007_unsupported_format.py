@@ -29,8 +29,6 @@ Sources:
     Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

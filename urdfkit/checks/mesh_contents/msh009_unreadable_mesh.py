@@ -18,8 +18,6 @@ Sources:
     STL: https://en.wikipedia.org/wiki/STL_(file_format)
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import DefectKind

@@ -15,8 +15,6 @@ Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
@@ -45,14 +43,11 @@ def check(context: Context) -> Findings:
     defects = context.measured.defects
     for use in defects.get(MeshDefect.MILLIMETRES, ()):
         length = use.longest
-        yield Finding(
-            use.at,
+        message = (
             f"{use.who} is {length:.4g} m long, the rest of the robot "
-            f"{rest_of_robot(context.model):.3g} m; in mm it would be {length / 1000:.3g} m",
-            fix=_fix(use),
-            confidence=Confidence.INFERRED,
-            weight=length,
+            f"{rest_of_robot(context.model):.3g} m; in mm it would be {length / 1000:.3g} m"
         )
+        yield Finding(use.at, message, fix=_fix(use), confidence=Confidence.INFERRED, weight=length)
     for use in defects.get(MeshDefect.MICROSCOPIC, ()):
         unscaled = use.longest / max(map(abs, use.shape.scale))
         yield Finding(

@@ -9,8 +9,6 @@ Sources:
     measured: 53 of 1 513 public collision meshes
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import counted
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import box, stl

@@ -19,8 +19,6 @@ Sources:
     measured: 131 of 676 public models use a visual mesh for collision
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import BINARY_STL
 from urdfkit.mesh.samples import box, stl

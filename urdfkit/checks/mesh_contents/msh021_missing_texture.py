@@ -13,8 +13,6 @@ Sources:
     Wavefront OBJ, mtllib: https://paulbourke.net/dataformats/obj/
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import collada

@@ -4,8 +4,6 @@ One copy gets fixed some day and the other does not, and both are loaded. Refer 
 both places; a `<mesh>` can be mirrored with its scale and moved with its `<origin>`.
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.mesh.samples import box, stl
@@ -26,8 +24,5 @@ def check(context: Context) -> Findings:
     if not copies:
         return
     (copy, first), *others = copies
-    yield Finding(
-        copy.at,
-        f"{copy.who} has the same content as '{first.at.value}'{more_like_this(len(others))}",
-        related=(Related(first.at.span, "the other file"),),
-    )
+    message = f"{copy.who} has the same content as '{first.at.value}'{more_like_this(len(others))}"
+    yield Finding(copy.at, message, related=(Related(first.at.span, "the other file"),))

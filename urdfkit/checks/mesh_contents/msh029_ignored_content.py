@@ -15,8 +15,6 @@ Sources:
     STL: https://en.wikipedia.org/wiki/STL_(file_format)
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.assets.mesh_defects import COLOURS, MeshDefect, extras

@@ -1,7 +1,5 @@
 """Mesh files that a robot names: whether they exist."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -24,8 +24,6 @@ Sources:
     measured: 60 of 548 public models with meshes
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk
@@ -74,12 +72,9 @@ def check(context: Context) -> Findings:
         elif mesh.located.package == "":
             yield _without_package(context, mesh, scheme, rest)
         elif mesh.located.outside:
-            yield Finding(
-                mesh.at,
-                f"{mesh.who} {OUTSIDE}: not read",
-                "move it into the package, name its directory with --package, or pass --trust",
-                severity=Severity.WARNING,
-            )
+            message = f"{mesh.who} {OUTSIDE}: not read"
+            help = "move it into the package, name its directory with --package, or pass --trust"
+            yield Finding(mesh.at, message, help, severity=Severity.WARNING)
         elif id(mesh) in missing:
             yield _missing(context, mesh)
 

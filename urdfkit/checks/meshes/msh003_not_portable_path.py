@@ -25,8 +25,6 @@ Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
 """
 
-from __future__ import annotations
-
 import posixpath
 import re
 
@@ -67,11 +65,8 @@ def check(context: Context) -> Findings:
             home = context.resolver.packages.enclosing(path)
             yield Finding(mesh.at, message, f"write package://{home[0]}/..." if home else "")
     for mesh in context.files.ignored:
-        yield Finding(
-            mesh.at,
-            f"{mesh.who} is ignored by git: clones of the repository lack it",
-            "git add -f FILE, and an exception in .gitignore",
-        )
+        message = f"{mesh.who} is ignored by git: clones of the repository lack it"
+        yield Finding(mesh.at, message, "git add -f FILE, and an exception in .gitignore")
 
 
 def _is_absolute(mesh: MeshReference) -> bool:

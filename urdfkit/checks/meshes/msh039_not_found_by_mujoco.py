@@ -15,8 +15,6 @@ Sources:
     google-deepmind/mujoco#273: https://github.com/google-deepmind/mujoco/issues/273
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

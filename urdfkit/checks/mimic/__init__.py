@@ -1,7 +1,5 @@
 """Joints that mimic others."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -15,8 +15,6 @@ Sources:
     joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule

@@ -14,8 +14,6 @@ Sources:
     ros-simulation/gazebo_ros_pkgs#251: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/251
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joints import MOVING, related, several
 from urdfkit.robot.model import RobotModel

@@ -7,8 +7,6 @@ Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
-from __future__ import annotations
-
 from urdfkit.core.spatial import dot, length, minus, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.kinematics import direction

@@ -1,7 +1,5 @@
 """Names of links, joints and materials, and references to them."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

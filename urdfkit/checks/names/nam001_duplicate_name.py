@@ -17,8 +17,6 @@ Sources:
     ros-industrial/motoman#314: https://github.com/ros-industrial/motoman/issues/314
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule

@@ -13,8 +13,6 @@ Sources:
     o3de/o3de-extras#476: https://github.com/o3de/o3de-extras/issues/476
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml

@@ -24,8 +24,6 @@ Sources:
     Isaac Sim, URDF importer: https://docs.isaacsim.omniverse.nvidia.com/latest/robot_setup/ext_isaacsim_asset_importer_urdf.html
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.model import Link
 from urdfkit.text.document import Attribute, Element
@@ -76,11 +74,8 @@ def _has_namespace(joint: Element, text: str) -> bool:
 def _first_character(context: Context, name: Attribute) -> Findings:
     tag, text = name.element.tag, name.value
     if text.startswith("/") and tag == "link":
-        yield Finding(
-            name,
-            f"{tag} '{text}': tf2 rejects frames that begin with '/'",
-            "remove the slash, here and wherever the link is named",
-        )
+        message = f"{tag} '{text}': tf2 rejects frames that begin with '/'"
+        yield Finding(name, message, "remove the slash, here and wherever the link is named")
     elif "0" <= text[0] <= "9":
         isaac = context.targets.that("needs_usd_names")
         yield Finding(

@@ -9,8 +9,6 @@ Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
@@ -56,12 +54,8 @@ def check(context: Context) -> Findings:
             fix = _fix(uses, suggester.suggested(word))
         visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
         who = owner(uses[0].element)
-        yield Finding(
-            uses[0],
-            f"{who}: material '{word}' has no colour in {visuals}; {reason}",
-            fix=fix,
-            related=related,
-        )
+        message = f"{who}: material '{word}' has no colour in {visuals}; {reason}"
+        yield Finding(uses[0], message, fix=fix, related=related)
 
 
 def _fix(uses: list[Attribute], suggested: str) -> Fix | None:

@@ -1,7 +1,5 @@
 """The ROS package around a robot or a launch file: what it needs, declares and installs."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.package_references import are_in

@@ -9,8 +9,6 @@ Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.package.samples import robot_of_package

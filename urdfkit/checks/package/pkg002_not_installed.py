@@ -10,8 +10,6 @@ Sources:
     ros2/demos#353: https://github.com/ros2/demos/issues/353
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 

@@ -13,8 +13,6 @@ Sources:
     gazebosim/ros_gz#132: https://github.com/gazebosim/ros_gz/issues/132
 """
 
-from __future__ import annotations
-
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.mesh.samples import PLATE

@@ -21,8 +21,6 @@ Sources:
     ROS 2, developing a package: https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.package.build_files import not_registered, other_name
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk

@@ -1,7 +1,5 @@
 """A robot with a mesh in a package, for the examples of rules."""
 
-from __future__ import annotations
-
 from urdfkit.robot.samples import element_xml, link_xml, visual_xml
 
 

@@ -17,8 +17,6 @@ Sources:
     ros/xacro#359: https://github.com/ros/xacro/issues/359
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.core.suggest import did_you_mean

@@ -1,7 +1,5 @@
 """What reading a description met: errors of XML and of xacro."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 from urdfkit.lint.context import Context

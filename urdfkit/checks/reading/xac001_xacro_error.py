@@ -15,8 +15,6 @@ Sources:
     ros/xacro#267: https://github.com/ros/xacro/issues/267
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule

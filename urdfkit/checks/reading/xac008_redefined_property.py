@@ -9,8 +9,6 @@ Sources:
     xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 

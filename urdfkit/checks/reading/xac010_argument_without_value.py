@@ -8,8 +8,6 @@ Sources:
     measured: 30 of 176 public entry points want an argument
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 

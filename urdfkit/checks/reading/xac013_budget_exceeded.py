@@ -9,8 +9,6 @@ Sources:
     measured: the largest public robot has 1 201 links
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 

@@ -10,8 +10,6 @@ Sources:
     measured: 12 public entry points stop at it
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 

@@ -10,8 +10,6 @@ Sources:
     xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 
 BAD = b'<robot name="r"><!-- gr\xf6\xdfe --><link name="a"/></robot>'

@@ -10,8 +10,6 @@ Sources:
     measured: none of 538 public xacro files declares an entity
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 
 BAD = """\

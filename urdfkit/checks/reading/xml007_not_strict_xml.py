@@ -15,8 +15,6 @@ Sources:
     measured: 38 of 676 public models are not strict XML, and urdfdom reads 35 of them
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Findings, Severity, reported, rule
 
 BAD = '<!-- made by hand -->\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>'

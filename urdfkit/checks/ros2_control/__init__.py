@@ -1,7 +1,5 @@
 """``<ros2_control>`` and the interfaces of its joints."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -1,7 +1,5 @@
 """Interfaces of joints and sensors that hardware and controllers do not have."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from urdfkit.core.suggest import nearest
@@ -86,18 +84,11 @@ def _of_ros1(context: Context) -> Findings:
             who = f"joint '{joint.get('name') or ''}': hardware interface '{name}'"
             suggested = "" if name in known else _typo(name, known)
             if suggested:
-                yield Finding(
-                    element,
-                    f"{who} is unknown; did you mean '{suggested}'?",
-                    _HELP,
-                    fix_value(element, suggested),
-                )
+                message = f"{who} is unknown; did you mean '{suggested}'?"
+                yield Finding(element, message, _HELP, fix_value(element, suggested))
             elif name and simulated and name not in simulable:
-                yield Finding(
-                    element,
-                    f"{who} is not one of gazebo_ros_control ({', '.join(simulable[:3])})",
-                    _HELP,
-                )
+                message = f"{who} is not one of gazebo_ros_control ({', '.join(simulable[:3])})"
+                yield Finding(element, message, _HELP)
 
 
 def _has_default_simulation(context: Context) -> bool:

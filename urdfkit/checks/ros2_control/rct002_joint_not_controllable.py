@@ -19,8 +19,6 @@ Sources:
     gazebo_ros_control_plugin.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_ros_control/src/gazebo_ros_control_plugin.cpp
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
@@ -76,12 +74,9 @@ def _fixed(context: Context) -> Findings:
     for element, owner in _driven(context):
         joint = joints.get(element.get("name") or "")
         if joint and joint.kind == "fixed":
-            yield Finding(
-                element.attributes["name"],
-                f"{owner} has joint '{joint.name}', which is fixed",
-                "change the type of the joint, or remove the joint here",
-                group_key="fixed",
-            )
+            message = f"{owner} has joint '{joint.name}', which is fixed"
+            help = "change the type of the joint, or remove the joint here"
+            yield Finding(element.attributes["name"], message, help, group_key="fixed")
 
 
 def _driven(context: Context) -> Iterator[tuple[Element, str]]:

@@ -12,8 +12,6 @@ Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml

@@ -16,8 +16,6 @@ Sources:
     MoveIt, check_start_state_bounds.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_bounds.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joints import bounds, effort_unit, unit
 from urdfkit.robot.model import Joint
@@ -122,12 +120,8 @@ def _empty_range(part: ControlPart, interface: Interface) -> Findings:
     at = interface.parameter("min")
     if at and _is_empty(interface):
         least, greatest = interface.bound("min"), interface.bound("max")
-        yield Finding(
-            at,
-            f"{part.kind} '{part.name}', {interface.name}: min {least:g} > max {greatest:g}",
-            "swap min and max",
-            severity=Severity.ERROR,
-        )
+        message = f"{part.kind} '{part.name}', {interface.name}: min {least:g} > max {greatest:g}"
+        yield Finding(at, message, "swap min and max", severity=Severity.ERROR)
 
 
 def _initial_value(joint: Joint, interface: Interface) -> Findings:

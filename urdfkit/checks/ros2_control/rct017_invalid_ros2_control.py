@@ -23,8 +23,6 @@ Sources:
     gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.ros2_control.interfaces import invalid_interfaces

@@ -20,8 +20,6 @@ Sources:
     gripper_action_controller_impl.hpp: https://github.com/ros-controls/ros2_controllers/blob/humble/gripper_controllers/include/gripper_controllers/gripper_action_controller_impl.hpp
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
@@ -142,12 +140,9 @@ def _without_state(context: Context) -> Findings:
     for block in blocks:
         for part in block.joints:
             if part.of("command") and part.name and part.name not in measured:
-                yield Finding(
-                    part.at,
-                    f"joint '{part.name}' has command interfaces but no state interface",
-                    'add <state_interface name="position"/>, and velocity if the hardware has it',
-                    severity=Severity.WARNING,
-                )
+                message = f"joint '{part.name}' has command interfaces but no state interface"
+                help = 'add <state_interface name="position"/>, and velocity if the hardware has it'
+                yield Finding(part.at, message, help, severity=Severity.WARNING)
 
 
 def _offered(context: Context, direction: str) -> _Offered:

@@ -12,8 +12,6 @@ Sources:
     force_torque_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/force_torque_sensor_broadcaster/src/force_torque_sensor_broadcaster.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
@@ -59,11 +57,9 @@ def _not_in_gazebo(context: Context, blocks: list[Component]) -> Findings:
             if part.kind != "sensor" or name is None or name.value in simulated:
                 continue
             suggested, hint = suggester.suggested(name.value), suggester.hint(name.value)
+            message = f"sensor '{name.value}' of <ros2_control> does not exist in <gazebo>{hint}"
             yield Finding(
-                name,
-                f"sensor '{name.value}' of <ros2_control> does not exist in <gazebo>{hint}",
-                "use the same name for both sensors",
-                fix_value(name, suggested),
+                name, message, "use the same name for both sensors", fix_value(name, suggested)
             )
 
 

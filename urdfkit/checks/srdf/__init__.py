@@ -1,7 +1,5 @@
 """SRDF: MoveIt's groups, states and allowed-collision matrix."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 

@@ -1,7 +1,5 @@
 """Groups whose solver needs a chain of joints, which they are not."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity

@@ -35,8 +35,6 @@ Sources:
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.checks.srdf.trajectory_controllers import unfit_controllers
 from urdfkit.core.suggest import Suggester

@@ -14,8 +14,6 @@ Sources:
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.srdf.solvable_groups import unsolvable_groups

@@ -11,8 +11,6 @@ Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -72,9 +70,7 @@ def check(context: Context) -> Findings:
     for (element, first, second), collision in zip(said, found, strict=True):
         if collision and collision.depth > _DEEP:
             pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())
-            yield Finding(
-                element,
-                f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}",
-                weight=collision.depth,
-                group_key="never",
+            message = (
+                f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}"
             )
+            yield Finding(element, message, weight=collision.depth, group_key="never")

@@ -15,8 +15,6 @@ Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml

@@ -7,8 +7,6 @@ Sources:
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.moveit.samples import named_xml
 from urdfkit.text.editing.edits import fix_value

@@ -17,8 +17,6 @@ Sources:
     MoveIt, time parameterization: https://github.com/moveit/moveit2/blob/main/moveit_core/trajectory_processing/src/time_optimal_trajectory_generation.cpp
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.core.words import few

@@ -11,8 +11,6 @@ Sources:
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number

@@ -1,7 +1,5 @@
 """The controllers that MoveIt sends trajectories to, against those of ros2_control."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import islice
 

@@ -1,7 +1,5 @@
 """Whether the SRDF near a robot is that of this robot."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 

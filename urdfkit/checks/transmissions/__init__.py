@@ -1,7 +1,5 @@
 """``<transmission>`` elements."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

@@ -22,8 +22,6 @@ Sources:
     ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import nearest

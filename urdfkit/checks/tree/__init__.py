@@ -1,7 +1,5 @@
 """The kinematic tree."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

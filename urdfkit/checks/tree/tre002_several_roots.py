@@ -9,8 +9,6 @@ Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
-from __future__ import annotations
-
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import Link

@@ -11,8 +11,6 @@ Sources:
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -34,11 +32,8 @@ SHOWN = 8
 def check(context: Context) -> Findings:
     for joint in context.model.joints:
         if joint.parent and joint.child and joint.parent.value == joint.child.value:
-            yield Finding(
-                joint.child,
-                f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child",
-                "name the link that this joint moves as its child",
-            )
+            message = f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child"
+            yield Finding(joint.child, message, "name the link that this joint moves as its child")
     for loop in context.tree.cycles:
         yield Finding(
             loop[-1].child or loop[-1].at,

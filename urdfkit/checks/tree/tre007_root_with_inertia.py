@@ -9,8 +9,6 @@ Sources:
     ros/kdl_parser#27: https://github.com/ros/kdl_parser/issues/27
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.model import Link, RobotModel
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml

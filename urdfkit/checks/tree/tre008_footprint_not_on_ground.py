@@ -11,8 +11,6 @@ Sources:
     REP 105, frames of mobile robots: http://www.ros.org/reps/rep-0105.html
 """
 
-from __future__ import annotations
-
 from math import hypot
 
 from urdfkit.core.spatial import Rotation, Transform, Vector, dot, rotate
@@ -139,8 +137,6 @@ def _lifted_wheels(
     Wheels turn without end about a level axis, and there are two or more at one height.
 
     Args:
-        tree: of the robot.
-        footprint: the link on the ground.
         robot: names of the links that count.
         lowest: the link that reaches lowest.
         height: of its lowest point over the footprint, in m.

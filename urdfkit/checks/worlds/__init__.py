@@ -1,7 +1,5 @@
 """The worlds of Gazebo that launch files start."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 from urdfkit.text.file_kinds import is_launch
 

@@ -19,23 +19,15 @@ _MAX_DIRECTORIES = 2000
 
 
 class OpenedWorld(Record):
-    """A world that is started.
+    """A world that is started."""
 
-    Attributes:
-        started: by what.
-        path: of the file; empty for one that comes with Gazebo.
-        name: of the world.
-        world: in the file; None for one that comes with Gazebo, and where the file has none.
-        systems: of one that comes with gz sim.
-        problems: what is wrong with the text of the file.
-    """
-
-    started: StartedWorld
-    path: str
-    name: str
+    started: StartedWorld  # by what
+    path: str  # of the file; empty for one that comes with Gazebo
+    name: str  # of the world
+    #: In the file; None for one that comes with Gazebo, and where the file has none.
     world: World | None
-    systems: frozenset[str]
-    problems: tuple[Problem, ...] = ()
+    systems: frozenset[str]  # of one that comes with gz sim
+    problems: tuple[Problem, ...] = ()  # what is wrong with the text of the file
 
     @property
     def place(self) -> Location:

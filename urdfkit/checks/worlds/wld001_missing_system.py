@@ -21,8 +21,6 @@ Sources:
     sensors: https://gazebosim.org/docs/harmonic/sensors
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
@@ -146,13 +144,10 @@ def _without_defaults(context: Context, opened: OpenedWorld, loaded: frozenset[s
     for plugin in all_plugins():
         system = plugin.class_name.rpartition("::")[2]
         if system in wanted - loaded and plugin.generation == GZ and system in default_systems():
-            yield Finding(
-                opened.place,
-                f"{opened.title} loads plugins, but not the system {system}: "
-                f"{_LOST[system]}{until}",
-                _help(plugin, opened),
-                related=opened.note,
+            message = (
+                f"{opened.title} loads plugins, but not the system {system}: {_LOST[system]}{until}"
             )
+            yield Finding(opened.place, message, _help(plugin, opened), related=opened.note)
 
 
 def _wanted(context: Context, opened: OpenedWorld) -> Iterator[str]:

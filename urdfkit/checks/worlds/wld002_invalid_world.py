@@ -21,8 +21,6 @@ Sources:
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
 """
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterator
@@ -137,12 +135,8 @@ def _classes(opened: OpenedWorld, plugin: Element, title: str) -> Findings:
     if name is None or not classes or not all(classes):
         return
     if written.replace("ignition::gazebo", "gz::sim") not in classes:
-        yield Finding(
-            name,
-            f"{title}: the library has no class '{name.value}', only {' or '.join(classes)}",
-            f'write name="{classes[0]}"',
-            related=opened.note,
-        )
+        message = f"{title}: the library has no class '{name.value}', only {' or '.join(classes)}"
+        yield Finding(name, message, f'write name="{classes[0]}"', related=opened.note)
 
 
 def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
@@ -170,12 +164,9 @@ def _engines(context: Context, opened: OpenedWorld) -> Findings:
             message = f"unknown render engine '{engine}'{did_you_mean(engine, known)}"
             yield Finding(place, message, "write ogre2", related=opened.note)
         elif sensor := next(_lacking(context, known[engine].split()), None):
+            message = f"the render engine {engine} has no {sensor.type}, which {sensor.who} is"
             yield Finding(
-                place,
-                f"the render engine {engine} has no {sensor.type}, which {sensor.who} is",
-                "write ogre2",
-                related=opened.note,
-                severity=Severity.WARNING,
+                place, message, "write ogre2", related=opened.note, severity=Severity.WARNING
             )
 
 

@@ -14,8 +14,6 @@ Sources:
     ROS, base_footprint: https://www.ros.org/reps/rep-0120.html#base-footprint
 """
 
-from __future__ import annotations
-
 from urdfkit.checks.worlds.opened import OpenedWorld, opened_worlds, robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, element_xml, joint_xml

@@ -12,8 +12,6 @@ Sources:
     SDF, physics: http://sdformat.org/spec?ver=1.9&elem=physics
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened import opened_worlds, robots

@@ -1,7 +1,5 @@
 """xacro: macros, properties, arguments, expressions."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

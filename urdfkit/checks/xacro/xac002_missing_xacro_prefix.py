@@ -8,8 +8,6 @@ Sources:
     measured: 6 of 676 public models lack links because of it
 """
 
-from __future__ import annotations
-
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.robot.samples import element_xml, joint_xml, xacro_xml
 from urdfkit.text import schema

@@ -10,8 +10,6 @@ Sources:
     measured: 17 of 676 public .urdf files are a xacro
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import NAMES, Context, Finding, Findings, Severity, reported, rule

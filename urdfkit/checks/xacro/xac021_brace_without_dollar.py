@@ -9,8 +9,6 @@ Sources:
     measured: 7 of 676 public models
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.lint.rules import NAMES, Context, Finding, Findings, Need, Severity, rule
@@ -45,12 +43,8 @@ def check(context: Context) -> Findings:
             named = [name for name in braced if name in known]
             if named:
                 right = re.sub(_BRACES, r"${\1}", value)
-                yield Finding(
-                    at,
-                    f"xacro does not replace {{{named[0]}}}: the dollar before it is missing",
-                    f"write ${{{named[0]}}}",
-                    fix_value(at, right),
-                )
+                message = f"xacro does not replace {{{named[0]}}}: the dollar before it is missing"
+                yield Finding(at, message, f"write ${{{named[0]}}}", fix_value(at, right))
 
 
 def _names(xacro: Xacro) -> set[str]:

@@ -11,8 +11,6 @@ Sources:
     ros/xacro#145: https://github.com/ros/xacro/issues/145
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 
@@ -38,10 +36,8 @@ def check(context: Context) -> Findings:
         for name, operator, span in _compared(source):
             if not _is_text(name, context):
                 result = "False" if operator == "==" else "True"
-                yield Finding(
-                    Location(span),
-                    f"'{span.text}' is always {result}: xacro makes a boolean of '{name}'",
-                )
+                message = f"'{span.text}' is always {result}: xacro makes a boolean of '{name}'"
+                yield Finding(Location(span), message)
 
 
 def _compared(source: Source) -> Iterator[tuple[str, str, Span]]:

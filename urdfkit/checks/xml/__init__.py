@@ -1,7 +1,5 @@
 """The text, whatever it describes."""
 
-from __future__ import annotations
-
 from urdfkit.lint.context import Context
 
 

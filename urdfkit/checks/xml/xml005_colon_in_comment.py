@@ -11,8 +11,6 @@ Sources:
     UniversalRobots/Universal_Robots_ROS2_Driver#1103: https://github.com/UniversalRobots/Universal_Robots_ROS2_Driver/issues/1103
 """
 
-from __future__ import annotations
-
 import os
 import re
 

@@ -1,7 +1,5 @@
 """``urdfkit mesh convert``: a mesh in another format."""
 
-from __future__ import annotations
-
 from math import inf
 
 import click

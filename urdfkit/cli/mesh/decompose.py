@@ -1,7 +1,5 @@
 """``urdfkit mesh decompose``: a mesh cut into convex pieces."""
 
-from __future__ import annotations
-
 import os
 
 import click

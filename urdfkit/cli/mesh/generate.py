@@ -1,7 +1,5 @@
 """``urdfkit mesh generate``: meshes for files that are missing, empty or broken."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """``urdfkit mesh hull``: the convex hull of a mesh."""
 
-from __future__ import annotations
-
 import click
 
 from urdfkit.cli import output

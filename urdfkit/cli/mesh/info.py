@@ -1,7 +1,5 @@
 """``urdfkit mesh info``: what mesh files hold."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import click
@@ -35,7 +33,6 @@ def command(files: tuple[str, ...], form: str) -> int:
 
 
 def render(found: MeshDescription) -> Iterator[str]:
-    """The lines about one file."""
     yield f"{found.path}: {found.format}, {found.bytes} bytes"
     if found.defect:
         yield from output.indented(f"broken: {found.defect}")

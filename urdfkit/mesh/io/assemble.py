@@ -1,7 +1,5 @@
 """From the lists of a mesh file to parts: corners, bad indices and numbers, transforms."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -17,15 +15,10 @@ MAX_TRIANGLES = 20_000_000
 
 
 class Stream(NamedTuple):
-    """Values, and which of them each corner of each triangle takes.
+    """Values, and which of them each corner of each triangle takes."""
 
-    Attributes:
-        values: (n, k).
-        rows: (m, 3), of the values.
-    """
-
-    values: Floats
-    rows: Integers
+    values: Floats  # (n, k)
+    rows: Integers  # (m, 3), of the values
 
 
 class LostData:

@@ -96,22 +96,15 @@ def conventions(data: bytes) -> tuple[float, str]:
 
 
 class _Content:
-    """What the tags of a COLLADA file say.
-
-    Attributes:
-        root: the tag of its root element.
-        open: the tags of the elements that are open.
-        surfaces: number of faces, as the file declares them.
-        arrays: for each ``float_array``, in order, the id of the source that it is in.
-        positions: the ids of sources that hold coordinates of vertices.
-    """
+    """What the tags of a COLLADA file say."""
 
     def __init__(self) -> None:
-        self.root = ""
-        self.open: list[str] = []
-        self.surfaces = 0
+        self.root = ""  # the tag of its root element
+        self.open: list[str] = []  # the tags of the elements that are open
+        self.surfaces = 0  # number of faces, as the file declares them
+        #: For each ``float_array``, in order, the id of the source that it is in.
         self.arrays: list[str] = []
-        self.positions: set[str] = set()
+        self.positions: set[str] = set()  # the ids of sources that hold coordinates of vertices
         self._ids: set[str] = set()
         self._references: dict[str, str] = {}
         self._tags: set[str] = set()

@@ -4,8 +4,6 @@ COLLADA 1.4.1, chapter 5: the corners of a surface are rows of indices, one inde
 offset; an input of the semantic VERTEX stands for the inputs of ``<vertices>``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -25,19 +23,14 @@ _MOST_OFFSETS = 64
 
 
 class ColladaTriangles(NamedTuple):
-    """One list of triangles with the same material.
+    """One list of triangles with the same material."""
 
-    Attributes:
-        symbol: that stands for its material.
-        position: its corners.
-        normals, colors: of its corners, or None.
-        uvs: texture coordinates by the number of their set, in the order of the file.
-    """
-
-    symbol: str
-    position: Stream
+    symbol: str  # that stands for its material
+    position: Stream  # its corners
+    #: normals and colors: of its corners, or None.
     normals: Stream | None
     colors: Stream | None
+    #: Texture coordinates by the number of their set, in the order of the file.
     uvs: dict[str, Stream]
 
 

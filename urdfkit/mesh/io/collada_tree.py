@@ -1,7 +1,5 @@
 """The elements of a COLLADA file, found by tag and by id."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any, TypeAlias
 from urllib.parse import unquote
@@ -18,14 +16,10 @@ _LONG_TEXT = 10_000_000
 
 
 class ColladaTree:
-    """A COLLADA file.
-
-    Attributes:
-        root: its root element.
-    """
+    """A COLLADA file."""
 
     def __init__(self, data: bytes, *, recover: bool = False) -> None:
-        self.root = parse(data, recover=recover)
+        self.root = parse(data, recover=recover)  # its root element
         self._by_id: dict[str, Element] = {}
         for element in self.root.iter(etree.Element):
             identity = element.get("id")
@@ -83,7 +77,6 @@ def parse(data: bytes, *, recover: bool = False) -> Element:
 
 
 def tag(element: Element) -> str:
-    """The tag without its namespace."""
     return str(element.tag).rpartition("}")[2]
 
 

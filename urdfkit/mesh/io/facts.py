@@ -43,37 +43,23 @@ class DefectKind(Enum):
 
 
 class Defect(Record):
-    """Why a mesh file cannot be used.
+    """Why a mesh file cannot be used."""
 
-    Attributes:
-        kind: in one word.
-        reason: a predicate whose subject is the file: ``holds no triangles``.
-    """
-
-    kind: DefectKind
-    reason: str
+    kind: DefectKind  # in one word
+    reason: str  # a predicate whose subject is the file: ``holds no triangles``
 
 
 class MeshFacts(Record):
-    """What the bytes of a mesh file say.
+    """What the bytes of a mesh file say."""
 
-    Attributes:
-        format: by content, such as ``binary STL``; empty if it is none that is known.
-        size: in bytes.
-        defect: why it cannot be used, or None.
-        non_finite: which coordinate is not finite, in words; empty if all are.
-        unit: metres per unit of length, as COLLADA says; 1 where nothing is said.
-        up_axis: ``X_UP``, ``Y_UP`` or ``Z_UP``, as COLLADA says; empty where nothing is said.
-        starts_with_solid: True for a binary STL that begins as ASCII ones do.
-    """
-
-    format: str
-    size: int
-    defect: Defect | None = None
-    non_finite: str = ""
-    unit: float = 1.0
+    format: str  # by content, such as ``binary STL``; empty if it is none that is known
+    size: int  # in bytes
+    defect: Defect | None = None  # why it cannot be used, or None
+    non_finite: str = ""  # which coordinate is not finite, in words; empty if all are
+    unit: float = 1.0  # metres per unit of length, as COLLADA says; 1 where nothing is said
+    #: ``X_UP``, ``Y_UP`` or ``Z_UP``, as COLLADA says; empty where nothing is said.
     up_axis: str = ""
-    starts_with_solid: bool = False
+    starts_with_solid: bool = False  # True for a binary STL that begins as ASCII ones do
 
 
 def has_other_unit(facts: MeshFacts) -> bool:

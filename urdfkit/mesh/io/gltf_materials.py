@@ -1,7 +1,5 @@
 """The materials of glTF: base colour and its texture."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -19,17 +17,11 @@ _AS_THEY_ARE = np.eye(2, 3)
 
 
 class GltfMaterial(NamedTuple):
-    """A material, and how its texture maps the coordinates.
+    """A material, and how its texture maps the coordinates."""
 
-    Attributes:
-        material: the material.
-        coordinates: which of the sets of them the texture takes.
-        transform: (2, 3), from these to places in the image.
-    """
-
-    material: MeshMaterial | None = None
-    coordinates: int = 0
-    transform: Floats = _AS_THEY_ARE
+    material: MeshMaterial | None = None  # the material
+    coordinates: int = 0  # which of the sets of them the texture takes
+    transform: Floats = _AS_THEY_ARE  # (2, 3), from these to places in the image
 
     def placed(self, uv: Floats) -> Floats:
         """(n, 2), from coordinates as the file gives them to ours, with v upwards."""

@@ -4,8 +4,6 @@ All but PLY are read here and not by trimesh: importing it takes longer than rea
 a robot, and it loses what is there of many files that are not quite right.
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk
@@ -17,17 +15,12 @@ from urdfkit.mesh.io.sniff import sniff
 
 
 class UnloadableMesh(UrdfkitError):
-    """A mesh file that gives no triangles.
-
-    Attributes:
-        path: of the file.
-        reason: a predicate whose subject is the file.
-    """
+    """A mesh file that gives no triangles."""
 
     def __init__(self, path: str, reason: str) -> None:
         super().__init__(f"{path}: {reason}")
-        self.path = path
-        self.reason = reason
+        self.path = path  # of the file
+        self.reason = reason  # a predicate whose subject is the file
 
 
 def load(path: str | os.PathLike[str]) -> Mesh:
@@ -44,7 +37,6 @@ def load_bytes(data: bytes, path: str) -> Mesh:
     """The triangles in the bytes of a mesh file.
 
     Args:
-        data: the whole file.
         path: of the file, for what it refers to.
 
     Raises:

@@ -1,7 +1,5 @@
 """Reading Wavefront OBJ files."""
 
-from __future__ import annotations
-
 from itertools import chain
 from typing import NamedTuple
 
@@ -46,19 +44,13 @@ def read(data: bytes, directory: str) -> Mesh:
 
 
 class _Lines:
-    """The lines of an OBJ file by what they begin with.
-
-    Attributes:
-        groups: the faces.
-        libraries: the names of files with materials.
-        extras: how many there are of other things.
-    """
+    """The lines of an OBJ file by what they begin with."""
 
     def __init__(self, data: bytes) -> None:
         self._rows: dict[bytes, list[bytes]] = {b"v": [], b"vt": [], b"vn": []}
-        self.groups: list[_Group] = [_Group("", [])]
-        self.libraries: list[str] = []
-        self.extras: dict[str, int] = {}
+        self.groups: list[_Group] = [_Group("", [])]  # the faces
+        self.libraries: list[str] = []  # the names of files with materials
+        self.extras: dict[str, int] = {}  # how many there are of other things
         for line in data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" ").splitlines():
             word, _, rest = line.strip().replace(b"\t", b" ").partition(b" ")
             if word in self._rows:

@@ -15,15 +15,10 @@ _COUNT = re.compile(rb"""<(?:triangles|polylist|polygons)\s[^<>]*?\bcount\s*=\s*
 
 
 class SalvagedPart(Record):
-    """What is left of a file.
+    """What is left of a file."""
 
-    Attributes:
-        mesh: the triangles.
-        declared: how many the file says that it has; 0 where it does not say.
-    """
-
-    mesh: Mesh
-    declared: int
+    mesh: Mesh  # the triangles
+    declared: int  # how many the file says that it has; 0 where it does not say
 
     @property
     def found(self) -> int:

@@ -5,8 +5,6 @@ either: web pages are saved as meshes, and 118 of 121 STL files that begin with 
 mark of an ASCII STL, are binary.
 """
 
-from __future__ import annotations
-
 import os
 import re
 from importlib import import_module
@@ -97,7 +95,6 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
     """Judge the bytes of a mesh file.
 
     Args:
-        data: the whole file.
         suffix: of its name, such as ``.stl``; says what broken content was meant to be.
     """
     form = recognise(data, len(data))

@@ -34,27 +34,16 @@ _KIND_WORDS = {
 
 
 class RealPart(NamedTuple):
-    """A part that can be made.
+    """A part that can be made."""
 
-    Attributes:
-        name: as a person calls it.
-        key: the name for programs, such as ``rplidar_a2``.
-        words: in the name of a file or link, that mean this very part.
-        kind: of part; of several of a kind the one nearest in size is taken.
-        size: its true outer edges in m, along x, y, z.
-        brand: another word that means its kind, and none of the others of it; empty for none.
-        solids: that it is made of, as `urdfkit.mesh.parts.building` reads them.
-        rotate: rotations about x, y and z in degrees, from their axes to those of the part.
-    """
-
-    name: str
-    key: str
-    words: str
-    kind: str
-    size: Vector
-    brand: str
-    solids: list[dict[str, Any]]
-    rotate: Vector
+    name: str  # as a person calls it
+    key: str  # the name for programs, such as ``rplidar_a2``
+    words: str  # in the name of a file or link, that mean this very part
+    kind: str  # of part; of several of a kind the one nearest in size is taken
+    size: Vector  # its true outer edges in m, along x, y, z
+    brand: str  # another word that means its kind, and none of the others of it; empty for none
+    solids: list[dict[str, Any]]  # that it is made of, as `urdfkit.mesh.parts.building` reads them
+    rotate: Vector  # rotations about x, y and z in degrees, from their axes to those of the part
 
     @property
     def turns(self) -> bool:
@@ -113,15 +102,10 @@ _HOLDERS = frozenset(
 
 
 class Choice(NamedTuple):
-    """A part that was chosen, and why.
+    """A part that was chosen, and why."""
 
-    Attributes:
-        part: that was chosen.
-        reason: such as ``'hokuyo' in the name of the file means a 2D lidar``.
-    """
-
-    part: RealPart
-    reason: str
+    part: RealPart  # that was chosen
+    reason: str  # such as ``'hokuyo' in the name of the file means a 2D lidar``
 
 
 def choose(names: dict[str, str], size: Vector | None) -> Choice | None:

@@ -41,40 +41,27 @@ _Action = Callable[[TriangleSoup], TriangleSoup]
 
 
 class RepairStep(Record):
-    """One thing that was done.
+    """One thing that was done."""
 
-    Attributes:
-        name: in the past tense, such as ``closed holes``.
-        removed: how many faces it took away.
-        added: how many faces it made.
-        turned: how many faces it turned over.
-    """
-
-    name: str
-    removed: int = 0
-    added: int = 0
-    turned: int = 0
+    name: str  # in the past tense, such as ``closed holes``
+    removed: int = 0  # how many faces it took away
+    added: int = 0  # how many faces it made
+    turned: int = 0  # how many faces it turned over
 
 
 class Repair(Record):
-    """What came of a repair.
+    """What came of a repair."""
 
-    Attributes:
-        mesh: repaired; the very one that was given if there was nothing to do, or nothing helped.
-        steps: what was done, in order.
-        before, after: the state of the mesh.
-        lost: how far the old surface lies from the new one at most, in the unit of the mesh.
-        gained: how far the new surface lies from the old one at most.
-        discarded: why the repair was discarded; empty if it was not.
-    """
-
+    #: Repaired; the very one that was given if there was nothing to do, or nothing helped.
     mesh: Mesh
-    steps: tuple[RepairStep, ...]
+    steps: tuple[RepairStep, ...]  # what was done, in order
+    #: before and after: the state of the mesh.
     before: Health
     after: Health
+    #: How far the old surface lies from the new one at most, in the unit of the mesh.
     lost: float = 0.0
-    gained: float = 0.0
-    discarded: str = ""
+    gained: float = 0.0  # how far the new surface lies from the old one at most
+    discarded: str = ""  # why the repair was discarded; empty if it was not
 
     @property
     def changed(self) -> bool:
@@ -202,10 +189,7 @@ def _judged(
     """The repair, or the mesh as it was if the repair is no gain.
 
     Args:
-        mesh: as it was.
-        soup: repaired.
         steps: what was done.
-        before: the state of the mesh.
         asked: its state when what was asked for had been dropped, which may have opened it.
     """
     if not len(soup.faces):

@@ -11,26 +11,17 @@ from urdfkit.mesh.welding import finite, weld
 
 
 class TriangleSoup(Record):
-    """Triangles of all parts of a mesh.
+    """Triangles of all parts of a mesh."""
 
-    Attributes:
-        points: (n, 3), no two at the same place.
-        faces: (m, 3), indices of points.
-        corners: (m, 3), indices of the vertices of the mesh that it was made from.
-        parts: (m,), the number of the part that each face belongs to.
-    """
-
-    points: Floats
-    faces: Integers
-    corners: Integers
-    parts: Integers
+    points: Floats  # (n, 3), no two at the same place
+    faces: Integers  # (m, 3), indices of points
+    corners: Integers  # (m, 3), indices of the vertices of the mesh that it was made from
+    parts: Integers  # (m,), the number of the part that each face belongs to
 
     def kept(self, which: Flags) -> TriangleSoup:
-        """Some of the faces."""
         return TriangleSoup(self.points, self.faces[which], self.corners[which], self.parts[which])
 
     def turned(self, which: Flags) -> TriangleSoup:
-        """Some of the faces turned over."""
         faces, corners = self.faces.copy(), self.corners.copy()
         faces[which] = faces[which][:, ::-1]
         corners[which] = corners[which][:, ::-1]

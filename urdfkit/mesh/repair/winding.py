@@ -1,7 +1,5 @@
 """Triangles made to agree on what is outside."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order
@@ -31,7 +29,6 @@ def _senses(number: int, pairs: Integers, twisted: Flags) -> tuple[Integers, Fla
     """The pieces of a surface, and which faces do not agree with the first one of their piece.
 
     Args:
-        number: of faces.
         pairs: (k, 2), faces that share an edge.
         twisted: (k,), True for those that see it in the same direction.
 

@@ -1,7 +1,5 @@
 """Writing meshes: the same mesh gives the same bytes, on every day and every machine."""
 
-from __future__ import annotations
-
 import os
 from importlib import import_module
 
@@ -76,7 +74,6 @@ def losses(mesh: Mesh, name: str) -> list[str]:
 
     Args:
         mesh: that is to be written.
-        name: of the file.
     """
     suffix = os.path.splitext(name)[1].lower()
     lost = []

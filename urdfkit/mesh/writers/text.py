@@ -1,7 +1,5 @@
 """Numbers as text, for the formats that are text."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -14,15 +12,10 @@ _MOST_DECIMALS = 300
 
 
 class Table(NamedTuple):
-    """Rows without repetition, and which of them each corner of each face has.
+    """Rows without repetition, and which of them each corner of each face has."""
 
-    Attributes:
-        rows: (k, width), sorted.
-        corners: (m, 3), indices of rows.
-    """
-
-    rows: Floats
-    corners: Integers
+    rows: Floats  # (k, width), sorted
+    corners: Integers  # (m, 3), indices of rows
 
 
 def table(rows: Floats, faces: Integers) -> Table:

@@ -1,7 +1,5 @@
 """Textures on their way into another file: bytes, or a file next to the mesh."""
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk
@@ -31,10 +29,6 @@ def texture_bytes(material: MeshMaterial | None) -> bytes | None:
 
 def texture_files(mesh: Mesh, name: str) -> tuple[dict[int, str], dict[str, bytes]]:
     """Names for the textures of a mesh, next to its file.
-
-    Args:
-        mesh: with materials.
-        name: of the mesh file.
 
     Returns:
         The name of the texture of each part that has one, and the contents by name. Equal

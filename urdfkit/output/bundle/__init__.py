@@ -35,21 +35,13 @@ _NAMED = 5
 
 
 class ManifestEntry(Record):
-    """A file that a bundle holds, as its manifest has it.
+    """A file that a bundle holds, as its manifest has it."""
 
-    Attributes:
-        path: in the bundle, with ``/``.
-        size: in bytes.
-        sha256: of its bytes.
-        source: the file that it comes from, below the workspace; empty for one that is new.
-        change: how it differs from that; empty for a copy.
-    """
-
-    path: str
-    size: int
-    sha256: str
-    source: str
-    change: str
+    path: str  # in the bundle, with ``/``
+    size: int  # in bytes
+    sha256: str  # of its bytes
+    source: str  # the file that it comes from, below the workspace; empty for one that is new
+    change: str  # how it differs from that; empty for a copy
 
 
 class Bundle:
@@ -59,13 +51,6 @@ class Bundle:
         robot: as it was read.
         consumer: the program.
 
-    Attributes:
-        name: of the robot, with nothing that a file or package name cannot hold.
-        urdf: path of the robot in the bundle.
-        contents: what it holds; complete when all `files` were taken.
-        renamed: the references that it changes; known then, too.
-        outside: paths of elements and values that still lead elsewhere; known then, too.
-
     Raises:
         UrdfkitError: the robot names files that are not there.
     """
@@ -74,10 +59,14 @@ class Bundle:
         self._robot = robot
         self._consumer = consumer
         self._paths = _found(robot)
+        #: Of the robot, with nothing that a file or package name cannot hold.
         self.name = re.sub(r"[^a-z0-9_]+", "_", robot.model.name.lower()).strip("_") or "robot"
+        #: Path of the robot in the bundle.
         self.urdf = f"{'urdf/' if consumer.is_package else ''}{self.name}.urdf"
+        #: What it holds; complete when all `files` were taken.
         self.contents: list[ManifestEntry] = []
-        self.renamed: tuple[Renamed, ...] = ()
+        self.renamed: tuple[Renamed, ...] = ()  # the references that it changes; known then, too
+        #: Paths of elements and values that still lead elsewhere; known then, too.
         self.outside: tuple[tuple[str, str], ...] = ()
 
     def files(self) -> Iterator[BundledFile]:
@@ -112,6 +101,8 @@ class Bundle:
             if path in names:
                 continue
             found, stem = files.facts(path), stems.free(path)
+            if found.defect:
+                raise UrdfkitError(f"{reference.span}: {path}: {found.defect.reason}")
             made = bundled(path, found, self._consumer, stem, is_visual=path in visuals)
             for number, file in enumerate(made):
                 if not number:

@@ -8,25 +8,16 @@ from urdfkit.ros.targets import facts_of
 
 
 class Consumer(Record):
-    """A program that reads a robot from a directory.
+    """A program that reads a robot from a directory."""
 
-    Attributes:
-        name: as ``--for`` takes it.
-        what: in words.
-        reads: the mesh formats that it has a decoder for.
-        visual: the suffix of a visual mesh of another format; collision meshes become STL.
-        is_package: it finds meshes by ``package://``, and not by paths relative to the robot.
-        target: its name among the targets of a check; empty where it is none.
-        loads_first_object: it loads only the first object or group of an OBJ.
-    """
-
-    name: str
-    what: str
-    reads: tuple[str, ...]
-    visual: str
+    name: str  # as ``--for`` takes it
+    what: str  # in words
+    reads: tuple[str, ...]  # the mesh formats that it has a decoder for
+    visual: str  # the suffix of a visual mesh of another format; collision meshes become STL
+    #: It finds meshes by ``package://``, and not by paths relative to the robot.
     is_package: bool = False
-    target: str = ""
-    loads_first_object: bool = False
+    target: str = ""  # its name among the targets of a check; empty where it is none
+    loads_first_object: bool = False  # it loads only the first object or group of an OBJ
 
 
 _ALL = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)

@@ -8,8 +8,9 @@ from itertools import chain, count
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.core.installation import install_command
 from urdfkit.core.record import Record
-from urdfkit.errors import MissingLibrary, UrdfkitError
+from urdfkit.errors import MissingLibrary
 from urdfkit.mesh.io import facts, referenced_files
 from urdfkit.mesh.io.facts import MAX_BYTES, MeshFacts, has_other_unit
 from urdfkit.mesh.io.obj import objects
@@ -24,19 +25,12 @@ _SINGLE = (facts.BINARY_STL, facts.ASCII_STL, facts.PLY, facts.GLB)
 
 
 class BundledFile(Record):
-    """A file of a bundle.
+    """A file of a bundle."""
 
-    Attributes:
-        path: in the bundle, with ``/``.
-        data: its content.
-        source: path of the file that it comes from; empty for one that the bundle adds.
-        change: how it differs from that; empty for a copy.
-    """
-
-    path: str
-    data: bytes
-    source: str
-    change: str = ""
+    path: str  # in the bundle, with ``/``
+    data: bytes  # its content
+    source: str  # path of the file that it comes from; empty for one that the bundle adds
+    change: str = ""  # how it differs from that; empty for a copy
 
 
 class MeshNames:
@@ -64,19 +58,15 @@ def bundled(
     """The files that stand for a mesh file in a bundle, the mesh first.
 
     Args:
-        path: of the mesh file.
         found: what its bytes say.
         consumer: that must be able to read it.
-        stem: for its name.
         is_visual: a visual uses it, whose materials are kept where the format has them.
 
     Raises:
-        UrdfkitError: it is broken, or cannot be written in another format.
+        UrdfkitError: it cannot be written in another format.
     """
     suffix = os.path.splitext(path)[1].lower()
     is_readable = found.format in consumer.reads and found.format in facts.BY_SUFFIX.get(suffix, ())
-    if found.defect:
-        raise UrdfkitError(f"{path}: {found.defect.reason}")
     if is_readable and found.format in _SINGLE:
         yield BundledFile(f"meshes/{stem}{suffix}", disk.read(path), path)
         return
@@ -104,7 +94,7 @@ def _loaded(path: str) -> Mesh:
         from urdfkit.mesh.io.load import load
     except ImportError as error:
         raise MissingLibrary(
-            f"{path}: to read it needs {error.name}: pip install 'urdfkit[meshes]'"
+            f"{path}: to read it needs {error.name}: {install_command('meshes')}"
         ) from error
     return load(path)
 

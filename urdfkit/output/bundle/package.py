@@ -1,7 +1,5 @@
 """What makes a bundle a ROS 2 package: package.xml and CMakeLists.txt."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 
@@ -22,9 +20,7 @@ def package_files(name: str, robot: Context, directories: Iterable[str]) -> Iter
     """The build files of a package.
 
     Args:
-        name: of the package.
         robot: whose package's version, maintainers and licences are kept.
-        directories: to install.
     """
     manifest = manifest_of(robot.resolver, robot.source.path)
     kept: dict[str, list[str]] = {}

@@ -24,33 +24,21 @@ _OUTSIDE = re.compile(r"(?:package|model|file)://|/[^\s/]+/\S*\.\w+$")
 
 
 class Renamed(Record):
-    """A reference to a file, and what the bundle writes instead.
+    """A reference to a file, and what the bundle writes instead."""
 
-    Attributes:
-        element: its path in the expanded robot, such as ``link/arm/visual/geometry/mesh``.
-        span: where it was written.
-        old: as it was.
-        new: in the bundle.
-    """
-
-    element: str
-    span: Span
-    old: str
-    new: str
+    element: str  # its path in the expanded robot, such as ``link/arm/visual/geometry/mesh``
+    span: Span  # where it was written
+    old: str  # as it was
+    new: str  # in the bundle
 
 
 class BundledRobot(Record):
-    """The robot of a bundle.
+    """The robot of a bundle."""
 
-    Attributes:
-        text: of the URDF.
-        renamed: the references that it changes.
-        outside: values that still lead elsewhere, such as parameters of plugins, each with the
-            path of its element.
-    """
-
-    text: bytes
-    renamed: tuple[Renamed, ...]
+    text: bytes  # of the URDF
+    renamed: tuple[Renamed, ...]  # the references that it changes
+    #: Values that still lead elsewhere, such as parameters of plugins, each with the path of its
+    #: element.
     outside: tuple[tuple[str, str], ...]
 
 
@@ -77,7 +65,6 @@ def rewritten(
     """The expanded robot with other names of files.
 
     Args:
-        robot: as it was read.
         new_name: of a file, for a reference of the robot.
         for_mujoco: tell MuJoCo to keep the directories of mesh files, which it drops otherwise.
 

@@ -26,17 +26,11 @@ _DATE = (1980, 1, 1, 0, 0, 0)
 
 
 class TargetError(Record):
-    """Why a program will not load a bundle.
+    """Why a program will not load a bundle."""
 
-    Attributes:
-        code: of the rule that explains it.
-        message: what is wrong.
-        span: where it was written, before it was expanded; else in the URDF of the bundle.
-    """
-
-    code: str
-    message: str
-    span: Span
+    code: str  # of the rule that explains it
+    message: str  # what is wrong
+    span: Span  # where it was written, before it was expanded; else in the URDF of the bundle
 
 
 def bundle(
@@ -89,7 +83,6 @@ def staged(
     Nothing is left of it after an error.
 
     Args:
-        files: of the bundle.
         out: a directory, or a file that ends in ``.zip``.
         force: replace what is there, if it is a zip or a bundle.
         mark: the file that tells such a directory from others.
@@ -156,7 +149,6 @@ def _require_free(out: str, mark: str, *, force: bool) -> None:
 
 
 def write_files(files: Iterable[BundledFile], directory: str) -> None:
-    """Write files below a directory."""
     for file in files:
         path = os.path.join(directory, *file.path.split("/"))
         os.makedirs(os.path.dirname(path), exist_ok=True)

@@ -74,20 +74,13 @@ _SAME = RenamedParts(_NONE, _NONE)
 
 
 class Difference(Record):
-    """One thing that differs.
+    """One thing that differs."""
 
-    Attributes:
-        kind: which sort of thing it is, one of `KINDS`.
-        what: ``link`` or ``joint``.
-        name: of the link or joint, in the state after if it is there.
-        text: what -> of it, without its name.
-        before, after: the values as the model holds them, for programs; None for nothing.
-    """
-
-    kind: str
-    what: str
-    name: str
-    text: str
+    kind: str  # which sort of thing it is, one of `KINDS`
+    what: str  # ``link`` or ``joint``
+    name: str  # of the link or joint, in the state after if it is there
+    text: str  # what -> of it, without its name
+    #: before and after: the values as the model holds them, for programs; None for nothing.
     before: ComparedValue = None
     after: ComparedValue = None
 
@@ -102,8 +95,6 @@ def differences(
     """What differs between two models by more than the tolerances.
 
     Args:
-        before: the one model.
-        after: the other one.
         allowed: what may differ.
         names: what is called otherwise, as ``urdfkit.output.comparison.renames`` knows it again.
     """
@@ -194,7 +185,6 @@ def _of_bodies(
 
 
 def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
-    """What it is, and its numbers."""
     if shape is None:
         return "nothing", ()
     if shape.filename:

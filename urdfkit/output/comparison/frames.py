@@ -12,19 +12,12 @@ from urdfkit.robot.tree import KinematicTree
 
 
 class MovedLink(Record):
-    """A link that is elsewhere.
+    """A link that is elsewhere."""
 
-    Attributes:
-        link: its name, that of the state after.
-        distance: between its origins, in m, in the frame of the root.
-        angle: by which it is turned, in rad.
-        carried: True if it is where it was as its parent sees it, which moved.
-    """
-
-    link: str
-    distance: float
-    angle: float
-    carried: bool
+    link: str  # its name, that of the state after
+    distance: float  # between its origins, in m, in the frame of the root
+    angle: float  # by which it is turned, in rad
+    carried: bool  # True if it is where it was as its parent sees it, which moved
 
 
 def moved_frames(
@@ -57,7 +50,6 @@ def _apart(before: Transform, after: Transform) -> tuple[float, float]:
 
 
 def _parent(tree: KinematicTree, name: str) -> str:
-    """The parent link; empty for a root."""
     joints = tree.parents[name]
     return joints[0].parent.value if joints and joints[0].parent else ""
 

@@ -1,7 +1,5 @@
 """One state of a robot: a file, or a file as git has it."""
 
-from __future__ import annotations
-
 import os
 from functools import cached_property
 
@@ -27,10 +25,6 @@ class RobotState:
         directory: where files of git go.
         options: of the check.
 
-    Attributes:
-        word: as it was asked for.
-        context: the description.
-
     Raises:
         UnreadableFile: file not found.
         UnreadableRobot: it cannot be read.
@@ -39,7 +33,7 @@ class RobotState:
     """
 
     def __init__(self, word: str, directory: str, options: Options) -> None:
-        self.word = word
+        self.word = word  # as it was asked for
         self._directory = directory
         options = options.with_config()
         path = found = word
@@ -50,7 +44,7 @@ class RobotState:
             found, options = old.path, options._replace(packages=old.packages)
         values = options.config.entry(path, options.arguments, options.variant).arguments
         source, resolver = Source.read(found), Resolver(options.packages)
-        self.context = context_of(source, resolver, values, trust=options.trust)
+        self.context = context_of(source, resolver, values, trust=options.trust)  # the description
         if self.context.reading.document is None:
             reasons = dict.fromkeys(problem.message for problem in self.context.reading.problems)
             raise UnreadableRobot(f"{word} cannot be read: {'; '.join(reasons)}")
@@ -59,7 +53,6 @@ class RobotState:
 
     @cached_property
     def report(self) -> Report:
-        """What ``urdfkit check`` says."""
         return check(self.context.source, options=self._options)
 
     def rename_sources(self) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Unavailable
 from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances
@@ -14,8 +15,6 @@ from urdfkit.robot.model import Shape
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
-
-INSTALL = "the distance between meshes needs: pip install 'urdfkit[meshes]'"
 
 
 def changed_surfaces(
@@ -46,7 +45,8 @@ def changed_surfaces(
             try:
                 measured[key] = _distance(before, old, after, new)
             except (ImportError, MissingLibrary, Unavailable):
-                notes[INSTALL] = None
+                needed = install_command("meshes")
+                notes[f"the distance between meshes needs: {needed}"] = None
                 measured[key] = None
         apart = measured[key]
         if apart is None:

@@ -1,47 +1,64 @@
-"""A robot in another format, with what is lost on the way, and a proof by two engines."""
+"""A robot in another format, with what is lost on the way, and a proof."""
 
 from __future__ import annotations
 
 import os
+from importlib import import_module
 from typing import TYPE_CHECKING
 
-from urdfkit.errors import MissingLibrary
+from urdfkit.core.installation import install_command
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
+from urdfkit.output.conversion.formats import FORMATS
+from urdfkit.output.conversion.options import Options
 
 if TYPE_CHECKING:
-    from urdfkit.output.conversion.writing import Conversion
-
-#: What becomes of the root link.
-BASES = ("auto", "fixed", "free")
+    from urdfkit.output.conversion.result import Conversion
 
 
 def convert(
     robot: Context | str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
+    to: str = "mjcf",
     base: str = "auto",
+    fixed: str = "keep",
+    collision: str = "hull",
+    exclude: str = "srdf",
     force: bool = False,
 ) -> Conversion:
-    """Write a robot as MJCF with its meshes, and compare what MuJoCo loads with the robot.
+    """Write a robot in another format with its meshes, and compare what was written with it.
 
     Args:
         robot: a URDF or xacro file, or what `urdfkit.read` gives of one.
         out: a directory; whole or not at all.
+        to: a name of `FORMATS`.
         base: ``fixed`` welds the root to the world, ``free`` lets it float; ``auto`` lets a robot
             float that stands on more than its root.
+        fixed: ``keep`` gives each link a body; ``merge`` makes those of fixed joints sites and
+            geoms of their parents.
+        collision: what a collision mesh becomes: ``hull``, its convex hull; ``decompose``, convex
+            pieces of it; ``primitives``, what ``urdfkit mesh collision`` takes for it.
+        exclude: which links do not collide: ``srdf``, those that it disables; ``computed``, also
+            those that ``urdfkit collisions`` finds.
         force: replace what is there, if it is a conversion.
 
     Raises:
-        MissingLibrary: MuJoCo or Pinocchio is not installed.
-        UrdfkitError: the robot cannot be converted, or MuJoCo rejects it; a file is missing,
-            broken, or cannot be written.
+        MissingLibrary: a library of the format is not installed.
+        UrdfkitError: there is no such format; the robot cannot be converted, or is rejected; a file
+            is missing, broken, or cannot be written.
     """
+    if to not in FORMATS:
+        raise UrdfkitError(f"no format '{to}'{did_you_mean(to, FORMATS)}")
     try:
-        from urdfkit.output.conversion.writing import write
+        module = import_module(f"{__name__}.{FORMATS[to].module}")
     except ModuleNotFoundError as error:
         raise MissingLibrary(
-            f"to convert a robot needs {error.name}: pip install 'urdfkit[simulate]'"
+            f"to convert a robot needs {error.name}: {install_command(FORMATS[to].extra)}"
         ) from error
     context = robot if isinstance(robot, Context) else read(robot)
-    return write(context, os.path.abspath(out), base=base, force=force)
+    options = Options(base, fixed, collision, exclude)
+    found: Conversion = module.write(context, os.path.abspath(out), options, force=force)
+    return found

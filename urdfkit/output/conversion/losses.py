@@ -19,21 +19,13 @@ class Result(str, Enum):
 
 
 class Entry(Record):
-    """One element or attribute.
+    """One element or attribute."""
 
-    Attributes:
-        part: its path in the expanded robot, such as ``joint/elbow/limit@velocity``.
-        tag: of the element, or the name of the attribute.
-        span: where it was written.
-        result: what becomes of it.
-        note: as what it is kept, by how much it is off, or why it is lost.
-    """
-
-    part: str
-    tag: str
-    span: Span
-    result: Result
-    note: str
+    part: str  # its path in the expanded robot, such as ``joint/elbow/limit@velocity``
+    tag: str  # of the element, or the name of the attribute
+    span: Span  # where it was written
+    result: Result  # what becomes of it
+    note: str  # as what it is kept, by how much it is off, or why it is lost
 
 
 #: The attributes that go with an element that is kept.
@@ -93,7 +85,6 @@ class LossTable:
         """Every element and attribute of a robot, in the order of the document.
 
         Args:
-            root: of the robot.
             otherwise: why a part is lost that was not marked.
         """
         lost = Result.LOST, otherwise

@@ -1,8 +1,7 @@
-"""A robot as MuJoCo's MJCF: bodies, joints, geoms and their meshes, by MuJoCo's own `MjSpec`."""
+"""A robot as MuJoCo's MJCF: bodies, joints and what couples them, by MuJoCo's own `MjSpec`."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Mapping
 from itertools import chain, count
 from typing import Any
@@ -12,28 +11,23 @@ import numpy as np
 
 from urdfkit.core.spatial import Rotation, Transform, vector
 from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.robot.assets.colours import Colours
+from urdfkit.output.conversion.mjcf_geoms import Geoms
+from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.options import Options
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
-from urdfkit.robot.model import Body, Inertial, Joint, Link, Material, Shape, Tensor
+from urdfkit.robot.model import Joint, Link, Tensor
 from urdfkit.robot.rigid_bodies import properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
+from urdfkit.ros.gazebo.sensors import sensors
 
 #: The least range that MuJoCo accepts of a joint, in rad or m.
 NARROWEST = 1e-6
-#: The groups that MuJoCo's viewer shows and hides: visuals, collisions.
-VISUALS, COLLISIONS = 2, 3
 
 _HINGE, _SLIDE = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE
 _BALL = mujoco.mjtJoint.mjJNT_BALL
-_GEOMS = {
-    "box": mujoco.mjtGeom.mjGEOM_BOX,
-    "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
-    "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
-    "capsule": mujoco.mjtGeom.mjGEOM_CAPSULE,
-    "mesh": mujoco.mjtGeom.mjGEOM_MESH,
-}
 #: Joints that one number moves.
 _ONE_WAY = (*TURNING, *SLIDING)
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -42,16 +36,11 @@ _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 class MjcfRobot:
     """The specification of a robot, built from the model that a check reads.
 
-    Attributes:
-        spec: MuJoCo's.
-        bodies: of the links, by name.
-        excluded: pairs of links that do not collide.
-        losses: what became of each part.
-
     Args:
-        tree: of the robot, sound.
+        robot: with a sound tree.
         files: where the file of each mesh and texture lies, by the ``id`` of the reference.
         directory: that the paths of the files begin in.
+        options: of the conversion.
         is_free: the root floats, and is not welded to the world.
 
     Raises:
@@ -59,17 +48,25 @@ class MjcfRobot:
     """
 
     def __init__(
-        self, tree: KinematicTree, files: Mapping[int, str], directory: str, *, is_free: bool
+        self,
+        robot: Context,
+        files: Mapping[int, str],
+        directory: str,
+        options: Options,
+        *,
+        is_free: bool,
     ) -> None:
-        self.losses = LossTable()
-        self.bodies: dict[str, Any] = {}
-        self.excluded: set[frozenset[str]] = set()
-        self._files = files
-        self._colours = Colours(tree.model)
-        self._inertials = dict(_inertials(tree))
-        self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
+        tree = robot.tree
+        self.losses = LossTable()  # what became of each part
+        self.spec = _empty(tree.model.name, directory)  # MuJoCo's
+        self.bodies: dict[str, Any] = {}  # of the links; several have one where they are merged
+        self.frames: dict[str, Transform] = {}  # of the links, in those of their bodies
+        self.geoms: dict[str, list[Any]] = {}  # that collide, of the links
+        self._tree = tree
+        self._merged = merged(robot) if options.fixed == "merge" else frozenset()
+        self._inertials = dict(_inertials(tree, self._merged))
+        self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options.collision)
         self._names: set[str] = set()
-        self.spec = _empty(tree.model.name, directory)
         self._build(tree, is_free)
         self._couple(tree)
 
@@ -79,7 +76,10 @@ class MjcfRobot:
         for name in tree.below(tree.roots[0].name):
             link = model.links_by_name[name]
             joint = tree.parents[name][0] if tree.parents[name] else None
-            if joint is None and name == "world":
+            self.frames[name] = Transform()
+            if joint is not None and joint.name in self._merged:
+                self._merge(link, joint)
+            elif joint is None and name == "world":
                 self.bodies[name] = self.spec.worldbody
             else:
                 self.bodies[name] = self._body(link, joint)
@@ -87,11 +87,26 @@ class MjcfRobot:
                 self.bodies[name].add_freejoint(name=f"{name}_free")
             self._fill(link)
 
+    def _merge(self, link: Link, joint: Joint) -> None:
+        """A link without a body of its own: a site where its frame is."""
+        assert joint.parent is not None
+        parent = joint.parent.value
+        self.bodies[link.name] = self.bodies[parent]
+        self.frames[link.name] = frame = self.frames[parent] @ joint.origin
+        self.bodies[parent].add_site(
+            name=self.free_name(link.name), pos=frame.position, quat=quaternion(frame.rotation)
+        )
+        what = f"merged into body '{self.bodies[parent].name}'"
+        self.losses.keep(joint.at, what)
+        for tag in ("origin", "parent", "child"):
+            self.losses.keep(joint.at.child(tag), what)
+
     def _body(self, link: Link, joint: Joint | None) -> Any:
         parent, frame = self.spec.worldbody, Transform()
         if joint is not None:
             assert joint.parent is not None
-            parent, frame = self.bodies[joint.parent.value], joint.origin
+            above = joint.parent.value
+            parent, frame = self.bodies[above], self.frames[above] @ joint.origin
         body = parent.add_body(name=link.name, pos=frame.position, quat=quaternion(frame.rotation))
         if joint is not None:
             self._joint(body, joint)
@@ -163,79 +178,35 @@ class MjcfRobot:
     def _fill(self, link: Link) -> None:
         """What a link holds, in its body."""
         body = self.bodies[link.name]
-        self.losses.keep(link.at, f"body '{body.name}'")
-        if link.inertial and body is self.spec.worldbody:
-            self.losses.lose(link.inertial.at, "the world does not move")
-        elif link.inertial:
-            self._inertial(body, link, link.inertial)
-        for geometry in link.visuals:
-            self._geom(body, geometry, is_visual=True)
-        for geometry in link.collisions:
-            self._geom(body, geometry, is_visual=False)
+        is_own = body.name == link.name
+        self.losses.keep(link.at, f"body '{body.name}'" if is_own else f"site of '{body.name}'")
+        if body is self.spec.worldbody:
+            self.losses.lose(link.inertial.at if link.inertial else None, "the world does not move")
+        else:
+            self._inertial(body, link)
+        self.geoms[link.name] = self._geoms.add(body, self.frames[link.name], link)
 
-    def _inertial(self, body: Any, link: Link, inertial: Inertial) -> None:
-        what = "inertial"
-        if link.name in self._inertials:
-            found = self._inertials[link.name]
+    def _inertial(self, body: Any, link: Link) -> None:
+        found = self._inertials.get(link.name)
+        if found is not None and (link.inertial or found.mass):
             moments, axes = _principal(found.tensor)
             body.explicitinertial = True
             body.mass, body.ipos, body.inertia = found.mass, found.center, moments
             body.iquat = quaternion(axes)
-        else:
-            what = "part of the inertial of the link that it is fixed to"
-        self.losses.keep(inertial.at, what)
+        if link.inertial is None:
+            return
+        what = "inertial" if found else f"part of the inertial of body '{self._top(link.name)}'"
+        self.losses.keep(link.inertial.at, what)
         for tag in ("mass", "inertia", "origin"):
-            self.losses.keep(inertial.at.child(tag), what)
+            self.losses.keep(link.inertial.at.child(tag), what)
 
-    def _geom(self, body: Any, geometry: Body, *, is_visual: bool) -> None:
-        shape = geometry.shape
-        if shape is None or shape.kind not in _GEOMS:
-            return
-        size = _size(shape)
-        if size is None:
-            raise UrdfkitError(f"{shape.at.span}: <{shape.kind}> has no size that is over 0")
-        made = body.add_geom(
-            type=_GEOMS[shape.kind],
-            pos=geometry.origin.position,
-            quat=quaternion(geometry.origin.rotation),
-            size=size,
-            group=VISUALS if is_visual else COLLISIONS,
-        )
-        what = "visual geom" if is_visual else "collision geom"
-        self.losses.keep(geometry.at, what)
-        for tag in ("origin", "geometry"):
-            self.losses.keep(geometry.at.child(tag), what)
-        self.losses.keep(shape.at, what)
-        if shape.filename is not None:
-            made.meshname = self._mesh(shape, is_visual)
-            if not is_visual:
-                self.losses.approximate(shape.at, "MuJoCo collides with its convex hull")
-        if is_visual:
-            made.contype = made.conaffinity = 0
-            self._color(made, geometry)
-
-    def _mesh(self, shape: Shape, is_visual: bool) -> str:
-        assert shape.filename is not None
-        file = self._files[id(shape.filename)]
-        key = (file, shape.scale, is_visual)
-        if key not in self._meshes:
-            stem = os.path.splitext(os.path.basename(file))[0]
-            number = sum(one[0] == file for one in self._meshes)
-            self._meshes[key] = f"{stem}_{number + 1}" if number else stem
-            made = self.spec.add_mesh(name=self._meshes[key], file=file, scale=shape.scale)
-            if is_visual:  # which may be flat
-                made.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
-        return self._meshes[key]
-
-    def _color(self, made: Any, geometry: Body) -> None:
-        material = self._colours.of(geometry)
-        if material is None:
-            return
-        self.losses.lose(material.at.child("texture"), "textures are not converted")
-        if material.rgba and len(material.rgba.value) == 4:
-            made.rgba = material.rgba.value
-            for one in (material.at, material.at.child("color"), geometry.material):
-                self.losses.keep(one.at if isinstance(one, Material) else one, "rgba of the geom")
+    def _top(self, link: str) -> str:
+        """The link that bears the inertia of another one."""
+        while link not in self._inertials:
+            joint = self._tree.parents[link][0]
+            assert joint.parent is not None
+            link = joint.parent.value
+        return link
 
     def free_name(self, name: str) -> str:
         """A name for a device: the same, or with a number if it is taken."""
@@ -266,18 +237,28 @@ class MjcfRobot:
             self.losses.keep(mimic.at, "equality")
 
 
-def _inertials(tree: KinematicTree) -> Iterator[tuple[str, MassProperties]]:
+def merged(robot: Context) -> frozenset[str]:
+    """Names of the fixed joints that need no body of their own, as one does that is measured."""
+    measured = {one.reference for one in sensors(robot.model) if one.type == "force_torque"}
+    fixed = {joint.name for joint in robot.model.joints if joint.kind == "fixed"}
+    return frozenset(fixed - measured)
+
+
+def _inertials(
+    tree: KinematicTree, merged_joints: frozenset[str]
+) -> Iterator[tuple[str, MassProperties]]:
     """The inertia of each body, about its own frame.
 
     MuJoCo rejects a tensor that no body has, of a fixed link, too. What is fixed together then
     has its inertia at its top, where the sum counts.
     """
-    for group in rigid_bodies(tree):
+    fixed = {joint.name for joint in tree.model.joints if joint.kind == "fixed"}
+    for group in rigid_bodies(tree, frozenset(fixed - merged_joints if merged_joints else ())):
         own = {link.name: properties_of(link, Transform()) for link, _ in group.links}
         top, has_sound_top = group.top.name, _is_physical(own[group.top.name].tensor)
         summed = [properties_of(group.top, Transform())]
         for link, frame in group.links[1:]:
-            if has_sound_top and _is_physical(own[link.name].tensor):
+            if not merged_joints and has_sound_top and _is_physical(own[link.name].tensor):
                 yield link.name, own[link.name]
             else:
                 summed.append(properties_of(link, frame))
@@ -308,37 +289,12 @@ def _empty(name: str, directory: str) -> Any:
     return spec
 
 
-def quaternion(rotation: Rotation) -> tuple[float, float, float, float]:
-    """The unit quaternion of a rotation, its real part first."""
-    found = np.zeros(4)
-    mujoco.mju_mat2Quat(found, np.array(rotation).ravel())
-    w, x, y, z = map(float, found)
-    return w, x, y, z
-
-
 def _plane(normal: tuple[float, float, float]) -> tuple[Any, Any, Any]:
     """Two unit vectors across a third, right-handed, and that."""
     least = np.eye(3)[np.argmin(np.abs(normal))]
     first = np.cross(normal, least)
     first /= np.linalg.norm(first)
     return first, np.cross(normal, first), np.array(normal)
-
-
-def _size(shape: Shape) -> tuple[float, ...] | None:
-    """MuJoCo's: half the edges of a box, radius and half the length of what has them."""
-    if shape.kind == "mesh":
-        return (0.0, 0.0, 0.0)
-    if shape.kind == "box":
-        written: tuple[float | None, ...] = shape.size or (None,)
-    else:
-        written = (shape.radius,) if shape.kind == "sphere" else (shape.radius, shape.length)
-    sizes = [one for one in written if one is not None and one > 0]
-    if len(sizes) < len(written):
-        return None
-    if shape.kind == "box":
-        return tuple(edge / 2 for edge in sizes)
-    radius, *length = sizes
-    return (radius, length[0] / 2 if length else 0.0, 0.0)
 
 
 def _positive(text: str) -> float | None:

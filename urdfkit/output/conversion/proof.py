@@ -26,25 +26,23 @@ _REACH = 3.0
 
 
 class Proof(Record):
-    """The largest differences.
+    """The largest differences."""
 
-    Attributes:
-        mass: of links that are fixed together, in kg.
-        frames: of the placement of a link, in m and of entries of its rotation.
-        mass_matrix, gravity: as a part of the largest entry.
-        link: whose placement differs most.
-    """
-
-    mass: float
-    frames: float
+    mass: float  # of links that are fixed together, in kg
+    frames: float  # of the placement of a link, in m and of entries of its rotation
+    #: mass_matrix and gravity: as a part of the largest entry.
     mass_matrix: float
     gravity: float
-    link: str
+    link: str  # whose placement differs most
 
     @property
     def holds(self) -> bool:
-        """True within the bounds."""
         return self.frames <= LENGTH and max(self.mass, self.mass_matrix, self.gravity) <= PART
+
+    @property
+    def agreed(self) -> str:
+        """Who agrees, on what."""
+        return "MuJoCo and Pinocchio agree on masses, frames, mass matrix and gravity torques"
 
     @property
     def differences(self) -> str:
@@ -143,10 +141,11 @@ class _Coordinates:
 def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
     """The largest difference of a placement, and whose."""
     worst = (0.0, "")
+    bodies = _bodies(data.model)
     for name, matrix in links.items():
-        body = data.body(name)
+        part = data.body(name) if name in bodies else data.site(name)  # of a link that is merged
         found = np.eye(4)
-        found[:3, :3], found[:3, 3] = body.xmat.reshape(3, 3), body.xpos
+        found[:3, :3], found[:3, 3] = part.xmat.reshape(3, 3), part.xpos
         worst = max(worst, (float(np.abs(found - matrix).max()), name))
     return worst
 
@@ -154,11 +153,17 @@ def _placed(data: Any, links: Mapping[str, Floats]) -> tuple[float, str]:
 def _masses(model: Any, robot: Context) -> float:
     """The largest difference of the mass of links that are fixed together, in kg."""
     differences = [0.0]
+    bodies = _bodies(model)
     for group in rigid_bodies(robot.tree):
         if not group.is_ground:
-            found = sum(float(model.body(link.name).mass[0]) for link, _ in group.links)
+            own = (link.name for link, _ in group.links if link.name in bodies)
+            found = sum(float(model.body(name).mass[0]) for name in own)
             differences.append(abs(found - group.mass))
     return max(differences)
+
+
+def _bodies(model: Any) -> frozenset[str]:
+    return frozenset(model.body(number).name for number in range(model.nbody))
 
 
 def _part(ours: Floats, theirs: Floats) -> float:

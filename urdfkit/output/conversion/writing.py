@@ -1,10 +1,9 @@
-"""A converted robot on disk, with its proof: whole or not at all."""
+"""MJCF on disk, with its proof: whole or not at all."""
 
 from __future__ import annotations
 
 import ctypes
 import glob
-import json
 import os
 import re
 import warnings
@@ -14,9 +13,7 @@ from typing import Any
 
 import mujoco
 
-from urdfkit import __version__
 from urdfkit.core import atomic
-from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle import Bundle
@@ -24,88 +21,39 @@ from urdfkit.output.bundle.consumers import CONSUMERS
 from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.output.bundle.robot import references
 from urdfkit.output.bundle.writing import staged
-from urdfkit.output.conversion.losses import Entry, Result
 from urdfkit.output.conversion.mjcf import MjcfRobot
-from urdfkit.output.conversion.mjcf_devices import (
-    add_devices,
+from urdfkit.output.conversion.mjcf_devices import add_actuators, add_frictions
+from urdfkit.output.conversion.mjcf_sensors import add_sensors
+from urdfkit.output.conversion.mjcf_srdf import (
+    add_keyframes,
+    exclude_computed,
     exclude_disabled,
     exclude_neighbours,
 )
-from urdfkit.output.conversion.proof import Proof, prove
+from urdfkit.output.conversion.options import Options
+from urdfkit.output.conversion.proof import prove
+from urdfkit.output.conversion.result import REPORT, Conversion
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.stability import standing
-from urdfkit.text.source import shown
 
-#: The file that lists what became of each part; a directory with it is a conversion.
-REPORT = "conversion.json"
-VERSION = 1
+_DEFAULT = Options()
 _LOST = "MJCF has nothing like it"
 #: What an error of MuJoCo's compiler is about.
 _ELEMENT = re.compile(r"Element name '([^']+)'.*")
 
 
-class Conversion(Record):
-    """What was written.
-
-    Attributes:
-        file: of the robot, in the directory.
-        is_free: the root floats.
-        counts: of links, joints, geoms and devices, by what one of them is called.
-        entries: what became of each part of the robot.
-        proof: how far MuJoCo and Pinocchio are apart.
-    """
-
-    file: str
-    is_free: bool
-    counts: dict[str, int]
-    entries: tuple[Entry, ...]
-    proof: Proof
-
-    @property
-    def facts(self) -> dict[str, Any]:
-        """For JSON; lengths in m, masses in kg."""
-        return {
-            "version": VERSION,
-            "urdfkit": __version__,
-            "file": self.file,
-            "base": "free" if self.is_free else "fixed",
-            "counts": {f"{thing}s": number for thing, number in self.counts.items()},
-            "proof": {"holds": self.proof.holds, **self.proof._asdict()},
-            "parts": [
-                {
-                    "part": one.part,
-                    "file": shown(one.span.source.path),
-                    "line": one.span.line,
-                    "result": one.result.value,
-                    "note": one.note,
-                }
-                for one in self.entries
-            ],
-        }
-
-    def alike(self, result: Result) -> Iterator[tuple[str, list[Entry]]]:
-        """The parts with a result, those with one note together, in the order of the document.
-
-        What is in an element with the same result goes without saying.
-        """
-        parts: dict[str, list[Entry]] = {}
-        last = ""
-        for entry in self.entries:
-            if entry.result is result and not (
-                last and entry.part.startswith((f"{last}/", f"{last}@"))
-            ):
-                parts.setdefault(entry.note, []).append(entry)
-                last = entry.part
-        yield from parts.items()
-
-
-def write(robot: Context, out: str, *, base: str, force: bool) -> Conversion:
+def write(robot: Context, out: str, options: Options, *, force: bool) -> Conversion:
     """Write a robot; the arguments and errors are those of `urdfkit.output.conversion.convert`."""
-    is_free = floats(robot, base)
+    is_free = floats(robot, options.base)
     bundle = Bundle(robot, CONSUMERS["mujoco"])
     with staged(assets(bundle), out, force=force, mark=REPORT) as directory:
-        made = assembled(robot, bundle, directory, is_free=is_free)
+        made = assembled(robot, bundle, directory, options, is_free=is_free)
         exclude_neighbours(made, robot)
+        if options.exclude == "computed":
+            exclude_computed(made, robot)
+        with _rejections(robot):
+            add_keyframes(made, robot)
+        _remove_unused(made, directory)
         model = _written(made, os.path.join(directory, f"{bundle.name}.xml"), robot)
         proof = prove(model, robot)
         if not proof.holds:
@@ -113,9 +61,9 @@ def write(robot: Context, out: str, *, base: str, force: bool) -> Conversion:
                 f"MuJoCo and Pinocchio do not agree on the robot: {proof.differences}"
             )
         entries = tuple(made.losses.entries(robot.document.root, _LOST))
-        found = Conversion(f"{bundle.name}.xml", is_free, _counts(model), entries, proof)
-        report = json.dumps(found.facts, indent=1, ensure_ascii=False)
-        atomic.write(os.path.join(directory, REPORT), report.encode(), durable=False)
+        root = "free" if is_free else "fixed"
+        found = Conversion("mjcf", f"{bundle.name}.xml", root, _counts(model), entries, proof)
+        found.write_report(directory)
     return found
 
 
@@ -144,7 +92,14 @@ def assets(bundle: Bundle) -> Iterator[BundledFile]:
             yield file
 
 
-def assembled(robot: Context, bundle: Bundle, directory: str, *, is_free: bool) -> MjcfRobot:
+def assembled(
+    robot: Context,
+    bundle: Bundle,
+    directory: str,
+    options: Options = _DEFAULT,
+    *,
+    is_free: bool,
+) -> MjcfRobot:
     """The specification of a robot whose assets lie in a directory.
 
     Raises:
@@ -155,10 +110,24 @@ def assembled(robot: Context, bundle: Bundle, directory: str, *, is_free: bool) 
         for reference, one in zip(references(robot.model), bundle.renamed, strict=True)
     }
     with _rejections(robot):
-        made = MjcfRobot(robot.tree, files, directory, is_free=is_free)
-        add_devices(made, robot)
+        made = MjcfRobot(robot, files, directory, options, is_free=is_free)
+        add_frictions(made, robot)
+        add_actuators(made, robot)
+        add_sensors(made, robot)
         exclude_disabled(made, robot)
     return made
+
+
+def _remove_unused(made: MjcfRobot, directory: str) -> None:
+    """Files of the bundle that no mesh or texture is read from, such as materials of OBJ."""
+    used = {one.file for one in (*made.spec.meshes, *made.spec.textures)}
+    for at, _, names in list(os.walk(directory, topdown=False)):
+        for name in names:
+            path = os.path.join(at, name)
+            if os.path.relpath(path, directory).replace(os.sep, "/") not in used:
+                os.unlink(path)
+        if at != directory and not os.listdir(at):
+            os.rmdir(at)
 
 
 def compiled(made: MjcfRobot, robot: Context) -> Any:
@@ -176,20 +145,25 @@ def _written(made: MjcfRobot, path: str, robot: Context) -> Any:
     compiled(made, robot)
     _write_all_digits()
     atomic.make_directory(os.path.dirname(path))  # of a robot without files
-    atomic.write(path, made.spec.to_xml().encode(), durable=False)
     with _rejections(robot):
+        atomic.write(path, made.spec.to_xml().encode(), durable=False)
         return mujoco.MjModel.from_xml_path(path)
 
 
 @contextmanager
 def _rejections(robot: Context) -> Iterator[None]:
     """Errors of MuJoCo as ours; what it warns of, as in meshes, is found by a check."""
+    mujoco.set_mju_user_warning(_ignore)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             yield
     except (ValueError, mujoco.FatalError) as error:
         raise _explained(str(error), robot) from error
+
+
+def _ignore(warning: str) -> None:
+    """MuJoCo writes what it warns of to a file in the current directory otherwise."""
 
 
 def _write_all_digits() -> None:
@@ -219,4 +193,5 @@ def _counts(model: Any) -> dict[str, int]:
         "actuator": int(model.nu),
         "sensor": int(model.nsensor),
         "camera": int(model.ncam),
+        "keyframe": int(model.nkey),
     }

@@ -1,17 +1,11 @@
 """The tree for Graphviz."""
 
-from __future__ import annotations
-
 from urdfkit.output.diagrams.rows import caption, rows
 from urdfkit.robot.tree import KinematicTree
 
 
 def render(tree: KinematicTree) -> str:
-    """The tree in the language of Graphviz: links are nodes, joints are edges.
-
-    Args:
-        tree: of the model.
-    """
+    """The tree in the language of Graphviz: links are nodes, joints are edges."""
     lines = [f"digraph {_quoted(tree.model.name)} {{", "  node [shape=box];"]
     lines += [f"  {_quoted(name)};" for name in tree.children]
     lines += [

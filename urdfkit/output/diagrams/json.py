@@ -1,7 +1,5 @@
 """The tree for programs: flat lists, parents before children."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from urdfkit.core.strict_json import dumped
@@ -15,11 +13,7 @@ VERSION = 1
 
 
 def render(tree: KinematicTree) -> str:
-    """Links with their parents, and joints with type, axis, limits and origin.
-
-    Args:
-        tree: of the model.
-    """
+    """Links with their parents, and joints with type, axis, limits and origin."""
     found = list(rows(tree))
     links = tree.model.links_by_name
     document = {

@@ -1,18 +1,12 @@
 """The tree as a Mermaid flow chart, which GitHub and GitLab draw in Markdown."""
 
-from __future__ import annotations
-
 from urdfkit.output.diagrams.rows import caption, rows
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.terminal import printable
 
 
 def render(tree: KinematicTree) -> str:
-    """The tree as a flow chart: links are nodes, joints are edges.
-
-    Args:
-        tree: of the model.
-    """
+    """The tree as a flow chart: links are nodes, joints are edges."""
     numbers = {name: f"n{number}" for number, name in enumerate(tree.children)}
     lines = ["flowchart TD"]
     lines += [f"  {number}[{_quoted(name)}]" for name, number in numbers.items()]

@@ -12,31 +12,19 @@ from urdfkit.robot.tree import KinematicTree
 
 
 class TreeRow(Record):
-    """A link, where a joint leads to it.
+    """A link, where a joint leads to it."""
 
-    Attributes:
-        link: its name.
-        joint: that leads here; None for a root.
-        parent: the link above; empty for a root.
-        depth: joints above.
-        is_last: True for the last child of its parent.
-        is_again: True where the link has its children in an earlier row: a loop, a second parent.
-    """
-
-    link: str
-    joint: Joint | None
-    parent: str
-    depth: int
-    is_last: bool
+    link: str  # its name
+    joint: Joint | None  # that leads here; None for a root
+    parent: str  # the link above; empty for a root
+    depth: int  # joints above
+    is_last: bool  # True for the last child of its parent
+    #: True where the link has its children in an earlier row: a loop, a second parent.
     is_again: bool
 
 
 def rows(tree: KinematicTree) -> Iterator[TreeRow]:
-    """Every link, in the order of the document; what no root leads to comes last.
-
-    Args:
-        tree: of the model.
-    """
+    """Every link, in the order of the document; what no root leads to comes last."""
     seen: set[str] = set()
     for start in (*(root.name for root in tree.roots), *tree.children):
         if start in seen:

@@ -3,8 +3,6 @@
 Every link has a row, so that a robot of any shape can be read and printed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from unicodedata import east_asian_width
 from xml.sax.saxutils import escape
@@ -38,11 +36,7 @@ _STYLE = (
 
 
 def render(tree: KinematicTree) -> str:
-    """The tree as an SVG document.
-
-    Args:
-        tree: of the model.
-    """
+    """The tree as an SVG document."""
     found = list(rows(tree))
     body = list(_body(found))
     width = max((_right(row) for row in found), default=0.0) + MARGIN

@@ -1,7 +1,5 @@
 """The tree for a terminal: a link in each line, behind it the joint that leads to it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.output.diagrams.rows import captions, rows
@@ -20,7 +18,6 @@ def render(tree: KinematicTree, width: int = 80) -> str:
     """The tree as text.
 
     Args:
-        tree: of the model.
         width: columns; a longer description of a joint is wrapped.
     """
     return "".join(f"{printable(line)}\n" for line in _lines(tree, width))

@@ -5,7 +5,8 @@ A format is a module with
 newline. ``color`` allows escape sequences, ``width`` is the number of columns of the reader's
 screen; a format for programs takes no notice of either. Modules with a leading underscore are
 parts that formats share. A format that can do so has ``stream``, too, which gives the same text in
-parts: that of very many findings never is in memory as a whole.
+parts: that of very many findings never is in memory as a whole. A format for people has
+``findings``, which gives the parts without what stands below the findings.
 """
 
 from __future__ import annotations
@@ -43,14 +44,25 @@ def get(name: str) -> Render:
     return render
 
 
-def stream(name: str, report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+def stream(
+    name: str, report: Report, *, color: bool = False, width: int = 80, quiet: bool = False
+) -> Iterator[str]:
     """A report in a format, in parts if the format has them.
+
+    Args:
+        name: of the format.
+        report: to render.
+        color: as of ``render``.
+        width: as of ``render``.
+        quiet: leave out what stands below the findings, if the format has it.
 
     Raises:
         KeyError: there is none of that name.
     """
     render = get(name)
-    parts = getattr(import_module(render.__module__), "stream", None)
+    module = import_module(render.__module__)
+    parts = getattr(module, "findings", None) if quiet else None
+    parts = parts or getattr(module, "stream", None)
     if parts is None:
         yield render(report, color=color, width=width)
     else:

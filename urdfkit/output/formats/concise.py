@@ -1,7 +1,5 @@
 """One line a finding, which no screen breaks: for grep, editors and short lists."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.report import Report
@@ -18,8 +16,13 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts."""
+    yield from findings(report, color=color)
+    yield summary(report, color=color, width=_WIDE)
+
+
+def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """The findings and crashed rules alone."""
     page = TextPage(color, _WIDE)
     for found in report.diagnostics:
         yield f"{page.head(found)}\n"
     yield from crashes(report, page)
-    yield summary(report, color=color, width=_WIDE)

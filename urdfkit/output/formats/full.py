@@ -1,9 +1,7 @@
 """For people who want all of it: every finding with its line of source, calls and notes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
-from itertools import groupby
+from itertools import chain, groupby
 
 from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Report
@@ -18,18 +16,25 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts."""
-    page = TextPage(color, width)
     between = ""
-    for block in _blocks(report, page):
-        yield between + block
+    for block in findings(report, color=color, width=width):
+        yield block
         between = "\n"
+    if text := hints(report, TextPage(color, width)):
+        yield between + text
     yield summary(report, color=color, width=width)
 
 
-def _blocks(report: Report, page: TextPage) -> Iterator[str]:
+def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """The findings and crashed rules alone."""
+    page = TextPage(color, width)
+    between = ""
+    for block in chain(_findings(report, page), crashes(report, page)):
+        yield between + block
+        between = "\n"
+
+
+def _findings(report: Report, page: TextPage) -> Iterator[str]:
     # What is shown as one is in one file, and the findings are in the order of files.
     for _, of_file in groupby(report.diagnostics, key=lambda one: one.span.source.path):
         yield from map(page.finding, grouped(tuple(of_file)))
-    yield from crashes(report, page)
-    if text := hints(report, page):
-        yield text

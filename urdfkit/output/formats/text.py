@@ -1,7 +1,5 @@
 """For people: errors with their line of source, warnings in brief, infos counted."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from itertools import groupby
@@ -25,6 +23,14 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The same in parts."""
     page = TextPage(color, width)
+    yield from findings(report, color=color, width=width)
+    yield _infos(report, page) + hints(report, page)
+    yield summary(report, color=color, width=width)
+
+
+def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
+    """Errors, warnings and crashed rules alone."""
+    page = TextPage(color, width)
     for error in _of(report, Severity.ERROR):
         yield from (f"{page.finding(one)}\n" for one in grouped(error))
     for warning in _of(report, Severity.WARNING):
@@ -32,8 +38,6 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
     if report.count(Severity.WARNING):
         yield "\n"
     yield from (f"{crash}\n" for crash in crashes(report, page))
-    yield _infos(report, page) + hints(report, page)
-    yield summary(report, color=color, width=width)
 
 
 def _of(report: Report, severity: Severity) -> Iterator[tuple[Diagnostic, ...]]:

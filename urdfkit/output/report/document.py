@@ -52,17 +52,11 @@ LONG = ("statics", "standing", "collisions")
 
 
 class ReportInput(Record):
-    """A robot and its report.
+    """A robot and its report."""
 
-    Attributes:
-        document: for all outputs.
-        context: the robot.
-        diagnostics: what ``urdfkit check`` finds.
-    """
-
-    document: ReportDocument
-    context: Context
-    diagnostics: tuple[Diagnostic, ...]
+    document: ReportDocument  # for all outputs
+    context: Context  # the robot
+    diagnostics: tuple[Diagnostic, ...]  # what ``urdfkit check`` finds
 
 
 def describe(
@@ -78,7 +72,6 @@ def describe(
 
     Args:
         file: a URDF or xacro file, or a launch file that describes one robot.
-        options: of the check.
         quick: leave out what takes a while, which is all of `LONG`.
         progress: called with the number of steps done and of all, where it takes a while.
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from importlib.metadata import PackageNotFoundError, distribution
 
+from urdfkit.core.installation import install_command
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 
@@ -21,17 +22,11 @@ _TEMPLATE = "templates/viewer.zip"
 
 
 class PageEngine(Record):
-    """A 3D engine.
+    """A 3D engine."""
 
-    Attributes:
-        script: that makes ``THREE`` and ``THREE.GLTFLoader``, with its copyright notice.
-        package: that it comes from, with its version.
-        licence: the text of the licence.
-    """
-
-    script: str
-    package: str
-    licence: str
+    script: str  # that makes ``THREE`` and ``THREE.GLTFLoader``, with its copyright notice
+    package: str  # that it comes from, with its version
+    licence: str  # the text of the licence
 
 
 def load() -> PageEngine:
@@ -43,7 +38,7 @@ def load() -> PageEngine:
     try:
         from trimesh.resources import get_bytes
     except ImportError as error:
-        raise UrdfkitError("the 3D view needs trimesh: pip install 'urdfkit[report]'") from error
+        raise UrdfkitError(f"the 3D view needs trimesh: {install_command('report')}") from error
     match = _SCRIPT.search(_page(get_bytes(_TEMPLATE)))
     script, end, _ = match.group(1).partition(_END) if match else ("", "", "")
     package = distribution("trimesh")

@@ -15,6 +15,7 @@ from math import degrees, log10
 from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__
+from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
 from urdfkit.output.report.document import ReportDocument
 from urdfkit.output.report.translations import Translator
@@ -50,8 +51,6 @@ def render(
     """A whole page.
 
     Args:
-        document: its contents.
-        translator: into the reader's language.
         drawings: addresses of images, by name.
         scene: the robot in three dimensions; None for a page without.
         engine: that draws the scene.
@@ -80,8 +79,6 @@ def render_plain(template: str, translator: Translator, **context: object) -> st
     """A page without a 3D view, of another template.
 
     Args:
-        template: its file.
-        translator: into the reader's language.
         context: what it shows, by name.
     """
     scripts = [_read("page.js")]
@@ -189,7 +186,7 @@ def _environment() -> Environment:
     try:
         from jinja2 import Environment, FileSystemLoader, StrictUndefined
     except ImportError as error:
-        raise UrdfkitError("HTML reports need Jinja: pip install 'urdfkit[report]'") from error
+        raise UrdfkitError(f"HTML reports need Jinja: {install_command('report')}") from error
     environment = Environment(
         autoescape=True,
         loader=FileSystemLoader(_DIRECTORY),

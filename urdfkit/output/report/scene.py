@@ -6,6 +6,7 @@ import gzip
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.core.installation import install_command
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.errors import MissingLibrary
@@ -19,22 +20,20 @@ if TYPE_CHECKING:
     from urdfkit.render import Scene
     from urdfkit.robot.model import Link
 
-INSTALL = "images and the 3D view need: pip install 'urdfkit[report]'"
-
 #: A page of more links is too slow to open, one of more triangles too large to send.
 MAX_LINKS, MAX_TRIANGLES = 5000, 1_500_000
 
 
+def without_report() -> str:
+    """Why there is no 3D view where what draws it is not installed."""
+    return f"images and the 3D view need: {install_command('report')}"
+
+
 class PageScene(Record):
-    """What the engine draws.
+    """What the engine draws."""
 
-    Attributes:
-        model: binary glTF, packed with gzip; each surface in the frame of its link.
-        robot: links, and joints with parents before children, as plain values.
-    """
-
-    model: bytes
-    robot: dict[str, Any]
+    model: bytes  # binary glTF, packed with gzip; each surface in the frame of its link
+    robot: dict[str, Any]  # links, and joints with parents before children, as plain values
 
 
 def surfaces(context: Context) -> Scene:
@@ -48,17 +47,12 @@ def surfaces(context: Context) -> Scene:
     try:
         from urdfkit.render import build as build_surfaces
     except (ImportError, MissingLibrary) as error:
-        raise Unavailable(INSTALL) from error
+        raise Unavailable(without_report()) from error
     return build_surfaces(context, roles=("visual", "collision"))
 
 
 def build(context: Context, built: Scene) -> PageScene:
-    """The scene of a robot; of one with very many triangles a coarse one.
-
-    Args:
-        context: the robot.
-        built: its triangles.
-    """
+    """The scene of a robot; of one with very many triangles a coarse one."""
     from urdfkit.output.report.gltf import write
     from urdfkit.render.coarse import coarsened
 
@@ -84,7 +78,7 @@ def nothing() -> PageScene:
     try:
         from urdfkit.output.report.gltf import write
     except (ImportError, MissingLibrary) as error:
-        raise Unavailable(INSTALL) from error
+        raise Unavailable(without_report()) from error
     model, triangles = write(())
     return PageScene(
         packed(model), {"links": [], "joints": [], "triangles": triangles, "missing": []}

@@ -83,24 +83,17 @@ def _page(
 
 
 class RobotImages(Record):
-    """A robot as images.
+    """A robot as images."""
 
-    Attributes:
-        document: its contents, and why an image is missing.
-        drawings: addresses of images, by name.
-        scene: the robot in three dimensions; None if it cannot be had.
-    """
-
-    document: ReportDocument
-    drawings: dict[str, str]
-    scene: PageScene | None
+    document: ReportDocument  # its contents, and why an image is missing
+    drawings: dict[str, str]  # addresses of images, by name
+    scene: PageScene | None  # the robot in three dimensions; None if it cannot be had
 
 
 def rendered(reported: ReportInput, *, has_images: bool) -> RobotImages:
     """The drawings of a robot, and the robot in three dimensions; what cannot be had is left out.
 
     Args:
-        reported: the robot.
         has_images: with the images that take a while.
     """
     from urdfkit.output.report import data_uris, scene

@@ -4,8 +4,6 @@ The same mathematics as `urdfkit.robot.kinematics`, over arrays: frames are homo
 (n, 4, 4) in the frame of the root link, for n configurations.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -41,30 +39,18 @@ class TreeStep(NamedTuple):
 
     The frame of the child in that of the parent is ``at_zero + f sine + g versine``, with f and g
     the sine and 1 - cosine of an angle (Rodrigues' formula), or f a distance.
-
-    Attributes:
-        parent: number of the link.
-        child: number of the link.
-        at_zero: (4, 4), where the joint is at zero.
-        sine: (4, 4).
-        versine: (4, 4).
-        axis: (3,), a unit vector, in the frame of the child as well as of the joint.
-        turns: True for an angle, False for a distance.
-        column: of the axis whose position it follows; -1 for a joint that stays where it is.
-        factor: its position is ``factor * position of the axis + shift``.
-        shift: of the same transforms.
     """
 
-    parent: int
-    child: int
-    at_zero: Floats
-    sine: Floats
-    versine: Floats
-    axis: Floats
-    turns: bool
-    column: int
-    factor: float
-    shift: float
+    parent: int  # number of the link
+    child: int  # number of the link
+    at_zero: Floats  # (4, 4), where the joint is at zero
+    sine: Floats  # (4, 4)
+    versine: Floats  # (4, 4)
+    axis: Floats  # (3,), a unit vector, in the frame of the child as well as of the joint
+    turns: bool  # True for an angle, False for a distance
+    column: int  # of the axis whose position it follows; -1 for a joint that stays where it is
+    factor: float  # its position is ``factor * position of the axis + shift``
+    shift: float  # of the same transforms
 
     def frames(self, configurations: Floats) -> Floats:
         """Of the child in the parent: (n, 4, 4) for (n, dof), or (4, 4) where nothing moves."""
@@ -81,20 +67,14 @@ class TreeStep(NamedTuple):
 
 @dataclass(frozen=True)
 class Chain:
-    """A kinematic tree as arrays.
+    """A kinematic tree as arrays."""
 
-    Attributes:
-        links: names; a step names them by number.
-        axes: the joints that move freely, one column of a configuration each.
-        steps: parents before children.
-        parts: for each link, the number of the topmost one that joints with limits bind it to. A
-            root, and the child of a planar or floating joint, begins a part; links in a closed
-            loop that no root leads to are one each.
-    """
-
-    links: tuple[str, ...]
-    axes: tuple[Axis, ...]
-    steps: tuple[TreeStep, ...]
+    links: tuple[str, ...]  # names; a step names them by number
+    axes: tuple[Axis, ...]  # the joints that move freely, one column of a configuration each
+    steps: tuple[TreeStep, ...]  # parents before children
+    #: For each link, the number of the topmost one that joints with limits bind it to. A root, and
+    #: the child of a planar or floating joint, begins a part; links in a closed loop that no root
+    #: leads to are one each.
     parts: tuple[int, ...]
 
     @cached_property
@@ -182,7 +162,6 @@ def slopes(
 
     Args:
         branches: to the two links, from `Chain.branches`.
-        columns: of the joints.
         frames: (n, 4, 4) of all links on the branches.
         points: (n, 3), fixed to both, in m.
         along: (n, 3), unit vectors.

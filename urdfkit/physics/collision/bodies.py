@@ -26,30 +26,19 @@ _CONVEX = 1e-4
 
 
 class CollisionBody(Record):
-    """One ``<collision>``.
+    """One ``<collision>``."""
 
-    Attributes:
-        link: name of its link.
-        number: of the element among the collisions of the link, from 0.
-        origin: its frame in that of the link.
-        kind: ``box``, ``sphere``, ``cylinder``, ``capsule`` or ``mesh``.
-        size: three sides; radius; radius and length; nothing for a mesh.
-        center: of the bounding box along its own axes, in its frame.
-        half: half the sides of that box.
-        points: the corners of that box, or extreme vertices of a mesh: what lies in the inside of a
-            convex body has them there. Empty for a mesh that is not measured.
-        may_be_convex: False for a mesh that is known not to be.
-    """
-
-    link: str
-    number: int
-    origin: Transform
-    kind: str
-    size: tuple[float, ...]
-    center: Vector
-    half: Vector
+    link: str  # name of its link
+    number: int  # of the element among the collisions of the link, from 0
+    origin: Transform  # its frame in that of the link
+    kind: str  # ``box``, ``sphere``, ``cylinder``, ``capsule`` or ``mesh``
+    size: tuple[float, ...]  # three sides; radius; radius and length; nothing for a mesh
+    center: Vector  # of the bounding box along its own axes, in its frame
+    half: Vector  # half the sides of that box
+    #: The corners of that box, or extreme vertices of a mesh: what lies in the inside of a convex
+    #: body has them there. Empty for a mesh that is not measured.
     points: tuple[Vector, ...]
-    may_be_convex: bool
+    may_be_convex: bool  # False for a mesh that is known not to be
 
     @property
     def radius(self) -> float:
@@ -73,7 +62,6 @@ def collision_bodies(robot: Robot, *, unit: bool) -> Iterator[CollisionBody]:
     """The collision bodies of a robot that can be used.
 
     Args:
-        robot: with its meshes.
         unit: apply the unit that a COLLADA file states.
     """
     for link in robot.model.links_by_name.values():

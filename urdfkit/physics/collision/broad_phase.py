@@ -1,7 +1,5 @@
 """Which bodies may overlap, by the spheres and boxes around them. Lengths in m."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from math import dist, hypot
 
@@ -22,8 +20,6 @@ def lower_bound(first: CollisionBody, second: CollisionBody, at: Transform) -> f
     """The signed distance of the boxes around two bodies, which that of the bodies is not below.
 
     Args:
-        first: a body.
-        second: another one.
         at: the frame of the second in that of the first.
     """
     between = Transform(at.rotation, minus(at.apply(second.center), first.center))

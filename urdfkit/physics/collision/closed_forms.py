@@ -4,8 +4,6 @@ A signed distance is positive between bodies that are apart, and negative by the
 where they overlap: the shortest way that one must move until they only touch. Lengths in m.
 """
 
-from __future__ import annotations
-
 from math import hypot, sqrt
 
 from urdfkit.core.spatial import Transform, Vector
@@ -32,8 +30,6 @@ def signed_distance(
         kind: ``box``, ``sphere``, ``cylinder`` or ``capsule``, about its origin, its axis along z,
             or ``mesh``.
         size: the sides of a box; the radius, and the length of what has one.
-        other_kind: of the other primitive.
-        other_size: of the other.
         at: the frame of the other one in that of the first.
     """
     if "mesh" in (kind, other_kind):

@@ -1,7 +1,5 @@
 """Collision bodies as coal wants them, each with bounds that numpy can test for many poses."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from math import inf
 from typing import Any, NamedTuple
@@ -41,23 +39,14 @@ _PRIMITIVES: dict[str, Callable[..., Any]] = {
 
 
 class CollisionGeometry(NamedTuple):
-    """One body.
+    """One body."""
 
-    Attributes:
-        solid: it was made from.
-        exact: coal's geometry of it: a convex body, or the triangles of a mesh that is none.
-        hull: a convex body around it; the same object if it is convex.
-        center: (3,), of its bounding box, in its own frame, in m.
-        half: (3,), half the sides of that box.
-        radius: of a sphere about the center that holds it, in m.
-    """
-
-    solid: CollisionArrays
-    exact: Any
-    hull: Any
-    center: Floats
-    half: Floats
-    radius: float
+    solid: CollisionArrays  # it was made from
+    exact: Any  # coal's geometry of it: a convex body, or the triangles of a mesh that is none
+    hull: Any  # a convex body around it; the same object if it is convex
+    center: Floats  # (3,), of its bounding box, in its own frame, in m
+    half: Floats  # (3,), half the sides of that box
+    radius: float  # of a sphere about the center that holds it, in m
 
     @property
     def is_convex(self) -> bool:
@@ -66,7 +55,6 @@ class CollisionGeometry(NamedTuple):
 
 
 def form(solid: CollisionArrays) -> CollisionGeometry:
-    """A body for coal."""
     if solid.kind == "mesh":
         return _mesh(solid)
     exact = _PRIMITIVES[solid.kind](*solid.size)

@@ -35,19 +35,12 @@ BoundedPair = tuple[CollisionBody, CollisionBody, float]
 
 
 class Contact(Record):
-    """The two bodies of a pair of links that overlap most where the robot begins.
+    """The two bodies of a pair of links that overlap most where the robot begins."""
 
-    Attributes:
-        small: the smaller one of the two.
-        large: the other one.
-        depth: how deep the two overlap.
-        is_solid: both are convex, so that the depth is true.
-    """
-
-    small: CollisionBody
-    large: CollisionBody
-    depth: float
-    is_solid: bool
+    small: CollisionBody  # the smaller one of the two
+    large: CollisionBody  # the other one
+    depth: float  # how deep the two overlap
+    is_solid: bool  # both are convex, so that the depth is true
 
     @property
     def part(self) -> float:
@@ -58,22 +51,17 @@ class Contact(Record):
 class LinkPair:
     """Two links with bodies whose boxes overlap where the robot begins.
 
-    Attributes:
-        names: of the links.
-        is_adjacent: a joint holds the links together, or nothing with bodies lies between.
-        is_rigid: only fixed joints lie between.
-        bounds: of their bodies.
-
     Args:
         robot: that has the links.
     """
 
     def __init__(self, robot: Contacts, names: tuple[str, str], bounds: list[BoundedPair]) -> None:
-        self.names = names
+        self.names = names  # of the links
+        #: A joint holds the links together, or nothing with bodies lies between.
         self.is_adjacent = robot.adjacency.is_adjacent(*names)
-        self.is_rigid = robot.adjacency.is_rigid(*names)
+        self.is_rigid = robot.adjacency.is_rigid(*names)  # only fixed joints lie between
         self._robot = robot
-        self.bounds = bounds
+        self.bounds = bounds  # of their bodies
 
     @property
     def largest_part(self) -> float:
@@ -227,8 +215,6 @@ class Contacts:
         """The signed distance of two bodies: exact where they overlap, else only more than 0.
 
         Args:
-            first: a body.
-            second: another one.
             at: the frame of the second in that of the first.
         """
         found = signed_distance(first.kind, first.size, second.kind, second.size, at)
@@ -252,7 +238,6 @@ class Contacts:
         """True if two links overlap.
 
         Args:
-            names: of the links.
             given: positions of joints between the two; the others are where they begin.
         """
         placed = {
@@ -298,7 +283,6 @@ class Contacts:
         )
 
     def between(self, names: tuple[str, str]) -> list[Joint]:
-        """The joints between two links."""
         first, second = self.tree.branches(*names)
         return [*first, *second]
 

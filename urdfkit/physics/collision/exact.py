@@ -1,7 +1,5 @@
 """Distances of single bodies by coal, for those that have no closed form."""
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np
@@ -43,8 +41,6 @@ class ExactDistances:
         """The signed distance of two bodies, in m; infinite for one that cannot be used.
 
         Args:
-            first: a body.
-            second: another one.
             at: the frame of the second in that of the first.
         """
         query = self._query(first, second)
@@ -61,8 +57,6 @@ class ExactDistances:
         """True if two bodies overlap by more than a depth.
 
         Args:
-            first: a body.
-            second: another one.
             at: the frame of the second in that of the first.
             depth: in m.
         """

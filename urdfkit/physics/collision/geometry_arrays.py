@@ -5,8 +5,6 @@ infinity, and on faces whose vertices do not exist; its results for bodies witho
 wrong. All of these are left out here.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -19,25 +17,15 @@ from urdfkit.robot.model import Link, RobotModel, Shape
 
 
 class CollisionArrays(NamedTuple):
-    """One ``<collision>``.
+    """One ``<collision>``."""
 
-    Attributes:
-        link: name of its link.
-        number: of the element among the collisions of the link, from 0.
-        frame: (4, 4), in the frame of the link.
-        kind: ``box``, ``sphere``, ``cylinder``, ``capsule`` or ``mesh``.
-        size: three sides; radius; radius and length; nothing for a mesh. In m.
-        vertices: (n, 3) of a mesh, in m, in its own frame.
-        faces: (m, 3) of a mesh.
-    """
-
-    link: str
-    number: int
-    frame: Floats
-    kind: str
-    size: tuple[float, ...]
-    vertices: Floats
-    faces: Integers
+    link: str  # name of its link
+    number: int  # of the element among the collisions of the link, from 0
+    frame: Floats  # (4, 4), in the frame of the link
+    kind: str  # ``box``, ``sphere``, ``cylinder``, ``capsule`` or ``mesh``
+    size: tuple[float, ...]  # three sides; radius; radius and length; nothing for a mesh. In m
+    vertices: Floats  # (n, 3) of a mesh, in m, in its own frame
+    faces: Integers  # (m, 3) of a mesh
 
 
 class OmittedCollision(NamedTuple):
@@ -58,8 +46,6 @@ def solids(
     """The collision bodies of a model, and those that cannot be used.
 
     Args:
-        model: the robot.
-        meshes: its meshes.
         unit: apply the unit that a COLLADA file states, as RViz and Gazebo do; MoveIt and
             Pinocchio take the numbers as metres.
     """

@@ -10,20 +10,14 @@ from urdfkit.physics.collision.contacts import Contacts, LinkPair
 
 
 class HullOverlap(Record):
-    """Two links whose hulls overlap where the robot begins.
+    """Two links whose hulls overlap where the robot begins."""
 
-    Attributes:
-        first, second: the bodies of the deepest overlap.
-        depth: in m.
-        joint: the moving joint between the two, if it is the only one; empty otherwise.
-        is_welded: the joint moves its link against what is welded to the world.
-    """
-
+    #: first and second: the bodies of the deepest overlap.
     first: CollisionBody
     second: CollisionBody
-    depth: float
-    joint: str
-    is_welded: bool
+    depth: float  # in m
+    joint: str  # the moving joint between the two, if it is the only one; empty otherwise
+    is_welded: bool  # the joint moves its link against what is welded to the world
 
 
 def hull_overlaps(contacts: Contacts, least: float) -> Iterator[HullOverlap]:

@@ -5,8 +5,6 @@ configurations at once. These are the same whatever the samples are, so that two
 seeds find the same collisions.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from math import inf
 from typing import NamedTuple
@@ -39,22 +37,16 @@ _SHORTEST = 1e-3
 
 
 class ClosestPair(NamedTuple):
-    """Where two links are nearest.
+    """Where two links are nearest."""
 
-    Attributes:
-        distance: signed, in m.
-        configuration: (dof,).
-    """
-
-    distance: float
-    configuration: Floats
+    distance: float  # signed, in m
+    configuration: Floats  # (dof,)
 
 
 def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
     """The nearest that two links are found to come; any collision will do.
 
     Args:
-        examiner: of the robot.
         pair: numbers of links, with a joint that moves between them.
     """
     columns = examiner.chain.between(*pair)
@@ -77,17 +69,11 @@ def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
 
 
 class _Measured(NamedTuple):
-    """What was measured at some positions (n, k) of the joints between two bodies.
+    """What was measured at some positions (n, k) of the joints between two bodies."""
 
-    Attributes:
-        distance: (n,), signed, in m.
-        slope: (n, k), how it changes with each joint, in m per rad or per m.
-        inside: (n,), True where the hulls overlap, so that the bodies themselves were measured.
-    """
-
-    distance: Floats
-    slope: Floats
-    inside: Flags
+    distance: Floats  # (n,), signed, in m
+    slope: Floats  # (n, k), how it changes with each joint, in m per rad or per m
+    inside: Flags  # (n,), True where the hulls overlap, so that the bodies themselves were measured
 
 
 class _Bodies:
@@ -111,7 +97,6 @@ class _Bodies:
         """At some positions (n, k): of the hulls, or where these overlap of the bodies themselves.
 
         Args:
-            positions: of the joints between.
             inside: (n,), where the hulls are known to overlap.
         """
         of_links = self._of_links(positions)

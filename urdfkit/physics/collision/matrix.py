@@ -1,7 +1,5 @@
 """Which links of a robot can collide with one another, as sampling has shown it."""
 
-from __future__ import annotations
-
 from enum import Enum
 from typing import NamedTuple
 
@@ -30,36 +28,26 @@ class PairVerdict(Enum):
 
 
 class ClosestApproach(NamedTuple):
-    """Where two links came nearest to one another, or overlapped the most.
+    """Where two links came nearest to one another, or overlapped the most."""
 
-    Attributes:
-        distance: signed, in m: negative by how deep they overlap. A configuration that was
-            sampled may be nearer by a tenth.
-        pose: positions of the joints that move one against the other, in rad or m.
-    """
-
+    #: Signed, in m: negative by how deep they overlap. A configuration that was sampled may be
+    #: nearer by a tenth.
     distance: float
-    pose: dict[str, float]
+    pose: dict[str, float]  # positions of the joints that move one against the other, in rad or m
 
 
 class PairResult(NamedTuple):
-    """Two links that both have collision geometry.
+    """Two links that both have collision geometry."""
 
-    Attributes:
-        first, second: their names, in the order of the document.
-        verdict: what became of them.
-        moves: False if only fixed joints lie between.
-        frequency: of collisions, from 0 to 1, in the samples that all pairs were counted in;
-            None for pairs that these samples say nothing new of.
-        nearest: None for adjacent pairs, which are not measured.
-    """
-
+    #: first and second: their names, in the order of the document.
     first: str
     second: str
-    verdict: PairVerdict
-    moves: bool
+    verdict: PairVerdict  # what became of them
+    moves: bool  # False if only fixed joints lie between
+    #: Of collisions, from 0 to 1, in the samples that all pairs were counted in; None for pairs
+    #: that these samples say nothing new of.
     frequency: float | None
-    nearest: ClosestApproach | None
+    nearest: ClosestApproach | None  # None for adjacent pairs, which are not measured
 
     @property
     def is_seldom(self) -> bool:
@@ -79,36 +67,24 @@ class PairResult(NamedTuple):
 
 
 class Matrix(NamedTuple):
-    """All pairs of a robot.
+    """All pairs of a robot."""
 
-    Attributes:
-        robot: its name.
-        pairs: in the order of the document.
-        samples: configurations that were looked at.
-        asked: configurations that were asked for; more than `samples` if more showed nothing new.
-        counted: of these, the ones that collisions were counted in.
-        seed: of the samples.
-        omitted: collision bodies that took no part, and why.
-        parts: the topmost links of the parts of the robot, if it has several: roots, and what
-            is the child of a planar or floating joint. Links of different parts make no pair, since
-            nothing bounds how they stand to one another.
-        units: meshes whose file states another unit than the metre, by the number of metres.
-        applies_units: True if that unit was applied.
-    """
-
-    robot: str
-    pairs: tuple[PairResult, ...]
-    samples: int
-    asked: int
-    counted: int
-    seed: int
-    omitted: tuple[OmittedCollision, ...]
+    robot: str  # its name
+    pairs: tuple[PairResult, ...]  # in the order of the document
+    samples: int  # configurations that were looked at
+    asked: int  # configurations that were asked for; more than `samples` if more showed nothing new
+    counted: int  # of these, the ones that collisions were counted in
+    seed: int  # of the samples
+    omitted: tuple[OmittedCollision, ...]  # collision bodies that took no part, and why
+    #: The topmost links of the parts of the robot, if it has several: roots, and what is the child
+    #: of a planar or floating joint. Links of different parts make no pair, since nothing bounds
+    #: how they stand to one another.
     parts: tuple[str, ...]
+    #: Meshes whose file states another unit than the metre, by the number of metres.
     units: dict[str, float]
-    applies_units: bool
+    applies_units: bool  # True if that unit was applied
 
     def of(self, verdict: PairVerdict) -> list[PairResult]:
-        """The pairs with a verdict."""
         return [pair for pair in self.pairs if pair.verdict is verdict]
 
     @property

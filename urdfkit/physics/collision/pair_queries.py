@@ -29,17 +29,12 @@ SLACK = 0.1
 
 
 class PairSample(NamedTuple):
-    """What some configurations show of one pair.
+    """What some configurations show of one pair."""
 
-    Attributes:
-        hits: the configurations in which the two collide, by their numbers.
-        distance: the least signed distance so far, in m; the limit that was given if none is less.
-        row: the configuration of that distance; -1 if it is none of these.
-    """
-
-    hits: list[int]
+    hits: list[int]  # the configurations in which the two collide, by their numbers
+    #: The least signed distance so far, in m; the limit that was given if none is less.
     distance: float
-    row: int
+    row: int  # the configuration of that distance; -1 if it is none of these
 
 
 class Examiner:
@@ -78,7 +73,6 @@ class Examiner:
         return self._of_link[link]
 
     def form(self, body: int) -> CollisionGeometry:
-        """A body by its number."""
         return self._forms[body]
 
     def query(self, pairs: Iterable[Pair], limit: float = inf) -> PairQuery:
@@ -116,7 +110,6 @@ class PairQuery:
         """What some configurations (n, dof) show, for each pair.
 
         Args:
-            configurations: of the robot.
             pairs: some of them; all if None.
             count: find all collisions, not only one.
         """

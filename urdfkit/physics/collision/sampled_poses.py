@@ -1,7 +1,5 @@
 """Collisions of a robot in sampled poses, without a process: what a check can afford."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -54,7 +52,6 @@ class SampledPoses:
         """For each pair of links that move, a collision that no other one keeps the robot from.
 
         Args:
-            pairs: of links.
             samples: configurations that are looked at.
             is_checked: of two links, whether their collisions are avoided; where two of these
                 overlap, the robot never is.

@@ -3,8 +3,6 @@
 Source of the grammar: srdfdom's ``Model::loadDisabledCollisions`` and SRDFWriter.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from urdfkit.physics.collision.matrix import Matrix, PairResult, PairVerdict
@@ -23,18 +21,14 @@ COMPUTED = frozenset(v.reason.lower() for v in PairVerdict if v.reason)
 
 
 class MatrixComparison(NamedTuple):
-    """A matrix and an SRDF that disables collisions.
+    """A matrix and an SRDF that disables collisions."""
 
-    Attributes:
-        hidden: pairs that the SRDF disables, although they collide in some configurations.
-        watched: pairs that it checks, although they never collide, always do, are adjacent, or
-            collide where the robot begins and in most samples.
-        agreed: the number of pairs that both disable.
-    """
-
+    #: Pairs that the SRDF disables, although they collide in some configurations.
     hidden: tuple[PairResult, ...]
+    #: Pairs that it checks, although they never collide, always do, are adjacent, or collide where
+    #: the robot begins and in most samples.
     watched: tuple[PairResult, ...]
-    agreed: int
+    agreed: int  # the number of pairs that both disable
 
 
 def compare(matrix: Matrix, srdf: Srdf) -> MatrixComparison:

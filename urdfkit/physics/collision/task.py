@@ -26,23 +26,14 @@ _BLOCK = 1000
 
 @dataclass
 class PairFindings:
-    """What is known of a pair.
+    """What is known of a pair."""
 
-    Attributes:
-        hits_at_start: True if the two collide where the robot begins.
-        hits: of the samples that are counted, those in which they collide.
-        hits_elsewhere: True if they collide in another configuration.
-        samples: that were looked at.
-        distance: the least, in m.
-        configuration: (dof,), of that distance.
-    """
-
-    hits_at_start: bool = False
-    hits: int = 0
-    hits_elsewhere: bool = False
-    samples: int = 0
-    distance: float = inf
-    configuration: Floats | None = None
+    hits_at_start: bool = False  # True if the two collide where the robot begins
+    hits: int = 0  # of the samples that are counted, those in which they collide
+    hits_elsewhere: bool = False  # True if they collide in another configuration
+    samples: int = 0  # that were looked at
+    distance: float = inf  # the least, in m
+    configuration: Floats | None = None  # (dof,), of that distance
 
     @property
     def is_free(self) -> bool:
@@ -51,21 +42,13 @@ class PairFindings:
 
 
 class Task(NamedTuple):
-    """Pairs to look at, one by one.
+    """Pairs to look at, one by one."""
 
-    Attributes:
-        pairs: of numbers of links.
-        moves: for each, whether joints move one against the other.
-        start: (dof,), where the robot begins.
-        samples: to look at.
-        seed: of these.
-    """
-
-    pairs: tuple[Pair, ...]
-    moves: tuple[bool, ...]
-    start: Floats
-    samples: int
-    seed: int
+    pairs: tuple[Pair, ...]  # of numbers of links
+    moves: tuple[bool, ...]  # for each, whether joints move one against the other
+    start: Floats  # (dof,), where the robot begins
+    samples: int  # to look at
+    seed: int  # of these
 
     def run(self, examiner: Examiner) -> list[PairFindings]:
         """What is found out about each pair."""

@@ -33,10 +33,6 @@ class _Died(Exception):
 class WorkerPool:
     """Some processes with the bodies of one robot; use it in a ``with`` statement.
 
-    Attributes:
-        solids: the bodies that coal takes.
-        omitted: those that crashed it.
-
     Args:
         chain: how the robot moves.
         solids: its bodies.
@@ -47,8 +43,8 @@ class WorkerPool:
     """
 
     def __init__(self, chain: Chain, solids: Sequence[CollisionArrays], count: int) -> None:
-        self.solids = list(solids)
-        self.omitted: list[OmittedCollision] = []
+        self.solids = list(solids)  # the bodies that coal takes
+        self.omitted: list[OmittedCollision] = []  # those that crashed it
         self._chain = chain
         self._crashes = 0
         self._is_over = False
@@ -78,7 +74,6 @@ class WorkerPool:
         """The answers to some tasks, in their order; None for a pair that crashes coal.
 
         Args:
-            tasks: of this robot.
             done: called after each.
 
         Raises:
@@ -192,7 +187,6 @@ class _Worker:
         return self._receive()
 
     def end(self) -> None:
-        """End it, whatever it is doing."""
         self._process.kill()
         self._process.wait()
         for pipe in (self._process.stdin, self._process.stdout):

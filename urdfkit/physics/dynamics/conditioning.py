@@ -12,15 +12,12 @@ LARGEST = 1e7
 
 
 class Conditioning(Record):
-    """The mass matrix with all joints at zero, scaled so that units do not matter.
+    """The mass matrix with all joints at zero, scaled so that units do not matter."""
 
-    Attributes:
-        number: the ratio of its largest to its smallest eigenvalue; infinite where the smallest
-            is not positive.
-        joints: whose motion against each other has the least inertia, the first one most.
-    """
-
+    #: The ratio of its largest to its smallest eigenvalue; infinite where the smallest is not
+    #: positive.
     number: float
+    #: Whose motion against each other has the least inertia, the first one most.
     joints: tuple[str, ...]
 
     @property
@@ -30,11 +27,7 @@ class Conditioning(Record):
 
 
 def conditioning(robot: Dynamics) -> Conditioning:
-    """Of the coordinates that move some mass.
-
-    Args:
-        robot: at its zero pose.
-    """
+    """Of the coordinates that move some mass."""
     matrix = robot.mass_matrix({})
     diagonal = np.diag(matrix)
     moving = np.flatnonzero(diagonal)

@@ -15,21 +15,16 @@ TIMEOUT = 60
 
 
 class PinocchioReading(Record):
-    """What Pinocchio says of a text.
+    """What Pinocchio says of a text."""
 
-    Attributes:
-        refusal: why it makes no model; empty if it does.
-        complaints: what it wrote to standard error, a sentence each, the first cause first.
-        nq, nv: numbers of a configuration and a velocity, the root fixed, followers counted.
-        mass: of all links, in kg.
-        center: of mass, all joints at zero, in the frame of the root, in m.
-    """
-
-    refusal: str
+    refusal: str  # why it makes no model; empty if it does
+    #: What it wrote to standard error, a sentence each, the first cause first.
     complaints: tuple[str, ...]
+    #: nq and nv: numbers of a configuration and a velocity, the root fixed, followers counted.
     nq: int = 0
     nv: int = 0
-    mass: float = 0.0
+    mass: float = 0.0  # of all links, in kg
+    #: Of mass, all joints at zero, in the frame of the root, in m.
     center: tuple[float, ...] = (0.0, 0.0, 0.0)
 
 

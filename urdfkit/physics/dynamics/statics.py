@@ -23,21 +23,13 @@ SAMPLES, SEED = 200, 0
 
 
 class Statics(Record):
-    """The loads of all joints, the weakest first: those with the largest part of effort used.
+    """The loads of all joints, the weakest first: those with the largest part of effort used."""
 
-    Attributes:
-        loads: of the joints that can be set.
-        poses: how many were looked at before the climbs.
-        mass: of the robot with its payload, in kg.
-        payload: masses in kg by link.
-        searched: False for more than `MAX_SEARCHED` joints, whose worst loads are those at zero.
-    """
-
-    loads: tuple[Load, ...]
-    poses: int
-    mass: float
-    payload: dict[str, float]
-    searched: bool
+    loads: tuple[Load, ...]  # of the joints that can be set
+    poses: int  # how many were looked at before the climbs
+    mass: float  # of the robot with its payload, in kg
+    payload: dict[str, float]  # masses in kg by link
+    searched: bool  # False for more than `MAX_SEARCHED` joints, whose worst loads are those at zero
 
     @property
     def weakest(self) -> Load | None:

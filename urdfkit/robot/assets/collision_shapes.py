@@ -30,35 +30,21 @@ RELATIVE = 0.05
 
 
 class CollisionProposal(Record):
-    """The collision of a link.
+    """The collision of a link."""
 
-    Attributes:
-        link: the link.
-        bodies: its visuals.
-        fits: for each visual, what was tried.
-        bounds: for each visual, the bound of the error in m.
-        reason: why nothing is proposed; empty if something is.
-    """
-
-    link: Link
-    bodies: tuple[Body, ...]
-    fits: tuple[Fits, ...]
-    bounds: tuple[float, ...]
-    reason: str = ""
+    link: Link  # the link
+    bodies: tuple[Body, ...]  # its visuals
+    fits: tuple[Fits, ...]  # for each visual, what was tried
+    bounds: tuple[float, ...]  # for each visual, the bound of the error in m
+    reason: str = ""  # why nothing is proposed; empty if something is
 
 
 class Edited(Record):
-    """What would be written.
+    """What would be written."""
 
-    Attributes:
-        files: the robot's files with the new collisions.
-        meshes: new mesh files, by path.
-        left: by name of a link, why it stays as it is.
-    """
-
-    files: tuple[Rewrite, ...]
-    meshes: dict[str, Mesh]
-    left: dict[str, str]
+    files: tuple[Rewrite, ...]  # the robot's files with the new collisions
+    meshes: dict[str, Mesh]  # new mesh files, by path
+    left: dict[str, str]  # by name of a link, why it stays as it is
 
     def write(self) -> list[str]:
         """Write the meshes and then the files that name them.
@@ -84,7 +70,6 @@ def propose(
     """A simple collision for links whose collision is missing or is the visual mesh itself.
 
     Args:
-        robot: the robot.
         error: how far a shape may stick out, in m; a twentieth of each mesh if not given.
         links: these links instead, whatever their collision is.
         most: convex pieces at most, of a visual.

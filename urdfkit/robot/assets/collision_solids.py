@@ -33,7 +33,6 @@ class CollisionSolids:
         """Of the shapes of a link at 1 kg/m³, in its frame; None if one of them is not known.
 
         Args:
-            link: with collisions.
             mesh_volume: ``unsigned`` as MuJoCo has it, ``signed``, or empty: meshes are not known.
         """
         parts: list[MassProperties] = []

@@ -15,10 +15,6 @@ if TYPE_CHECKING:
 def body_mesh(robot: Robot, body: Body) -> Mesh | None:
     """The triangles of a shape in m, in the frame of its visual or collision.
 
-    Args:
-        robot: the robot.
-        body: a visual or collision of it.
-
     Returns:
         None where the shape is no known primitive and its file cannot be loaded.
     """

@@ -44,11 +44,7 @@ class MeasuredMeshes:
         self._known: dict[str, Measures | str] = {}
 
     def measures(self, shape: Shape) -> Measures | str:
-        """Of the mesh of a shape; or why there are none, as a predicate whose subject is the file.
-
-        Args:
-            shape: a mesh.
-        """
+        """Of a mesh; or why there are none, as a predicate whose subject is the file."""
         path = self._files.path(shape)
         if path is None:
             return "is missing"
@@ -115,7 +111,6 @@ class MeasuredMeshes:
 
     @cached_property
     def defects(self) -> dict[MeshDefect, list[MeshUse]]:
-        """The meshes with each defect."""
         from urdfkit.robot.assets.mesh_defects import find_defects
 
         return find_defects(self.model, self.uses, self.files)

@@ -63,7 +63,6 @@ def find_defects(
     """The meshes with each defect.
 
     Args:
-        model: of the robot.
         uses: every use of a mesh, in the order of the document.
         files: one use of each file.
     """
@@ -111,7 +110,6 @@ def looks_like_millimetres(use: MeshUse, span: float) -> bool:
     """True for a mesh that is huge next to the robot, and of the size of a part in mm.
 
     Args:
-        use: the mesh.
         span: the size of the rest of the robot in m.
     """
     return use.longest > HUGE and 0 < HUGE_RATIO * span < use.longest

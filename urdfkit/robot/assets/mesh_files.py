@@ -22,27 +22,17 @@ MIN_COMMON_DIRECTORIES = 2
 
 
 class MeshReference(Record):
-    """A mesh that a visual or a collision names.
+    """A mesh that a visual or a collision names."""
 
-    Attributes:
-        at: the file name as it is after expansion.
-        link: the link.
-        role: ``visual`` or ``collision``.
-        body: the visual or collision.
-        located: where it leads.
-        facts: what the file's bytes say; None if there is no file.
-    """
-
-    at: Placed[str]
-    link: Link
-    role: str
-    body: Body
-    located: ResolvedReference
-    facts: MeshFacts | None
+    at: Placed[str]  # the file name as it is after expansion
+    link: Link  # the link
+    role: str  # ``visual`` or ``collision``
+    body: Body  # the visual or collision
+    located: ResolvedReference  # where it leads
+    facts: MeshFacts | None  # what the file's bytes say; None if there is no file
 
     @property
     def who(self) -> str:
-        """The subject of a message."""
         return f"link '{self.link.name}': the {self.role} mesh '{self.at.value}'"
 
     @property
@@ -53,17 +43,11 @@ class MeshReference(Record):
 
 
 class Suggestion(Record):
-    """A file that a reference probably means.
+    """A file that a reference probably means."""
 
-    Attributes:
-        reference: to write instead.
-        path: the file that it leads to.
-        sure: True if it is the only candidate.
-    """
-
-    reference: str
-    path: str
-    sure: bool
+    reference: str  # to write instead
+    path: str  # the file that it leads to
+    sure: bool  # True if it is the only candidate
 
 
 class MeshFiles:
@@ -126,7 +110,6 @@ class MeshFiles:
         return self.resolver.locate(name.value, _tag(name).source.path, self.top)
 
     def facts(self, path: str) -> MeshFacts:
-        """What the bytes of a file say."""
         if path not in self._facts:
             from urdfkit.mesh.io.sniff import sniff_file
 

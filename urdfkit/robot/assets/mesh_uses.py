@@ -14,29 +14,18 @@ from urdfkit.text.document import Attribute
 
 
 class MeshUse(Record):
-    """A mesh file in a visual or a collision of a link.
+    """A mesh file in a visual or a collision of a link."""
 
-    Attributes:
-        at: the file name as it is after expansion.
-        link: the link.
-        role: ``visual`` or ``collision``.
-        body: the visual or collision.
-        shape: the mesh in it.
-        path: of the file.
-        measures: of its triangles.
-    """
-
-    at: Placed[str]
-    link: Link
-    role: str
-    body: Body
-    shape: Shape
-    path: str
-    measures: Measures
+    at: Placed[str]  # the file name as it is after expansion
+    link: Link  # the link
+    role: str  # ``visual`` or ``collision``
+    body: Body  # the visual or collision
+    shape: Shape  # the mesh in it
+    path: str  # of the file
+    measures: Measures  # of its triangles
 
     @property
     def who(self) -> str:
-        """The subject of a message."""
         return f"link '{self.link.name}': the {self.role} mesh '{self.at.value}'"
 
     @property
@@ -85,5 +74,4 @@ class MeshUse(Record):
 
     @property
     def scale_at(self) -> Attribute | None:
-        """The attribute ``scale``, if there is one."""
         return self.shape.at.attributes.get("scale")

@@ -32,21 +32,13 @@ _ENOUGH = 0.5
 
 
 class GeneratedMesh(Record):
-    """A mesh that was made for a file.
+    """A mesh that was made for a file."""
 
-    Attributes:
-        path: where the file belongs.
-        references: that lead there.
-        defect: what is wrong with the file, such as ``does not exist``.
-        mesh: in the units of the file: with the scale of its reference it fits the robot.
-        reason: what it is and why.
-    """
-
-    path: str
-    references: tuple[MeshReference, ...]
-    defect: str
-    mesh: Mesh
-    reason: str
+    path: str  # where the file belongs
+    references: tuple[MeshReference, ...]  # that lead there
+    defect: str  # what is wrong with the file, such as ``does not exist``
+    mesh: Mesh  # in the units of the file: with the scale of its reference it fits the robot
+    reason: str  # what it is and why
 
     def write(self) -> list[str]:
         """Write the file and those that it needs; missing directories are created.
@@ -81,7 +73,6 @@ class GeneratedMeshes(Record):
 
     @classmethod
     def of(cls, results: Sequence[GeneratedMesh | NotGenerated]) -> GeneratedMeshes:
-        """Results, taken apart."""
         made = tuple(one for one in results if isinstance(one, GeneratedMesh))
         return cls(made, tuple(one for one in results if isinstance(one, NotGenerated)))
 
@@ -98,9 +89,6 @@ def generate_missing(robot: Robot) -> GeneratedMeshes:
     """Make a mesh for every file that a robot names and that is missing, empty or broken.
 
     Nothing is written: see `GeneratedMesh.write`.
-
-    Args:
-        robot: the robot.
     """
     return GeneratedMeshes.of([_make(robot, *unusable_file) for unusable_file in unusable(robot)])
 
@@ -116,11 +104,9 @@ def generate(
     """Make a mesh for one file that a robot names.
 
     Args:
-        robot: the robot.
         reference: as its ``filename`` says.
         part: what to make; chosen by the names if not given.
         size: edges in m, along the axes of the visual or collision; by the link if not given.
-        force: also where the file is a good mesh.
 
     Raises:
         NoSuchMesh: no shape of the robot has this reference.
@@ -148,10 +134,8 @@ def generate_part(
     """Make a part for a file that no robot names yet.
 
     Args:
-        path: of the file.
         part: what to make.
         size: its edges in m, along its own axes; true to life if not given.
-        force: also where the file is a good mesh.
 
     Raises:
         NoSuchSize: an edge is out of all bounds.

@@ -22,19 +22,12 @@ BUILDABLE = (1e-6, 1e4)
 
 
 class TargetBounds(Record):
-    """A box in the frame of a visual or collision.
+    """A box in the frame of a visual or collision."""
 
-    Attributes:
-        size: its edges in m, along the columns of ``frame.rotation``.
-        frame: its middle and its axes.
-        source: what it was taken from, such as ``the collision``.
-        measured: False if it is only guessed from mass and inertia.
-    """
-
-    size: Vector
-    frame: Transform
-    source: str
-    measured: bool
+    size: Vector  # its edges in m, along the columns of ``frame.rotation``
+    frame: Transform  # its middle and its axes
+    source: str  # what it was taken from, such as ``the collision``
+    measured: bool  # False if it is only guessed from mass and inertia
 
 
 def target_bounds(
@@ -43,8 +36,6 @@ def target_bounds(
     """The bounds of a shape of a link, from its other shapes, else from its inertia.
 
     Args:
-        robot: the robot.
-        link: of it.
         body: the visual or collision whose bounds are wanted.
         axes: of the bounds, as columns, in the frame of that body.
     """

@@ -39,7 +39,6 @@ class Meshes:
         """The vertices of a shape in m, (n, 3), in the frame of its visual or collision.
 
         Args:
-            shape: a mesh.
             unit: apply the unit of length that a COLLADA file states, as RViz and Gazebo do;
                 Pinocchio, coal and MoveIt do not.
         """

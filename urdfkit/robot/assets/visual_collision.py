@@ -62,29 +62,19 @@ class Mismatch(Enum):
 
 
 class QuarterTurn(Record):
-    """A rotation by which one of the two coincides with the other.
+    """A rotation by which one of the two coincides with the other."""
 
-    Attributes:
-        body: the visual or collision to rotate.
-        rpy: of its ``<origin>`` after that, in rad.
-        overlap: common volume by that of both together, after that.
-    """
-
-    body: Body
-    rpy: Vector
-    overlap: float
+    body: Body  # the visual or collision to rotate
+    rpy: Vector  # of its ``<origin>`` after that, in rad
+    overlap: float  # common volume by that of both together, after that
 
 
 class VisualCollisionPair:
-    """The collisions and the visuals of a link.
-
-    Attributes:
-        link: the link.
-        collision, visual: all its collisions, and all its visuals, as solids.
-    """
+    """The collisions and the visuals of a link."""
 
     def __init__(self, link: Link, collision: LinkSolid, visual: LinkSolid) -> None:
-        self.link = link
+        self.link = link  # the link
+        #: collision and visual: all its collisions, and all its visuals, as solids.
         self.collision = collision
         self.visual = visual
 
@@ -282,6 +272,5 @@ def _is_mesh(one: LinkSolid) -> bool:
 
 
 def _form(shape: Shape) -> tuple[object, ...]:
-    """What a shape is, wherever it is."""
     name = shape.filename.value if shape.filename else ""
     return (shape.kind, shape.size, shape.radius, shape.length, name, shape.scale)

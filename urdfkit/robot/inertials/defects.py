@@ -75,7 +75,6 @@ def find_defects(
     """The links with each defect.
 
     Args:
-        inertias: of the links of a robot.
         matters: True for a moment in kg·m² that is a noticeable part of a rigid body's.
         by_macro: names of links whose tensor a macro gives to links of different mass.
     """

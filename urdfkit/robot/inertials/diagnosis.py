@@ -54,17 +54,11 @@ MAX_RELATED = 20
 
 
 class Diagnosis(Record):
-    """What is probably wrong with a tensor.
+    """What is probably wrong with a tensor."""
 
-    Attributes:
-        cause: after "the tensor", such as ``is in g mm^2``; empty if nothing explains it.
-        tensor: the intended one, in kg·m²; None if it is unknown.
-        confidence: how sure the proposal is.
-    """
-
-    cause: str
-    tensor: Tensor | None
-    confidence: Confidence
+    cause: str  # after "the tensor", such as ``is in g mm^2``; empty if nothing explains it
+    tensor: Tensor | None  # the intended one, in kg·m²; None if it is unknown
+    confidence: Confidence  # how sure the proposal is
 
     def __str__(self) -> str:
         """The cause and what to do, in one line; empty without a cause and a tensor."""

@@ -1,7 +1,5 @@
 """A link with a mass and an inertia tensor, compared with its shapes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 from math import inf
@@ -42,16 +40,7 @@ MARKER = 0.005
 
 
 class LinkInertia:
-    """A link with a mass and an inertia tensor.
-
-    Attributes:
-        link: the link.
-        inertial: where mass and tensor stand.
-        mass: in kg, more than 0.
-        tensor: as written: about the centre of mass, along the axes of the ``<inertial>``.
-        at: the ``<inertia>``.
-        body: the rigid body that the link is a part of.
-    """
+    """A link with a mass and an inertia tensor."""
 
     def __init__(
         self,
@@ -63,17 +52,17 @@ class LinkInertia:
     ) -> None:
         at = inertial.at.child("inertia")
         assert at is not None
-        self.link = link
-        self.inertial = inertial
-        self.mass = link.mass
+        self.link = link  # the link
+        self.inertial = inertial  # where mass and tensor stand
+        self.mass = link.mass  # in kg, more than 0
+        #: As written: about the centre of mass, along the axes of the ``<inertial>``.
         self.tensor = tensor
-        self.at = at
-        self.body = body
+        self.at = at  # the ``<inertia>``
+        self.body = body  # the rigid body that the link is a part of
         self._mesh_solid = mesh_solid
 
     @property
     def name(self) -> str:
-        """Of the link."""
         return self.link.name
 
     @cached_property

@@ -13,7 +13,6 @@ from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.editing.edits import insert_behind, replace
 from urdfkit.text.source import Span
-from urdfkit.workspace.includes import is_included
 
 if TYPE_CHECKING:
     from urdfkit.robot import DescribedRobot
@@ -47,24 +46,17 @@ _PART = r"(?:\$\{[^}]*\}|\$\([^)]*\)|[^\s$])+"
 
 
 class _MacroCall(Record):
-    """A macro call that can be written anew.
+    """A macro call that can be written anew."""
 
-    Attributes:
-        at: its tag.
-        kind: of the shape of the links that it is for.
-        arguments: for the new macro, as text.
-    """
-
-    at: Tag
-    kind: str
-    arguments: tuple[tuple[str, str], ...]
+    at: Tag  # its tag
+    kind: str  # of the shape of the links that it is for
+    arguments: tuple[tuple[str, str], ...]  # for the new macro, as text
 
 
 def computing(description: DescribedRobot, links: list[Link], tensor: Tag) -> Fix | None:
     """Macros for the shapes of some links, and calls of these in the place of one.
 
     Args:
-        description: the description.
         links: those that the macro gives the tensor.
         tensor: the ``<inertia>`` in the macro.
     """
@@ -199,15 +191,10 @@ def _names(description: DescribedRobot, kinds: set[str]) -> dict[str, str] | Non
 def _is_only_use(description: DescribedRobot, tensor: Tag, links: list[Link]) -> bool:
     """True if nothing but these links uses a macro that other files cannot include."""
     is_private = tensor.source is description.source and description.xacro.is_complete
-    return (
-        description.uses[tensor] == len(links)
-        and is_private
-        and not is_included(description.source.path, description.resolver.packages)
-    )
+    return description.uses[tensor] == len(links) and is_private and not description.is_included
 
 
 def _macro(kind: str, name: str) -> list[str]:
-    """The lines of a macro."""
     parameters, (ixx, iyy, izz) = _MOMENTS[kind]
     params = f"mass {' '.join(parameters)} xyz:='0 0 0' rpy:='0 0 0'"
     return [
@@ -233,7 +220,6 @@ def _defined(definition: Tag, lines: list[str], *, instead: bool) -> tuple[Edit,
 
 
 def _edit(call: _MacroCall, names: dict[str, str]) -> Edit:
-    """The new call."""
     whole: Span = call.at.whole_span
     arguments = "".join(f' {name}="{text}"' for name, text in call.arguments)
     return Edit(whole, f"<xacro:{names[call.kind]}{arguments}/>")

@@ -44,11 +44,6 @@ class Masses:
     Args:
         model, tree: of the robot.
         mesh_solid: measures visuals and collisions that are meshes; without it they are left out.
-
-    Attributes:
-        model, tree: of the robot.
-        bodies: the rigid bodies, each before its children.
-        total: the mass of all links in kg.
     """
 
     def __init__(
@@ -58,10 +53,11 @@ class Masses:
         mesh_solid: Callable[[Body], MeshSolid | None] | None = None,
     ) -> None:
         self._mesh_solid = mesh_solid
+        #: model and tree: of the robot.
         self.model = model
         self.tree = tree
-        self.bodies = rigid_bodies(tree)
-        self.total = model.mass
+        self.bodies = rigid_bodies(tree)  # the rigid bodies, each before its children
+        self.total = model.mass  # the mass of all links in kg
         self._moments: dict[str, tuple[float, float, float]] = {}
 
     @cached_property

@@ -27,17 +27,11 @@ SOURCES = ("auto", "collision", "visual", "hull")
 
 
 class ShapeMass(Record):
-    """What some shapes enclose.
+    """What some shapes enclose."""
 
-    Attributes:
-        properties: in the frame of the link; the mass is the volume in m^3.
-        source: such as ``the collision`` or ``the hull of the visual``.
-        notes: what a reader should know, such as that shapes may overlap.
-    """
-
-    properties: MassProperties
-    source: str
-    notes: tuple[str, ...] = ()
+    properties: MassProperties  # in the frame of the link; the mass is the volume in m^3
+    source: str  # such as ``the collision`` or ``the hull of the visual``
+    notes: tuple[str, ...] = ()  # what a reader should know, such as that shapes may overlap
 
     def weighing(self, mass: float) -> MassProperties:
         """The same with uniform density and a mass in kg."""
@@ -50,7 +44,6 @@ def shape_mass(link: Link, source: str, measures: Measure) -> ShapeMass | str:
     """What the shapes of a link enclose, or why that is not known.
 
     Args:
-        link: the link.
         source: one of `SOURCES`; ``auto`` is the collision, else the visual, and ``hull`` is the
             convex hull of every mesh of those.
         measures: measures a mesh, or says why it cannot: `Context.measures`.

@@ -40,23 +40,15 @@ _NOISE = 1e-6
 
 
 class InertiaProposal(Record):
-    """The inertia of a link, or of the rigid body that it is the topmost link of.
+    """The inertia of a link, or of the rigid body that it is the topmost link of."""
 
-    Attributes:
-        link: the link.
-        links: names of all links of the body; one unless they were lumped together.
-        declared: in the frame of the link, along its axes; None where it says nothing usable.
-        shape_mass: what its shapes enclose; None where that is not known.
-        computed: with uniform density; None where shapes or mass are not known.
-        reason: why nothing is computed; empty if it is.
-    """
-
-    link: Link
-    links: tuple[str, ...]
+    link: Link  # the link
+    links: tuple[str, ...]  # names of all links of the body; one unless they were lumped together
+    #: In the frame of the link, along its axes; None where it says nothing usable.
     declared: MassProperties | None
-    shape_mass: ShapeMass | None
-    computed: MassProperties | None
-    reason: str
+    shape_mass: ShapeMass | None  # what its shapes enclose; None where that is not known
+    computed: MassProperties | None  # with uniform density; None where shapes or mass are not known
+    reason: str  # why nothing is computed; empty if it is
 
     @property
     def factor(self) -> float:
@@ -126,7 +118,6 @@ def propose(
     """Declared against computed, for every link that has a shape or an inertia.
 
     Args:
-        robot: the robot.
         source: what to compute from, one of `urdfkit.robot.inertials.shape_mass.SOURCES`.
         mass: of each link in kg, instead of the declared one.
         density: in kg/m³, that gives the mass instead.

@@ -11,18 +11,12 @@ _ROLES = ("required", "positive")
 
 
 class Parameters(Record):
-    """The parameters of one class of controller.
+    """The parameters of one class of controller."""
 
-    Attributes:
-        required: names of those without which it does not start.
-        positive: of the numbers that must be above 0.
-        types: ``bool``, ``int``, ``double``, ``string`` or ``..._array`` by name, where all
-            versions agree; ``*`` stands for the name of a joint. None is known in ROS 1, which is
-            lenient.
-    """
-
-    required: tuple[str, ...]
-    positive: tuple[str, ...]
+    required: tuple[str, ...]  # names of those without which it does not start
+    positive: tuple[str, ...]  # of the numbers that must be above 0
+    #: ``bool``, ``int``, ``double``, ``string`` or ``..._array`` by name, where all versions agree;
+    #: ``*`` stands for the name of a joint. None is known in ROS 1, which is lenient.
     types: dict[str, str]
 
     def type_of(self, name: str) -> str | None:
@@ -58,7 +52,6 @@ def successor(controller: str) -> str | None:
 
 
 def classes(ros: int) -> list[str]:
-    """The classes of ros_controllers or ros2_controllers."""
     return list(data("controllers")[f"ros{ros}"])
 
 

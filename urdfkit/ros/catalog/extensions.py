@@ -9,21 +9,14 @@ from urdfkit.ros.catalog import data, record
 
 
 class Extension(Record):
-    """A tag that the converter handles by name.
+    """A tag that the converter handles by name."""
 
-    Attributes:
-        tag: its name.
-        on: what the block must refer to: ``link``, ``joint``, ``model`` (nothing) or ``any``.
-        type: ``float``, ``int``, ``bool``, ``vector3``, ``string``, ``container`` or ``any``.
-        unit: of the number; empty if it has none.
-        words: of a bool: ``yes`` if only true, yes and 1 mean true, ``no`` if only false, no and
-            0 mean false; empty for the other types.
-    """
-
-    tag: str
-    on: str
-    type: str
-    unit: str = ""
+    tag: str  # its name
+    on: str  # what the block must refer to: ``link``, ``joint``, ``model`` (nothing) or ``any``
+    type: str  # ``float``, ``int``, ``bool``, ``vector3``, ``string``, ``container`` or ``any``
+    unit: str = ""  # of the number; empty if it has none
+    #: Of a bool: ``yes`` if only true, yes and 1 mean true, ``no`` if only false, no and 0 mean
+    #: false; empty for the other types.
     words: str = ""
 
 

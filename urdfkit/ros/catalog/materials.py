@@ -9,20 +9,14 @@ from urdfkit.ros.catalog import data, record
 
 
 class GazeboMaterial(Record):
-    """A material script of Gazebo.
+    """A material script of Gazebo."""
 
-    Attributes:
-        name: as a model must write it.
-        rgba: a colour for it, each from 0 to 1; None where it has none.
-        kind: ``textured``, or empty.
-        internal: True if it is for the renderer itself.
-        gz_diffuse: the colour that gz-sim 7 and later draw instead; None if it is the same.
-    """
-
-    name: str
+    name: str  # as a model must write it
+    #: A colour for it, each from 0 to 1; None where it has none.
     rgba: tuple[float, ...] | None = None
-    kind: str = ""
-    internal: bool = False
+    kind: str = ""  # ``textured``, or empty
+    internal: bool = False  # True if it is for the renderer itself
+    #: The colour that gz-sim 7 and later draw instead; None if it is the same.
     gz_diffuse: tuple[float, ...] | None = None
 
     @property

@@ -40,87 +40,54 @@ _ROS2_CONTROL = r"(?:.*/)?(?:lib)?((?:gz|ign)_ros2_control-system)(?:\.so)?$"
 
 
 class Parameter(Record):
-    """A tag that a plugin reads.
+    """A tag that a plugin reads."""
 
-    Attributes:
-        name: its path in the plugin, such as ``leftJoint``, ``ros/namespace`` or ``wheel/@name``.
-        type: ``float``, ``bool``, ``frame``, one of ``REFERENCES`` and so on.
-        required: True if the plugin does nothing, or fails, without it.
-        default: as text; None if there is none, or it is found at run time.
-        words: the values that it may have, or of a link, that are not looked up; empty if any.
-    """
-
-    name: str
-    type: str
-    required: bool
-    default: str | None
+    name: str  # its path in the plugin, such as ``leftJoint``, ``ros/namespace`` or ``wheel/@name``
+    type: str  # ``float``, ``bool``, ``frame``, one of ``REFERENCES`` and so on
+    required: bool  # True if the plugin does nothing, or fails, without it
+    default: str | None  # as text; None if there is none, or it is found at run time
+    #: The values that it may have, or of a link, that are not looked up; empty if any.
     words: tuple[str, ...] = ()
 
 
 class Drive(Record):
-    """How a plugin drives a robot.
+    """How a plugin drives a robot."""
 
-    Attributes:
-        separation: its parameter with the distance of left and right wheels; empty if it has none.
-        size: its parameter with the size of the wheels.
-        diameter: True if that is the diameter, False if it is the radius.
-        steered: True if wheels are steered, so that left and right say nothing about turning.
-        slips: True if turning makes the wheels slip, so that a larger separation is often given.
-    """
-
+    #: Its parameter with the distance of left and right wheels; empty if it has none.
     separation: str = ""
-    size: str = ""
-    diameter: bool = False
+    size: str = ""  # its parameter with the size of the wheels
+    diameter: bool = False  # True if that is the diameter, False if it is the radius
+    #: True if wheels are steered, so that left and right say nothing about turning.
     steered: bool = False
+    #: True if turning makes the wheels slip, so that a larger separation is often given.
     slips: bool = False
 
 
 class Plugin(Record):
-    """A plugin of one generation.
+    """A plugin of one generation."""
 
-    Attributes:
-        id: the library and the generation.
-        files: the names that it is loaded by.
-        generation: ``classic-ros1``, ``classic-ros2``, ``classic`` (without ROS) or ``gz``.
-        kinds: what it belongs in: ``model``, ``sensor``, ``visual``, ``world``, ``system``...
-        parameters: the tags that it reads, by path.
-        fortress_files: those in Gazebo Fortress; empty if it is not there.
-        sensors: the types of sensor that it serves; empty if it says nothing about them.
-        package: that has it; empty if removed.
-        class_name: of gz; the ``name`` that the model must give. Empty elsewhere.
-        fortress_class: the same in Fortress.
-        removed: True if the generation has no such library any more.
-        successor: file name of what replaces it in the next generation, or None.
-        advice: what else to do then.
-        missing: what happens if a link or joint that it names is not there.
-        open: children of which it reads anything; ``*`` for all.
-        patterns: regular expressions of more names that it reads.
-        node: True if its name becomes that of a ROS node.
-        any_of: parameters of which one is required.
-        drive: how it drives a robot with wheels; None if it is no drive.
-        moves: of what moves a single joint, the parameter that names it; ``*`` for any.
-    """
-
-    id: str
-    files: tuple[str, ...]
-    generation: str
+    id: str  # the library and the generation
+    files: tuple[str, ...]  # the names that it is loaded by
+    generation: str  # ``classic-ros1``, ``classic-ros2``, ``classic`` (without ROS) or ``gz``
+    #: What it belongs in: ``model``, ``sensor``, ``visual``, ``world``, ``system``...
     kinds: tuple[str, ...]
-    parameters: dict[str, Parameter]
-    fortress_files: tuple[str, ...] = ()
+    parameters: dict[str, Parameter]  # the tags that it reads, by path
+    fortress_files: tuple[str, ...] = ()  # those in Gazebo Fortress; empty if it is not there
+    #: The types of sensor that it serves; empty if it says nothing about them.
     sensors: tuple[str, ...] = ()
-    package: str = ""
-    class_name: str = ""
-    fortress_class: str = ""
-    removed: bool = False
-    successor: str | None = None
-    advice: str = ""
-    missing: str = ""
-    open: tuple[str, ...] = ()
-    patterns: tuple[str, ...] = ()
-    node: bool = False
-    any_of: tuple[str, ...] = ()
-    drive: Drive | None = None
-    moves: str = ""
+    package: str = ""  # that has it; empty if removed
+    class_name: str = ""  # of gz; the ``name`` that the model must give. Empty elsewhere
+    fortress_class: str = ""  # the same in Fortress
+    removed: bool = False  # True if the generation has no such library any more
+    successor: str | None = None  # file name of what replaces it in the next generation, or None
+    advice: str = ""  # what else to do then
+    missing: str = ""  # what happens if a link or joint that it names is not there
+    open: tuple[str, ...] = ()  # children of which it reads anything; ``*`` for all
+    patterns: tuple[str, ...] = ()  # regular expressions of more names that it reads
+    node: bool = False  # True if its name becomes that of a ROS node
+    any_of: tuple[str, ...] = ()  # parameters of which one is required
+    drive: Drive | None = None  # how it drives a robot with wheels; None if it is no drive
+    moves: str = ""  # of what moves a single joint, the parameter that names it; ``*`` for any
 
     def reads(self, path: str) -> bool:
         """True if it reads a tag or an attribute at a path in it, or something inside that tag."""
@@ -151,7 +118,6 @@ def _numbers() -> dict[str, list[tuple[str, int]]]:
 
 
 def files() -> tuple[str, ...]:
-    """Every file name of every plugin."""
     return tuple(_numbers())
 
 
@@ -202,7 +168,6 @@ def find(filename: str) -> tuple[Plugin, ...]:
 
 
 def all_plugins() -> tuple[Plugin, ...]:
-    """Every plugin of every generation."""
     return tuple(
         _plugin(generation, number)
         for generation, content in _content().items()

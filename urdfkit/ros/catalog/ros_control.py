@@ -10,63 +10,40 @@ from urdfkit.ros.catalog import data, record
 
 
 class ControlTag(Record):
-    """A tag in ``<ros2_control>``.
+    """A tag in ``<ros2_control>``."""
 
-    Attributes:
-        attributes, children: that it may have.
-        required: those of both without which the parser stops.
-    """
-
+    #: attributes and children: that it may have.
     attributes: tuple[str, ...]
     children: tuple[str, ...]
-    required: frozenset[str]
+    required: frozenset[str]  # those of both without which the parser stops
 
 
 class Hardware(Record):
-    """A hardware plugin of a simulator.
+    """A hardware plugin of a simulator."""
 
-    Attributes:
-        name: the class, as ``<plugin>`` writes it.
-        simulator: for people.
-        control: the control plugin that loads it, by the name that ``control_plugins`` has.
-        commands: the only command interfaces that its joints have.
-    """
-
-    name: str
-    simulator: str
-    control: str
-    commands: tuple[str, ...]
+    name: str  # the class, as ``<plugin>`` writes it
+    simulator: str  # for people
+    control: str  # the control plugin that loads it, by the name that ``control_plugins`` has
+    commands: tuple[str, ...]  # the only command interfaces that its joints have
 
 
 class Measure(Record):
-    """A parameter of a controller that repeats what the model says.
+    """A parameter of a controller that repeats what the model says."""
 
-    Attributes:
-        parameter: its name.
-        kind: ``radius``, ``separation`` (of two sides, along the axle), ``track`` (of the joints in
-            one list, along the axle) or ``wheelbase`` (of two axles). In metres.
-        sides: for each side or axle, the parameters that name its joints.
-    """
-
-    parameter: str
+    parameter: str  # its name
+    #: ``radius``, ``separation`` (of two sides, along the axle), ``track`` (of the joints in one
+    #: list, along the axle) or ``wheelbase`` (of two axles). In metres.
     kind: str
-    sides: tuple[tuple[str, ...], ...]
+    sides: tuple[tuple[str, ...], ...]  # for each side or axle, the parameters that name its joints
 
 
 class ControllerType(Record):
-    """A type of controller.
+    """A type of controller."""
 
-    Attributes:
-        joints: the parameters that name joints.
-        measures: those that are lengths.
-        interface: the command interface that it needs of each joint; empty if it differs.
-        interfaces: the parameter that names the command interfaces; empty without one.
-    """
-
-    joints: tuple[str, ...]
-    measures: tuple[Measure, ...]
-    interface: str = ""
-    interfaces: str = ""
+    joints: tuple[str, ...]  # the parameters that name joints
+    measures: tuple[Measure, ...]  # those that are lengths
+    interface: str = ""  # the command interface that it needs of each joint; empty if it differs
+    interfaces: str = ""  # the parameter that names the command interfaces; empty without one
 
 
 def words(subject: str, kind: str) -> list[str]:
@@ -81,7 +58,6 @@ def words(subject: str, kind: str) -> list[str]:
 
 
 def component_types() -> list[str]:
-    """What ``<ros2_control type>`` may be."""
     return list(data("ros_control")["types"])
 
 
@@ -110,7 +86,6 @@ def _tag(entry: dict[str, list[str]]) -> ControlTag:
 
 @cache
 def hardware() -> dict[str, Hardware]:
-    """The hardware plugins of simulators, by class."""
     entries = data("ros_control")["hardware"]
     return {name: record(Hardware, entry, name=name) for name, entry in entries.items()}
 

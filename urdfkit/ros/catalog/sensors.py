@@ -9,24 +9,19 @@ from urdfkit.ros.catalog import data, record
 
 
 class SensorType(Record):
-    """A type of sensor.
+    """A type of sensor."""
 
-    Attributes:
-        blocks: the children that may hold its settings; empty if it has none.
-        classic, gz: True if Gazebo Classic, or gz-sim, makes it.
-        gz_name, classic_name: what it is called there, if otherwise.
-    """
-
-    blocks: tuple[str, ...]
+    blocks: tuple[str, ...]  # the children that may hold its settings; empty if it has none
+    #: classic and gz: true if Gazebo Classic, or gz-sim, makes it.
     classic: bool
     gz: bool
+    #: gz_name and classic_name: what it is called there, if otherwise.
     gz_name: str | None
     classic_name: str | None
 
 
 @cache
 def types() -> dict[str, SensorType]:
-    """Every type, by name."""
     return {name: record(SensorType, entry) for name, entry in data("sensors")["types"].items()}
 
 
@@ -38,16 +33,11 @@ def children() -> frozenset[str]:
 
 
 class Setting(Record):
-    """An element, or with ``@`` an attribute, in the block that holds a sensor's settings.
+    """An element, or with ``@`` an attribute, in the block that holds a sensor's settings."""
 
-    Attributes:
-        type: ``container``, ``float``, ``int``, ``uint``, ``bool``, ``string``, ``vector3``...
-        words: the values that it may have; empty if any.
-        minimum, maximum: bounds of a number; None without one.
-    """
-
-    type: str
-    words: tuple[str, ...] = ()
+    type: str  # ``container``, ``float``, ``int``, ``uint``, ``bool``, ``string``, ``vector3``...
+    words: tuple[str, ...] = ()  # the values that it may have; empty if any
+    #: minimum and maximum: bounds of a number; None without one.
     minimum: float | None = None
     maximum: float | None = None
 

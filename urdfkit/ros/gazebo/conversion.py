@@ -36,17 +36,11 @@ WORLD = "world"
 
 
 class Converter(Record):
-    """How a generation of sdformat drops links.
+    """How a generation of sdformat drops links."""
 
-    Attributes:
-        name: of its versions.
-        least_mass: a link of this mass in kg or less counts as massless.
-        stops_at_merged: True if a massless link that is merged loses the joints below it.
-    """
-
-    name: str
-    least_mass: float
-    stops_at_merged: bool
+    name: str  # of its versions
+    least_mass: float  # a link of this mass in kg or less counts as massless
+    stops_at_merged: bool  # True if a massless link that is merged loses the joints below it
 
 
 OLD = Converter("sdformat before 9.10.1 and 12.7.2", NO_MASS, True)
@@ -54,14 +48,10 @@ NEW = Converter("sdformat from 9.10.1 and 12.7.2", 0.0, False)
 
 
 class SimulatedLink:
-    """A link as Gazebo has it.
-
-    Attributes:
-        body: the links of the URDF that it is made of.
-    """
+    """A link as Gazebo has it."""
 
     def __init__(self, body: RigidBody, tree: KinematicTree) -> None:
-        self.body = body
+        self.body = body  # the links of the URDF that it is made of
         self._tree = tree
 
     @property
@@ -70,7 +60,6 @@ class SimulatedLink:
 
     @cached_property
     def properties(self) -> MassProperties:
-        """Of all the links together."""
         return self.body.properties
 
     @cached_property

@@ -27,21 +27,13 @@ _APART = 0.01
 
 
 class DrivenWheel(Record):
-    """A wheel in the frame of the root, when all joints are at zero.
+    """A wheel in the frame of the root, when all joints are at zero."""
 
-    Attributes:
-        joint: that turns it.
-        axis: of the joint, of length 1.
-        hub: the centre of its tyre if the shape is known, else None.
-        radius: in m, if the shape is known.
-        origin: of the joint.
-    """
-
-    joint: Joint
-    axis: Vector
-    hub: Vector | None
-    radius: float | None
-    origin: Vector
+    joint: Joint  # that turns it
+    axis: Vector  # of the joint, of length 1
+    hub: Vector | None  # the centre of its tyre if the shape is known, else None
+    radius: float | None  # in m, if the shape is known
+    origin: Vector  # of the joint
 
     @property
     def center(self) -> Vector:
@@ -54,17 +46,11 @@ class DrivenWheel(Record):
 
 
 class Wheel(Record):
-    """A wheel that a drive plugin turns.
+    """A wheel that a drive plugin turns."""
 
-    Attributes:
-        reference: the parameter that names its joint.
-        side: ``left`` or ``right``; empty if the parameter does not say.
-        rolling: where it is, and how it turns.
-    """
-
-    reference: Reference
-    side: str
-    rolling: DrivenWheel
+    reference: Reference  # the parameter that names its joint
+    side: str  # ``left`` or ``right``; empty if the parameter does not say
+    rolling: DrivenWheel  # where it is, and how it turns
 
 
 def drive_of(use: PluginUse) -> Drive | None:

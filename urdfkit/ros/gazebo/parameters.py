@@ -9,17 +9,11 @@ from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 
 
 class UnreadParameter(Record):
-    """A tag that a plugin does not read.
+    """A tag that a plugin does not read."""
 
-    Attributes:
-        item: the tag.
-        other: the plugin of another generation that reads it, or None.
-        suggested: the tag that it is probably a typo of, or None.
-    """
-
-    item: PluginParameter
-    other: Plugin | None
-    suggested: str | None
+    item: PluginParameter  # the tag
+    other: Plugin | None  # the plugin of another generation that reads it, or None
+    suggested: str | None  # the tag that it is probably a typo of, or None
 
 
 def unread(use: PluginUse) -> list[UnreadParameter]:

@@ -36,24 +36,14 @@ _TEXTS = (
 
 
 class ResourcePaths(Record):
-    """What the files of a workspace say.
+    """What the files of a workspace say."""
 
-    Attributes:
-        starter: a launch file that starts Gazebo; None if there is none.
-        is_reported: True if a file mentions Gazebo's resource path, or not all could be read.
-    """
-
-    starter: str | None
-    is_reported: bool
+    starter: str | None  # a launch file that starts Gazebo; None if there is none
+    is_reported: bool  # True if a file mentions Gazebo's resource path, or not all could be read
 
 
 def survey(root: str, directories: Directories) -> ResourcePaths:
-    """Look through the text files of a workspace, within bounds.
-
-    Args:
-        root: the directory.
-        directories: cached listings of directories.
-    """
+    """Look through the text files of a workspace, within bounds."""
     files = [
         path for path in directories.files_below(root, MAX_DIRECTORIES) if path.endswith(_TEXTS)
     ]

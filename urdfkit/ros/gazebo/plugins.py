@@ -24,17 +24,11 @@ _GAZEBO_ROS = ("gazebo_plugins", "gazebo_ros", "gazebo_ros_control", "gazebo_ros
 
 
 class PluginParameter(Record):
-    """A tag or an attribute in a plugin.
+    """A tag or an attribute in a plugin."""
 
-    Attributes:
-        path: from the plugin, such as ``leftJoint`` or ``wheel/@link_name``.
-        at: the element or attribute.
-        text: its value, without the white space around it.
-    """
-
-    path: str
-    at: Element | Attribute
-    text: str
+    path: str  # from the plugin, such as ``leftJoint`` or ``wheel/@link_name``
+    at: Element | Attribute  # the element or attribute
+    text: str  # its value, without the white space around it
 
 
 class Reference(Record):
@@ -51,19 +45,14 @@ class Reference(Record):
 
 
 class PluginUse:
-    """A ``<plugin>`` of a model.
-
-    Attributes:
-        at: its element.
-        block: the ``<gazebo>`` that it is in.
-        known: what its file name means, one plugin of each generation; empty if unknown.
-        plugin: the one of them that the Gazebo which the robot is for loads, or None.
-    """
+    """A ``<plugin>`` of a model."""
 
     def __init__(self, at: Element, block: Element, wanted: Collection[str]) -> None:
-        self.at = at
-        self.block = block
+        self.at = at  # its element
+        self.block = block  # the ``<gazebo>`` that it is in
+        #: What its file name means, one plugin of each generation; empty if unknown.
         self.known = find((at.get("filename") or "").strip())
+        #: The one of them that the Gazebo which the robot is for loads, or None.
         self.plugin = self._loaded(wanted)
 
     def _loaded(self, wanted: Collection[str]) -> Plugin | None:
@@ -87,7 +76,6 @@ class PluginUse:
 
     @property
     def title(self) -> str:
-        """For messages."""
         return f"plugin '{self.name}' ({self.filename})"
 
     @property
@@ -121,7 +109,6 @@ class PluginUse:
             stack += [(f"{path}/", child) for child in reversed(element.children)]
 
     def values(self, path: str) -> list[PluginParameter]:
-        """The tags or attributes at a path."""
         return [item for item in self.items if item.path == path]
 
     def value(self, path: str) -> str:

@@ -38,19 +38,12 @@ CODES = ALWAYS | SOMETIMES | IN_JOINTS | OF_ROOT | BY_GZ
 
 
 class Rejection(Record):
-    """Why there will be no robot.
+    """Why there will be no robot."""
 
-    Attributes:
-        reader: that rejects it: ``libsdformat``, which converts it for every Gazebo, or ``gz``.
-        code: of the rule that reports it; empty if none does.
-        message: what is wrong.
-        span: where it stands.
-    """
-
-    reader: str
-    code: str
-    message: str
-    span: Span
+    reader: str  # that rejects it: ``libsdformat``, which converts it for every Gazebo, or ``gz``
+    code: str  # of the rule that reports it; empty if none does
+    message: str  # what is wrong
+    span: Span  # where it stands
 
 
 def rejections(diagnostics: Iterable[Diagnostic], conversion: Conversion) -> list[Rejection]:
@@ -58,7 +51,6 @@ def rejections(diagnostics: Iterable[Diagnostic], conversion: Conversion) -> lis
 
     Args:
         diagnostics: of the rules in `CODES`, at least.
-        conversion: of the robot.
     """
     found = list(_reported(diagnostics))
     if not found and not (conversion.links or conversion.added_links):

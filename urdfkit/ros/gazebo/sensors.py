@@ -16,18 +16,13 @@ if TYPE_CHECKING:
 
 
 class Sensor(Record):
-    """A ``<sensor>``.
+    """A ``<sensor>``."""
 
-    Attributes:
-        at: its element.
-        name, type: as written; empty where there is none.
-        reference: the link or joint of the ``<gazebo>`` around it; empty without one.
-    """
-
-    at: Element
+    at: Element  # its element
+    #: name and type: as written; empty where there is none.
     name: str
     type: str
-    reference: str
+    reference: str  # the link or joint of the ``<gazebo>`` around it; empty without one
 
     @property
     def who(self) -> str:
@@ -57,19 +52,12 @@ class Sensor(Record):
 
 
 class SettingElement(Record):
-    """An element in the block that holds a sensor's settings.
+    """An element in the block that holds a sensor's settings."""
 
-    Attributes:
-        at: the element.
-        parent: the tag around it.
-        path: that leads to it from the block.
-        known: the settings that the block may have, by path.
-    """
-
-    at: Element
-    parent: str
-    path: str
-    known: Mapping[str, Setting]
+    at: Element  # the element
+    parent: str  # the tag around it
+    path: str  # that leads to it from the block
+    known: Mapping[str, Setting]  # the settings that the block may have, by path
 
     @property
     def setting(self) -> Setting | None:

@@ -16,23 +16,14 @@ if TYPE_CHECKING:
 
 
 class GazeboTopic(Record):
-    """A topic of a robot.
+    """A topic of a robot."""
 
-    Attributes:
-        who: for messages.
-        message: of Gazebo, such as ``LaserScan``.
-        name: without slashes around it; ``*`` stands for the names of the world and the robot.
-        is_read: True if the robot reads it, as it does with commands.
-        is_default: True if the description does not name it.
-        is_system: True for that of a plugin.
-    """
-
-    who: str
-    message: str
-    name: str
-    is_read: bool = False
-    is_default: bool = False
-    is_system: bool = False
+    who: str  # for messages
+    message: str  # of Gazebo, such as ``LaserScan``
+    name: str  # without slashes around it; ``*`` stands for the names of the world and the robot
+    is_read: bool = False  # True if the robot reads it, as it does with commands
+    is_default: bool = False  # True if the description does not name it
+    is_system: bool = False  # True for that of a plugin
 
     def is_called(self, name: str) -> bool:
         """True if it has this name, which may have slashes around it."""

@@ -35,7 +35,6 @@ def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
     """The number at the beginning of a text, which Gazebo reads, and the rest, which it ignores.
 
     Args:
-        text: the value of an element.
         whole: True where Gazebo reads an integer, which a point or an exponent ends.
 
     Returns:
@@ -63,7 +62,6 @@ def value(text: str) -> float:
 
 
 def quoted(text: str) -> str:
-    """A value for a message."""
     return f"'{text}'" if text else "empty"
 
 

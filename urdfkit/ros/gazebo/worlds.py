@@ -34,15 +34,10 @@ _DEFINITIONS = ("model.config", "model.sdf")
 
 
 class World(Record):
-    """A ``<world>``.
+    """A ``<world>``."""
 
-    Attributes:
-        at: its element.
-        source: the file.
-    """
-
-    at: Element
-    source: Source
+    at: Element  # its element
+    source: Source  # the file
 
     @property
     def name(self) -> str:
@@ -50,7 +45,6 @@ class World(Record):
 
     @property
     def plugins(self) -> list[Element]:
-        """The plugins of the world itself."""
         return self.at.all("plugin")
 
     @property
@@ -115,7 +109,6 @@ def shipped_worlds() -> dict[str, tuple[str, frozenset[str]]]:
 
 
 def default_systems() -> frozenset[str]:
-    """The systems of a world without plugins."""
     return frozenset(data("worlds")["defaults"].split())
 
 

@@ -15,15 +15,10 @@ if TYPE_CHECKING:
 
 
 class Change(Record):
-    """Something that a program makes of an element.
+    """Something that a program makes of an element."""
 
-    Attributes:
-        at: the element of the URDF.
-        text: what, in a few words.
-    """
-
-    at: Element
-    text: str
+    at: Element  # the element of the URDF
+    text: str  # what, in a few words
 
 
 def changes(robot: Imported) -> Iterator[Change]:

@@ -30,63 +30,42 @@ class UnknownImporter(UrdfkitError):
 
 
 class ImporterFacts(Record):
-    """How one program imports a URDF, with its default settings.
+    """How one program imports a URDF, with its default settings."""
 
-    Attributes:
-        name: on the command line.
-        title: of the program, with the version or versions that it was compared with.
-        walk: ``depth`` or ``breadth`` first from the root, or ``file``: as they are written.
-        siblings: how the joints of one link are ordered: as they are written (``file``), by their
-            names (``joint``), or as their child links are written (``link``).
-        root: ``welded`` to the world, ``free``, or ``asked``: an option without a default.
-        about_root: how to get the other one.
-        root_coordinates: positions and velocities of a free root, which come before the joints.
-        numbers_root: True if the coordinates of a free root are counted for a welded one, too.
-        massless_root_is_welded: True if a free root without mass is welded.
-        merges_fixed: True if the child of a fixed joint becomes part of the parent.
-        merges_into_world: True if what is welded to the world becomes part of it, and loses its
-            mass.
-        target: the name of the same program for ``--target``; empty if it is none.
-        density: in kg/m³, of the collision shapes of a link without ``<inertial>``; 0 if it has no
-            mass then.
-        mesh_volume: the volume of a mesh is that of tetrahedra, ``signed`` or ``unsigned``; empty
-            if it is not known.
-        default_mass: of a link without ``<inertial>``, in kg.
-        massless: what becomes of such a link, where neither of these is true.
-        ignores_tensors: True if inertia is computed from the collision shapes.
-        drops_visuals: True if visuals are not loaded.
-        reads_compiler: True if a ``<mujoco><compiler>`` changes all this.
-        skips_mimic: True if a joint that follows another one has no coordinate.
-        about_mimic: what such a joint is instead, or as well.
-        coordinates: positions and velocities by type of joint, where they are not the usual ones.
-        suffixes: names of the joints that one joint of a type becomes.
-        unknown_types: types of joints that it does not load.
-    """
-
-    name: str
-    title: str
-    walk: str
+    name: str  # on the command line
+    title: str  # of the program, with the version or versions that it was compared with
+    walk: str  # ``depth`` or ``breadth`` first from the root, or ``file``: as they are written
+    #: How the joints of one link are ordered: as they are written (``file``), by their names
+    #: (``joint``), or as their child links are written (``link``).
     siblings: str
-    root: str
-    about_root: str = ""
+    root: str  # ``welded`` to the world, ``free``, or ``asked``: an option without a default
+    about_root: str = ""  # how to get the other one
+    #: Positions and velocities of a free root, which come before the joints.
     root_coordinates: tuple[int, int] = (0, 0)
+    #: True if the coordinates of a free root are counted for a welded one, too.
     numbers_root: bool = False
-    massless_root_is_welded: bool = False
-    merges_fixed: bool = False
+    massless_root_is_welded: bool = False  # True if a free root without mass is welded
+    merges_fixed: bool = False  # True if the child of a fixed joint becomes part of the parent
+    #: True if what is welded to the world becomes part of it, and loses its mass.
     merges_into_world: bool = False
-    target: str = ""
+    target: str = ""  # the name of the same program for ``--target``; empty if it is none
+    #: In kg/m³, of the collision shapes of a link without ``<inertial>``; 0 if it has no mass then.
     density: float = 0.0
+    #: The volume of a mesh is that of tetrahedra, ``signed`` or ``unsigned``; empty if it is not
+    #: known.
     mesh_volume: str = ""
-    default_mass: float = 0.0
-    massless: str = ""
-    ignores_tensors: bool = False
-    drops_visuals: bool = False
-    reads_compiler: bool = False
-    skips_mimic: bool = False
-    about_mimic: str = ""
+    default_mass: float = 0.0  # of a link without ``<inertial>``, in kg
+    massless: str = ""  # what becomes of such a link, where neither of these is true
+    ignores_tensors: bool = False  # True if inertia is computed from the collision shapes
+    drops_visuals: bool = False  # True if visuals are not loaded
+    reads_compiler: bool = False  # True if a ``<mujoco><compiler>`` changes all this
+    skips_mimic: bool = False  # True if a joint that follows another one has no coordinate
+    about_mimic: str = ""  # what such a joint is instead, or as well
+    #: Positions and velocities by type of joint, where they are not the usual ones.
     coordinates: Mapping[str, tuple[int, int]] = {}
+    #: Names of the joints that one joint of a type becomes.
     suffixes: Mapping[str, tuple[str, ...]] = {}
-    unknown_types: tuple[str, ...] = ()
+    unknown_types: tuple[str, ...] = ()  # types of joints that it does not load
 
     def coordinates_of(self, kind: str) -> tuple[int, int]:
         """Positions and velocities of a type of joint; none of a fixed one."""

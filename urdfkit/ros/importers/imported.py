@@ -27,34 +27,24 @@ WORLD = "world"
 
 
 class ImportedJoint(Record):
-    """A joint as a program has it.
+    """A joint as a program has it."""
 
-    Attributes:
-        joint: of the URDF.
-        names: of the joints that it becomes; one, but for those with several axes.
-        q, nq: the first of its positions, and how many they are.
-        v, nv: the same of its velocities.
-    """
-
-    joint: Joint
-    names: tuple[str, ...]
+    joint: Joint  # of the URDF
+    names: tuple[str, ...]  # of the joints that it becomes; one, but for those with several axes
+    #: q and nq: the first of its positions, and how many they are.
     q: int
     nq: int
+    #: v and nv: the same of its velocities.
     v: int
     nv: int
 
 
 class ImportedBody(Record):
-    """A body as a program has it.
+    """A body as a program has it."""
 
-    Attributes:
-        name: of the body; ``world`` for what has become part of the world.
-        links: of the URDF, that it is made of, the topmost first.
-        properties: in the frame of the first link; None if they are not known here.
-    """
-
-    name: str
-    links: tuple[Link, ...]
+    name: str  # of the body; ``world`` for what has become part of the world
+    links: tuple[Link, ...]  # of the URDF, that it is made of, the topmost first
+    #: In the frame of the first link; None if they are not known here.
     properties: MassProperties | None
 
     @property
@@ -75,20 +65,18 @@ class Imported:
         tree: of the robot.
         facts: of the program.
         solid: measures the collision shapes of a link.
-
-    Attributes:
-        tree, facts: the same.
-        merges_fixed: True if links at fixed joints are merged.
-        drops_visuals: True if visuals are not loaded.
     """
 
     def __init__(self, tree: KinematicTree, facts: ImporterFacts, solid: Solid) -> None:
+        #: tree and facts: the same.
         self.tree = tree
         self.facts = facts
         self._solid = solid
         compiler = compiler_of(tree.model) if facts.reads_compiler else None
         self._compiler = compiler
+        #: True if links at fixed joints are merged.
         self.merges_fixed = facts.merges_fixed if compiler is None else compiler.fuses_static
+        #: True if visuals are not loaded.
         self.drops_visuals = facts.drops_visuals if compiler is None else compiler.drops_visuals
 
     @property

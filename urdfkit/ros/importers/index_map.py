@@ -19,16 +19,13 @@ class IndexMap(Record):
     """For each degree of freedom of one program, its index in another one.
 
     Free roots are left out: degrees of freedom are counted from the first joint.
-
-    Attributes:
-        source, target: names of the programs.
-        joints: of each degree of freedom of the target, in its order.
-        indices: of the same in the source: ``values[indices]`` are those of the target.
     """
 
+    #: source and target: names of the programs.
     source: str
     target: str
-    joints: tuple[ImportedJoint, ...]
+    joints: tuple[ImportedJoint, ...]  # of each degree of freedom of the target, in its order
+    #: Of the same in the source: ``values[indices]`` are those of the target.
     indices: tuple[int, ...]
 
 

@@ -1,7 +1,5 @@
 """Arguments of launch files: undeclared, unknown to the included file, or missing."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator
@@ -24,13 +22,10 @@ MAX_FILES, MAX_DIRECTORIES = 500, 2000
 
 
 class ArgumentUses:
-    """The arguments that one launch file uses, in the order of the file.
-
-    Attributes:
-        declared: the names that are known so far, with those that the including file lends.
-    """
+    """The arguments that one launch file uses, in the order of the file."""
 
     def __init__(self, declared: set[str]) -> None:
+        #: The names that are known so far, with those that the including file lends.
         self.declared = declared
         self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
 

@@ -25,26 +25,20 @@ _SIGNS = {"[": FROM_GAZEBO, "]": TO_GAZEBO, "@": BOTH}
 
 
 class BridgedTopic(Record):
-    """A topic that the bridge is to pass on.
+    """A topic that the bridge is to pass on."""
 
-    Attributes:
-        span: where it is written: a word, or the first value of an entry.
-        topic, ros_topic: its names in Gazebo and in ROS.
-        ros_type, gz_type: of its messages, such as ``sensor_msgs/msg/Imu`` and ``gz.msgs.IMU``;
-            empty where none is written.
-        direction: one of `DIRECTIONS` where it is right.
-        unknown: keys of the entry that the bridge does not read, each with its place.
-        places: of the values of an entry, by key.
-    """
-
-    span: Span
+    span: Span  # where it is written: a word, or the first value of an entry
+    #: topic and ros_topic: its names in Gazebo and in ROS.
     topic: str
     ros_topic: str
+    #: ros_type and gz_type: of its messages, such as ``sensor_msgs/msg/Imu`` and ``gz.msgs.IMU``;
+    #: empty where none is written.
     ros_type: str
     gz_type: str
-    direction: str
+    direction: str  # one of `DIRECTIONS` where it is right
+    #: Keys of the entry that the bridge does not read, each with its place.
     unknown: tuple[tuple[str, Span], ...] = ()
-    places: Mapping[str, Span] = {}
+    places: Mapping[str, Span] = {}  # of the values of an entry, by key
 
     def at(self, *keys: str) -> Span:
         """The place of the first of some keys that is written."""
@@ -65,7 +59,6 @@ def all_messages() -> tuple[str, ...]:
 
 
 def is_bridge(started: StartedProgram) -> bool:
-    """True for the bridge of ros_gz."""
     is_executable = started.executable in ("parameter_bridge", "bridge_node")
     return is_executable and started.package in ("ros_gz_bridge", "ros_ign_bridge")
 

@@ -20,6 +20,7 @@ from urdfkit.ros.launch.contents import (
     PackageUse,
     StartedProgram,
 )
+from urdfkit.ros.launch.known_packages import mistakes
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
@@ -140,10 +141,8 @@ class Collector:
         The rest of it is reported when it is read by itself.
 
         Args:
-            path: of the included file.
             source: the file that includes it.
             arguments: that it is given; None for those that are known at run time only.
-            frame: the place of the include.
             is_sure: False if a condition decides that is known at run time only.
         """
         outer = (*self.outer, source.path)
@@ -168,6 +167,7 @@ class Collector:
         self.names_parameters = self.names_parameters or inner.names_parameters
 
     def launch(self) -> Launch:
+        self.problems += mistakes(self.started, self.includes, self.resolver)
         return Launch(
             tuple(self.descriptions),
             tuple(self.files),

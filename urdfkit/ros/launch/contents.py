@@ -19,41 +19,25 @@ MAX_INCLUDED = 200
 
 
 class LaunchedDescription(Record):
-    """A robot description that a launch file makes.
+    """A robot description that a launch file makes."""
 
-    Attributes:
-        path: of the URDF or xacro.
-        arguments: for xacro.
-        frame: the launch file's place, for the chain of calls.
-        is_whole: False if it is given arguments that are known at run time only.
-        is_yaml: True if launch reads it as YAML, as it does with parameters without a type.
-    """
-
-    path: str
-    arguments: dict[str, str]
-    frame: CallFrame
-    is_whole: bool = True
+    path: str  # of the URDF or xacro
+    arguments: dict[str, str]  # for xacro
+    frame: CallFrame  # the launch file's place, for the chain of calls
+    is_whole: bool = True  # False if it is given arguments that are known at run time only
+    #: True if launch reads it as YAML, as it does with parameters without a type.
     is_yaml: bool = False
 
 
 class FileUse(Record):
-    """A file that a launch file names.
+    """A file that a launch file names."""
 
-    Attributes:
-        text: as written.
-        path: with its expressions resolved; absolute.
-        exists: False if nothing is there, or nothing that may be read.
-        span: where it is named.
-        purpose: such as ``RViz configuration``.
-        is_outside: True if it is there and may not be read.
-    """
-
-    text: str
-    path: str
-    exists: bool
-    span: Span
-    purpose: str
-    is_outside: bool = False
+    text: str  # as written
+    path: str  # with its expressions resolved; absolute
+    exists: bool  # False if nothing is there, or nothing that may be read
+    span: Span  # where it is named
+    purpose: str  # such as ``RViz configuration``
+    is_outside: bool = False  # True if it is there and may not be read
 
 
 class PackageUse(Record):
@@ -72,17 +56,12 @@ class Word(Record):
 
 
 class Parameters(Record):
-    """The parameters that a node is given.
+    """The parameters that a node is given."""
 
-    Attributes:
-        values: by name; None where a value is known at run time only.
-        files: the parameter files that hold others.
-        is_whole: False if there are more, whose names are known at run time only.
-    """
-
-    values: Mapping[str, str | None]
-    files: tuple[str, ...] = ()
-    is_whole: bool = True
+    values: Mapping[str, str | None]  # by name; None where a value is known at run time only
+    files: tuple[str, ...] = ()  # the parameter files that hold others
+    is_whole: bool = True  # False if there are more, whose names are known at run time only
+    lists: Mapping[str, tuple[str | None, ...]] = {}  # those that are lists; None as above
 
     @property
     def every(self) -> Mapping[str, str | None] | None:
@@ -91,79 +70,49 @@ class Parameters(Record):
 
 
 class StartedProgram(Record):
-    """A program that a launch file starts.
+    """A program that a launch file starts."""
 
-    Attributes:
-        package: empty for a program that is no node.
-        executable: in the package; empty if it is not known, or for a program.
-        words: of its command line; those of a program begin with its name.
-        span: where it is started.
-        frame: the launch files that led there.
-        is_sure: False if a condition decides that is known at run time only.
-        is_remapped: True if it gives topics other names.
-        parameters: that it is given.
-        name: of the node; empty where none is given, or only at run time.
-        namespace: without slashes around it; None where it is known at run time only.
-    """
-
-    package: str
-    executable: str
-    words: tuple[Word, ...]
-    span: Span
-    frame: CallFrame | None
-    is_sure: bool = True
-    is_remapped: bool = False
-    parameters: Parameters = Parameters({})
-    namespace: str | None = ""
-    name: str = ""
+    package: str  # empty for a program that is no node
+    executable: str  # in the package; empty if it is not known, or for a program
+    words: tuple[Word, ...]  # of its command line; those of a program begin with its name
+    span: Span  # where it is started
+    frame: CallFrame | None  # the launch files that led there
+    is_sure: bool = True  # False if a condition decides that is known at run time only
+    is_remapped: bool = False  # True if it gives topics other names
+    parameters: Parameters = Parameters({})  # that it is given
+    namespace: str | None = ""  # without slashes around it; None where it is known at run time only
+    name: str = ""  # of the node; empty where none is given, or only at run time
 
 
 class IncludedFile(Record):
-    """A launch file that another one includes, at hand or not.
+    """A launch file that another one includes, at hand or not."""
 
-    Attributes:
-        path: with its expressions resolved; absolute.
-        arguments: that it sees; None if not even their names are known.
-        span: where it is included.
-        frame: the launch files that led there.
-        is_sure: False if a condition decides that is known at run time only.
-    """
-
-    path: str
-    arguments: Mapping[str, Word] | None
-    span: Span
-    frame: CallFrame | None
-    is_sure: bool = True
+    path: str  # with its expressions resolved; absolute
+    arguments: Mapping[str, Word] | None  # that it sees; None if not even their names are known
+    span: Span  # where it is included
+    frame: CallFrame | None  # the launch files that led there
+    is_sure: bool = True  # False if a condition decides that is known at run time only
 
 
 class Launch(Record):
-    """What a launch file needs.
+    """What a launch file needs."""
 
-    Attributes:
-        descriptions: the robots it describes.
-        files, packages: that it names, found or not.
-        problems: what is wrong with its text, under the codes of the rules that explain it.
-        started: the programs that it starts.
-        included: those that the files start which it includes.
-        unread: paths of the files that it includes and that were not read; empty if not known.
-        has_scopes: True if it sets namespaces, parameters or remappings for several nodes.
-        names_parameters: True if it gives parameters names that are in no file, by a namespace for
-            what is in a file, or in its own text.
-        includes: the files that it and those which it includes include.
-    """
-
-    descriptions: tuple[LaunchedDescription, ...]
+    descriptions: tuple[LaunchedDescription, ...]  # the robots it describes
+    #: files and packages: that it names, found or not.
     files: tuple[FileUse, ...]
     packages: tuple[PackageUse, ...]
+    #: What is wrong with its text, under the codes of the rules that explain it.
     problems: tuple[Problem, ...]
-    started: tuple[StartedProgram, ...]
-    included: tuple[StartedProgram, ...]
+    started: tuple[StartedProgram, ...]  # the programs that it starts
+    included: tuple[StartedProgram, ...]  # those that the files start which it includes
+    #: Paths of the files that it includes and that were not read; empty if not known.
     unread: tuple[str, ...]
-    has_scopes: bool
+    has_scopes: bool  # True if it sets namespaces, parameters or remappings for several nodes
+    #: True if it gives parameters names that are in no file, by a namespace for what is in a file,
+    #: or in its own text.
     names_parameters: bool
-    includes: tuple[IncludedFile, ...] = ()
+    includes: tuple[IncludedFile, ...] = ()  # the files that it and those which it includes include
 
     @property
     def parameters(self) -> tuple[FileUse, ...]:
-        """The files of parameters that it loads."""
         return tuple(file for file in self.files if file.purpose == PARAMETERS)

@@ -3,8 +3,6 @@
 Source: ``_eval`` and ``_DictWrapper`` in ``roslaunch/substitution_args.py`` of ros/ros_comm.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 from urdfkit.xacro.budget import Budget, deadline
@@ -25,7 +23,6 @@ def evaluate(
     """The text that an expression gives; None where only roslaunch knows it.
 
     Args:
-        text: the expression.
         arguments: of the launch file; they can be called by name.
         functions: such as ``find``, which take one text.
     """

@@ -23,21 +23,13 @@ _OPEN = ("$", "<", "{")
 
 
 class NamedFrame(Record):
-    """A frame that a file names.
+    """A frame that a file names."""
 
-    Attributes:
-        name: of the frame, without a slash before it.
-        who: what names it, for messages.
-        key: of the parameter; empty for RViz.
-        span: of the name.
-        named_at: where the launch file names the file.
-    """
-
-    name: str
-    who: str
-    key: str
-    span: Span
-    named_at: Span
+    name: str  # of the frame, without a slash before it
+    who: str  # what names it, for messages
+    key: str  # of the parameter; empty for RViz
+    span: Span  # of the name
+    named_at: Span  # where the launch file names the file
 
 
 def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:

@@ -26,17 +26,11 @@ MAX_FILES, MAX_DIRECTORIES = 200, 2000
 
 
 class RobotArguments(Record):
-    """Arguments of a robot.
+    """Arguments of a robot."""
 
-    Attributes:
-        arguments: for xacro.
-        launch: path of the launch file that gives them.
-        frame: its place; None if it gives them to another robot.
-    """
-
-    arguments: dict[str, str]
-    launch: str
-    frame: CallFrame | None
+    arguments: dict[str, str]  # for xacro
+    launch: str  # path of the launch file that gives them
+    frame: CallFrame | None  # its place; None if it gives them to another robot
 
 
 def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[RobotArguments]:
@@ -47,7 +41,6 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Robot
     other robots of the package: an argument of a launch file may choose which one it starts.
 
     Args:
-        robot: path of the URDF or xacro.
         needed: names of the arguments that it lacks.
         resolver: finds packages, and reads files.
     """
@@ -75,7 +68,6 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
     """The values that launch files about the package of a robot declare for their own arguments.
 
     Args:
-        robot: path of the URDF or xacro.
         resolver: finds packages, and reads files.
 
     Yields:
@@ -153,26 +145,18 @@ def _choices(source: Source) -> Iterator[dict[str, str]]:
 
 
 class _Argument(Record):
-    """An argument that a launch file declares.
+    """An argument that a launch file declares."""
 
-    Attributes:
-        name: empty if it is known at run time only.
-        choices: each is empty if it is known at run time only.
-        default: None if there is none, or if it is known at run time only.
-        is_open: True if there is none.
-    """
-
-    name: str
-    choices: tuple[str, ...]
-    default: str | None
-    is_open: bool
+    name: str  # empty if it is known at run time only
+    choices: tuple[str, ...]  # each is empty if it is known at run time only
+    default: str | None  # None if there is none, or if it is known at run time only
+    is_open: bool  # True if there is none
 
 
 def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
     """The choices of the arguments of a launch file.
 
     Args:
-        source: of the launch file.
         with_defaults: also those of arguments with a default, and defaults without choices.
     """
     found: dict[str, list[str]] = {}

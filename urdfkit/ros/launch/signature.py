@@ -24,21 +24,13 @@ _PLAIN = frozenset(sys.stdlib_module_names) | frozenset(
 
 
 class Signature(Record):
-    """The arguments of a launch file.
+    """The arguments of a launch file."""
 
-    Attributes:
-        required: names of those that must be given.
-        optional: of the others.
-        imports_plainly: False if functions of other modules may declare more.
-        is_plain: True if these are all that it declares itself.
-        includes: True if it includes other files, which may take more.
-    """
-
-    required: frozenset[str]
-    optional: frozenset[str]
-    imports_plainly: bool
-    is_plain: bool
-    includes: bool
+    required: frozenset[str]  # names of those that must be given
+    optional: frozenset[str]  # of the others
+    imports_plainly: bool  # False if functions of other modules may declare more
+    is_plain: bool  # True if these are all that it declares itself
+    includes: bool  # True if it includes other files, which may take more
 
     @property
     def names(self) -> frozenset[str]:

@@ -10,18 +10,13 @@ from urdfkit.ros.launch.contents import StartedProgram, Word
 
 
 class Spawner(Record):
-    """A program that puts models into Gazebo.
+    """A program that puts models into Gazebo."""
 
-    Attributes:
-        valued, plain: its options with and without a value.
-        required: groups of options, of each of which one must be there.
-        is_strict: True if it stops at other options; else it ignores them.
-    """
-
+    #: valued and plain: its options with and without a value.
     valued: frozenset[str]
     plain: frozenset[str]
-    required: tuple[tuple[str, ...], ...]
-    is_strict: bool
+    required: tuple[tuple[str, ...], ...]  # groups of options, of each of which one must be there
+    is_strict: bool  # True if it stops at other options; else it ignores them
 
     @property
     def known(self) -> frozenset[str]:

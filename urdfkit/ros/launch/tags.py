@@ -19,22 +19,15 @@ _OF_OTHERS = re.compile(r":|^rosmon-|-sep$")
 
 
 class _Dialect(Record):
-    """The tags and attributes of one ROS.
+    """The tags and attributes of one ROS."""
 
-    Attributes:
-        attributes: of each tag, ``!`` behind those that it must have.
-        words: that an attribute may be, by ``tag/@name``.
-        translated: what an attribute of the other ROS is called here, by ``tag/@name``.
-        marks: texts by which a file is known.
-    """
-
-    attributes: dict[str, str]
-    words: dict[str, str]
+    attributes: dict[str, str]  # of each tag, ``!`` behind those that it must have
+    words: dict[str, str]  # that an attribute may be, by ``tag/@name``
+    #: What an attribute of the other ROS is called here, by ``tag/@name``.
     translated: dict[str, str]
-    marks: tuple[str, ...]
+    marks: tuple[str, ...]  # texts by which a file is known
 
     def names(self, tag: str) -> set[str]:
-        """The attributes that a tag may have."""
         return {word.rstrip("!") for word in self.attributes.get(tag, "").split()}
 
 

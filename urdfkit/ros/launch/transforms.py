@@ -15,16 +15,12 @@ from urdfkit.ros.launch.contents import StartedProgram, Word
 
 
 class StaticTransform(Record):
-    """A transform that a program publishes.
+    """A transform that a program publishes."""
 
-    Attributes:
-        parent, child: the frames.
-        position: of the child in the parent, in m.
-    """
-
+    #: parent and child: the frames.
     parent: Word
     child: Word
-    position: Vector
+    position: Vector  # of the child in the parent, in m
 
 
 def static_transform(started: StartedProgram) -> StaticTransform | None:

@@ -36,17 +36,11 @@ _OPEN = ("$", "<", "{")
 
 
 class GroupEntry(Record):
-    """What a file says of a planning group.
+    """What a file says of a planning group."""
 
-    Attributes:
-        name: of the group.
-        values: of its section, by name.
-        is_alone: True if its file speaks of no other group.
-    """
-
-    name: Key
-    values: dict[str, Node]
-    is_alone: bool
+    name: Key  # of the group
+    values: dict[str, Node]  # of its section, by name
+    is_alone: bool  # True if its file speaks of no other group
 
 
 def group_entries(srdf: Srdf, resolver: Resolver) -> Iterator[GroupEntry]:

@@ -22,17 +22,11 @@ _ON = ("true", "yes", "on", "1")
 
 
 class PlannedLimit(Record):
-    """What the file says of one joint.
+    """What the file says of one joint."""
 
-    Attributes:
-        joint: its name.
-        at: the place of its name.
-        values: by name, such as ``max_velocity``.
-    """
-
-    joint: str
-    at: Value
-    values: dict[str, Value]
+    joint: str  # its name
+    at: Value  # the place of its name
+    values: dict[str, Value]  # by name, such as ``max_velocity``
 
     def is_on(self, switch: str) -> bool:
         """True if a switch such as ``has_velocity_limits`` is on."""

@@ -26,18 +26,13 @@ if TYPE_CHECKING:
 
 
 class Srdf:
-    """One SRDF and the robot it belongs to.
-
-    Attributes:
-        path: of the file.
-        root: its ``<robot>`` element.
-        groups, states, end_effectors, virtual_joints: their elements.
-    """
+    """One SRDF and the robot it belongs to."""
 
     def __init__(self, path: str, root: Element, tree: KinematicTree) -> None:
-        self.path = path
-        self.root = root
+        self.path = path  # of the file
+        self.root = root  # its ``<robot>`` element
         self.tree = tree
+        #: groups, states, end_effectors, virtual_joints: their elements.
         self.groups = tuple(root.all("group"))
         self.states = tuple(root.all("group_state"))
         self.end_effectors = tuple(root.all("end_effector"))
@@ -190,9 +185,6 @@ def find(
     MoveIt that may be for other robots, too, if it fits this one.
 
     Args:
-        path: of the robot.
-        tree: of it.
-        resolver: finds files.
         trust: let expressions of a xacro run unfenced and read any file.
         arguments: of the robot; a xacro of its SRDF has those of the same names.
     """
@@ -231,13 +223,7 @@ def is_srdf(root: Element) -> bool:
 
 
 def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
-    """Why the SRDF of a robot cannot be read: the only one there, or one with the robot's name.
-
-    Args:
-        path: of the robot's file.
-        name: of the robot.
-        resolver: finds and reads the files.
-    """
+    """Why the SRDF of a robot cannot be read: the only one there, or one with the robot's name."""
     paths = srdf_files(path, resolver)
     for one in paths:
         if len(paths) == 1 or _stem(one) in (name, _stem(path)):

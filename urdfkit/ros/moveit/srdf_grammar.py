@@ -34,7 +34,6 @@ class _Grammar(Record):
 
     @property
     def names(self) -> list[str]:
-        """Its attributes."""
         return [word.rstrip("!") for word in self.attributes]
 
 

@@ -1,7 +1,5 @@
 """Applying text edits to the bytes of a file."""
 
-from __future__ import annotations
-
 import codecs
 from collections.abc import Iterable
 
@@ -44,7 +42,6 @@ def encoded(text: bytes, encoding: str, original: bytes) -> bytes:
 
     Args:
         text: in UTF-8.
-        encoding: of the source.
         original: the bytes of the file that it was read from.
 
     Raises:

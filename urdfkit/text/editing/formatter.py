@@ -42,7 +42,6 @@ def formatted(source: Source, width: int = WIDTH) -> bytes:
     </robot>
 
     Args:
-        source: URDF or xacro.
         width: columns of a line.
 
     Raises:
@@ -79,28 +78,19 @@ def _require_robot(source: Source) -> None:
 
 
 class _Outline(Record):
-    """Which tokens of a document belong together.
+    """Which tokens of a document belong together."""
 
-    Attributes:
-        ends: the number of the end tag by that of the start tag.
-        verbatim: start tags of elements that stay as they are, because they hold text: white
-            space may mean something there. In a few of URDF's it means nothing.
-    """
-
-    ends: dict[int, int]
+    ends: dict[int, int]  # the number of the end tag by that of the start tag
+    #: Start tags of elements that stay as they are, because they hold text: white space may mean
+    #: something there. In a few of URDF's it means nothing.
     verbatim: set[int]
 
 
 class _Open(Record):
-    """An element whose end tag has not come.
+    """An element whose end tag has not come."""
 
-    Attributes:
-        name: of it.
-        is_foreign: True where attributes are another program's affair.
-    """
-
-    name: str
-    is_foreign: bool
+    name: str  # of it
+    is_foreign: bool  # True where attributes are another program's affair
 
 
 class _LineWriter:
@@ -119,7 +109,6 @@ class _LineWriter:
         self._fresh = True
 
     def lines(self) -> list[str]:
-        """The lines of the document."""
         number = 0
         while number < len(self._tokens):
             token = self._tokens[number]
@@ -242,7 +231,6 @@ def _holds_meaning(token: Token, path: list[str]) -> bool:
 
     Args:
         token: any but tags.
-        path: names of the elements around it.
     """
     if token.kind is TokenKind.CDATA:
         return True

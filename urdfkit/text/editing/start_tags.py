@@ -1,7 +1,5 @@
 """The layout of start tags: attributes in one order, in as few lines as they take."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from functools import cache
@@ -26,7 +24,6 @@ def start_tag(token: Token, close: str, indent: str, width: int, *, is_foreign: 
     """A start tag, its further lines below its first attribute.
 
     Args:
-        token: the tag as it is written.
         close: its end, ``>`` or ``/>``.
         indent: spaces before it, which are no part of what is returned.
         width: columns of a line.
@@ -74,8 +71,6 @@ def _filled(name: str, value: str, hang: int, width: int) -> str:
     """An attribute of a macro; its parameters in the lines that they had, each below the first.
 
     Args:
-        name: of it.
-        value: with its quotes.
         hang: columns before it.
         width: columns of a line.
     """
@@ -96,7 +91,6 @@ def _rows(attributes: list[str], first: int, hang: int, width: int) -> list[list
     """Attributes in as few lines as they take, with the same number in each if that fits.
 
     Args:
-        attributes: as they are written.
         first: columns before those of the first line.
         hang: columns before those of the others.
         width: columns of a line.
@@ -145,7 +139,6 @@ def _rest(line: str) -> str:
 
 @cache
 def _grammars() -> dict[str, schema.Grammar]:
-    """The grammars of URDF's elements by tag."""
     return dict(schema.elements())
 
 

@@ -3,19 +3,28 @@
   "use strict";
   const GRID = 0x808890, MASS = 0xd0342c, WHOLE = 0x7a2cd0, INERTIA = 0xb04ad0, AXIS = 0x1a8f4a, FOLLOWER = 0x9a6a00;
 
+  const AXES = [[[1, 0, 0], 0xe03030], [[0, 1, 0], 0x22ad40], [[0, 0, 1], 0x2f66f0]];
+
   function over(color) { return new THREE.MeshBasicMaterial({ color, depthTest: false, transparent: true, opacity: 0.85 }); }
   function ball(color, radius) {
     const made = new THREE.Mesh(new THREE.SphereGeometry(1, 16, 12), over(color));
     made.scale.setScalar(radius);
     return made;
   }
-  function grid(size, height) {
-    const edge = Math.max(1, Math.ceil(2 * size));
-    const made = new THREE.GridHelper(edge, 2 * edge, GRID, GRID);
-    made.rotation.x = Math.PI / 2;
-    made.position.z = height;
-    Object.assign(made.material, { transparent: true, opacity: 0.25 });
-    return made;
+  // The ground, which catches shadows, and its grid of squares of 1, 2 or 5 times a power of ten.
+  function ground(size, height) {
+    const power = 10 ** Math.floor(Math.log10(size / 4));
+    const step = power * [5, 2, 1].find((one) => one * power <= size / 4 * (1 + 1e-9));
+    const squares = 2 * Math.ceil(1.5 * size / step);
+    const grid = new THREE.GridHelper(squares * step, squares, GRID, GRID);
+    grid.rotation.x = Math.PI / 2;
+    Object.assign(grid.material, { transparent: true, opacity: 0.3 });
+    const shadows = new THREE.Mesh(new THREE.PlaneGeometry(squares * step, squares * step), new THREE.ShadowMaterial({ opacity: 0.22 }));
+    shadows.receiveShadow = true;
+    const made = new THREE.Group();
+    made.add(grid, shadows);
+    made.position.z = height - 1e-4 * size;
+    return { made, step };
   }
   function inertiaBox(link, size) {
     if (!link.box || Math.max(...link.box.edges) > 1000 * size) return null;
@@ -26,10 +35,14 @@
     made.matrix.fromArray(link.box.matrix);
     return made;
   }
-  function arrow(joint, size, color) {
-    const along = new THREE.Vector3().fromArray(joint.axis);
-    const made = new THREE.ArrowHelper(along, new THREE.Vector3(), 0.14 * size, color, 0.03 * size, 0.016 * size);
-    made.line.material.depthTest = made.cone.material.depthTest = false;
+  function arrow(along, length, color) {
+    const made = new THREE.ArrowHelper(new THREE.Vector3().fromArray(along), new THREE.Vector3(), length, color, 0.22 * length, 0.12 * length);
+    for (const { material } of [made.line, made.cone]) Object.assign(material, { depthTest: false, transparent: true });
+    return made;
+  }
+  function frame(length) {
+    const made = new THREE.Group();
+    made.add(...AXES.map(([along, color]) => arrow(along, length, color)));
     return made;
   }
   // The range of a revolute joint, in the frame of its child at zero: it must not turn with it.
@@ -59,7 +72,7 @@
     };
     const heaviest = robot.links.reduce((most, link) => Math.max(most, link.mass || 0), 0);
     robot.links.forEach((link, number) => {
-      layer("frames", number, new THREE.AxesHelper(0.08 * size));
+      layer("frames", number, frame(0.08 * size));
       if (!link.mass) return;
       const mass = ball(MASS, Math.cbrt(link.mass / heaviest) * 0.018 * size);
       mass.position.fromArray(link.center);
@@ -70,7 +83,7 @@
     for (const joint of robot.joints) {
       if (joint.leader === undefined) continue;
       const color = joint.leader === joint.name ? AXIS : FOLLOWER;
-      layer("axes", joint.child, arrow(joint, size, color));
+      layer("axes", joint.child, arrow(joint.axis, 0.14 * size, color));
       if (joint.limits && joint.type === "revolute") layer("axes", joint.child, arc(joint, size, color));
     }
   }
@@ -92,5 +105,5 @@
     return { made, place };
   }
 
-  window.urdfkit.overlays = { add, grid, whole };
+  window.urdfkit.overlays = { add, ground, whole };
 })();

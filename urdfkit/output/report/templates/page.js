@@ -24,6 +24,18 @@
     try { window.localStorage.setItem("urdfkit-theme", isDark ? "dark" : "light"); } catch { /* a file has no storage */ }
   });
 
+  // --- the width of the 3D view
+  const divider = document.getElementById("divider");
+  if (divider) {
+    const split = (x) => root.style.setProperty("--split", `${Math.round(1000 * x / root.clientWidth) / 10}%`);
+    divider.addEventListener("pointerdown", (event) => divider.setPointerCapture(event.pointerId));
+    divider.addEventListener("pointermove", (event) => { if (event.buttons) split(event.clientX); });
+    divider.addEventListener("keydown", (event) => {
+      const by = { ArrowLeft: -20, ArrowRight: 20 }[event.key];
+      if (by) split(divider.offsetLeft + by);
+    });
+  }
+
   // --- the findings that are shown
   let onlyLink = null;
   const links = (finding) => JSON.parse(finding.dataset.links);
@@ -45,6 +57,8 @@
   page.showLink = (name) => { // what is told of one link; null is for all
     onlyLink = name !== null && [...document.querySelectorAll(".finding")].some((one) => links(one).includes(name)) ? name : null;
     filter();
+    const isBeside = window.matchMedia("(min-width: 1100px)").matches; // else the view would scroll away
+    if (onlyLink !== null && isBeside) document.getElementById("findings").scrollIntoView({ behavior: "smooth" });
   };
   page.filter = filter;
   page.filters = (kept) => { // what is filtered now; or filter as it was

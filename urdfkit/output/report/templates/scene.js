@@ -7,7 +7,9 @@
   const stage = document.getElementById("stage");
   const picked = document.getElementById("picked");
   const ACCENT = new THREE.Color(0x1f7cf2), NONE = new THREE.Color(0);
-  const SEVERITIES = { error: new THREE.Color(0xe0392f), warning: new THREE.Color(0xf0a818) };
+  // As in the images; what has no findings steps back.
+  const SEVERITIES = { error: new THREE.Color(0xde2121), warning: new THREE.Color(0xff9e0d) };
+  const QUIET = new THREE.Color(0xccd1d9);
 
   let renderer;
   try {
@@ -20,6 +22,8 @@
     return;
   }
   renderer.outputEncoding = THREE.sRGBEncoding;
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = THREE.PCFSoftShadowMap;
   const canvas = renderer.domElement;
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "application");
@@ -31,6 +35,8 @@
   const sky = new THREE.HemisphereLight(0xffffff, 0x6a6f78, 0.5);
   sky.position.set(0, 0, 1);
   const sun = new THREE.DirectionalLight(0xfff8ec, 0.4);
+  sun.castShadow = true;
+  sun.shadow.mapSize.set(2048, 2048);
   const lamp = new THREE.DirectionalLight(0xffffff, 0.16); // goes with the camera
   const world = new THREE.Group();
   scene.add(sky, sun, lamp, lamp.target, sun.target, world);
@@ -124,7 +130,11 @@
   function explain(box) {
     page.overlays.add(robot, groups, size);
     whole = page.overlays.whole(robot, groups, size);
-    world.add(whole.made, page.overlays.grid(size, Math.min(0, box.min.z)));
+    const ground = page.overlays.ground(size, box.isEmpty() ? 0 : box.min.z);
+    world.add(whole.made, ground.made);
+    document.getElementById("scale").textContent = `${page.word("grid")} ${Number(ground.step.toPrecision(1))} m`;
+    const edges = { left: -size, right: size, bottom: -size, top: size, near: 0.1 * size, far: 5 * size };
+    Object.assign(sun.shadow.camera, edges).updateProjectionMatrix();
     tags = robot.links.map((link) => {
       const tag = document.createElement("span");
       tag.className = "tag";
@@ -146,22 +156,26 @@
     refresh();
   }
   function refresh() {
+    document.getElementById("legend").hidden = !layers.findings;
     world.traverse((one) => {
       const name = one.userData.layer;
       if (name) one.visible = layers[name] && !one.userData.empty;
     });
     for (const mesh of surfaces) {
-      const { material, userData: { role, number, color, opacity } } = mesh;
-      const marked = layers.findings && SEVERITIES[worst.get(robot.links[number].name)];
+      const { material, userData: { role, number, color, opacity, map, vertexColors } } = mesh;
+      const marked = layers.findings && (SEVERITIES[worst.get(robot.links[number].name)] || QUIET);
       const isChosen = chosen.has(number);
       const isAside = chosen.size > 0 && !isChosen;
       const isCovered = layers.collision && role === "visual";
       mesh.visible = layers[role];
       material.color.copy(marked || color);
+      material.map = marked ? null : map;
+      material.vertexColors = !marked && vertexColors;
       material.emissive.copy(isChosen ? ACCENT : NONE);
       material.emissiveIntensity = isChosen ? 0.55 : 0;
       material.opacity = Math.min(opacity, isAside ? 0.3 : isCovered ? 0.6 : 1);
       material.transparent = material.opacity < 1;
+      mesh.castShadow = !material.transparent;
       material.depthWrite = role !== "collision" && !isAside;
       material.needsUpdate = true;
     }

@@ -45,7 +45,8 @@
         if (!one.isMesh) return;
         one.geometry = shaded(widened(one.geometry));
         one.material = painted(one.material);
-        one.userData = { ...node.userData, color: one.material.color.clone(), opacity: one.material.opacity };
+        const { color, opacity, map, vertexColors } = one.material;
+        one.userData = { ...node.userData, color: color.clone(), opacity, map, vertexColors };
         if (one.userData.role !== "collision") return;
         one.renderOrder = 1; // many lie on their visuals
         Object.assign(one.material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });

@@ -1,0 +1,284 @@
+"""What MJCF gets of meshes, materials, sensors, SRDFs, and fixed links."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+from urdfkit import convert, read
+from urdfkit.text.source import Source
+
+mujoco = pytest.importorskip("mujoco")
+np = pytest.importorskip("numpy")
+pytest.importorskip("pinocchio")
+pytest.importorskip("trimesh")
+Image = pytest.importorskip("PIL.Image")
+
+from tests.output.conversion.test_mjcf import INERTIAL, LIMIT, PICKER, arm, loaded
+from tests.physics.dynamics.test_against_pinocchio import robots
+
+#: Two triangles with an image, a part without, which is red, and a triangle that is blue.
+OBJ = """\
+mtllib m.mtl
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+v 1 1 0
+v 1 1 1
+vt 0 0
+vt 1 0
+vt 0 1
+usemtl image
+f 1/1 2/2 3/3
+f 1/1 2/2 4/3
+f 2/1 5/2 3/3
+usemtl red
+f 3 5 6
+f 2 5 6
+f 1 5 6
+usemtl blue
+f 1 2 6
+"""
+MTL = "newmtl image\nmap_Kd {image}\nnewmtl red\nKd 1 0 0\nd 0.5\nnewmtl blue\nKd 0 0 1\n"
+
+
+def image(kind: str) -> bytes:
+    """A picture of 2 by 2 pixels: the upper left one is red, the others are black."""
+    file = io.BytesIO()
+    pixels = np.zeros((2, 2, 3), dtype=np.uint8)
+    pixels[0, 0, 0] = 255
+    Image.fromarray(pixels).save(file, kind)
+    return file.getvalue()
+
+
+def meshed(directory: Path, more: str = "", *, kind: str = "png") -> Path:
+    """A robot with the mesh above as a visual."""
+    (directory / f"i.{kind}").write_bytes(image(kind))
+    (directory / "m.obj").write_text(OBJ)
+    (directory / "m.mtl").write_text(MTL.format(image=f"i.{kind}"))
+    shape = '<geometry><mesh filename="m.obj" scale="1 1 2"/></geometry>'
+    tip = f"{INERTIAL}<visual>{shape}{more}</visual><collision>{shape}</collision>"
+    path = directory / "r.urdf"
+    path.write_bytes(arm(LIMIT, tip=tip).data)
+    return path
+
+
+@pytest.mark.parametrize("kind", ["png", "bmp"])
+def test_each_material_of_a_mesh_is_a_geom(kind: str, tmp_path: Path) -> None:
+    model, parts = loaded(meshed(tmp_path, kind=kind), tmp_path / "o")
+    seen = [number for number in range(model.ngeom) if not model.geom_contype[number]]
+    assert len(seen) == 2, "a single triangle is no mesh for MuJoCo"
+    assert model.geom_matid[seen].tolist() == [0, -1]
+    assert model.geom_rgba[seen[1]].tolist() == [1, 0, 0, 0.5]
+    assert model.tex_data[:12].tolist() == [255] + [0] * 11
+    assert sorted(path.name for path in (tmp_path / "o").rglob("*.*")) == [
+        "arm.xml",
+        "conversion.json",
+        "i.png",
+        "m.obj",
+        "m_material_1.obj",
+        "m_material_2.obj",
+    ]
+    at = "link/tip/visual/geometry/mesh"
+    assert parts[at] == "kept: visual geom for each of its 2 materials"
+
+
+def test_a_material_of_the_robot_replaces_those_of_a_mesh(tmp_path: Path) -> None:
+    more = '<material name="g"><color rgba="0 1 0 1"/></material>'
+    model, parts = loaded(meshed(tmp_path, more), tmp_path / "o")
+    assert model.geom_contype.tolist() == [0, 1]
+    assert model.geom_rgba[0].tolist() == [0, 1, 0, 1]
+    assert parts["link/tip/visual/material/g/color"] == "kept: rgba of the geom"
+
+
+def test_a_texture_of_the_robot(tmp_path: Path) -> None:
+    more = '<material name="i"><texture filename="i.png"/></material>'
+    path = meshed(tmp_path, more)
+    whole = OBJ.replace("f 3 5 6", "f 3/1 5/2 6/3").split("f 2 5 6")[0]
+    (tmp_path / "m.obj").write_text(whole)
+    model, parts = loaded(path, tmp_path / "o")
+    assert model.geom_matid[0] == 0
+    assert parts["link/tip/visual/material/i/texture@filename"] == "kept: texture"
+    (tmp_path / "i.png").write_bytes(b"no image")
+    model, parts = loaded(path, tmp_path / "p")
+    assert model.ntex == 0
+    assert parts["link/tip/visual/material/i/texture"] == "lost: the image cannot be read"
+
+
+def test_the_material_that_a_link_has_in_gazebo(tmp_path: Path) -> None:
+    visual = f'{INERTIAL}<visual><geometry><sphere radius="1"/></geometry></visual>'
+    tag = '<gazebo reference="tip"><material>Gazebo/Red</material></gazebo>'
+    model, parts = loaded(arm(LIMIT, tip=visual, more=tag), tmp_path / "o")
+    assert model.geom_rgba[0].tolist() == [1, 0, 0, 1]
+    assert parts["gazebo/tip/material"] == "kept: rgba of the geom"
+
+
+@pytest.mark.parametrize(
+    ("collision", "note"),
+    [("hull", "MuJoCo collides with its convex hull"), ("decompose", "mm outside of the mesh")],
+)
+def test_collision_meshes(collision: str, note: str, tmp_path: Path) -> None:
+    model, parts = loaded(meshed(tmp_path), tmp_path / "o", collision=collision)
+    collides = np.flatnonzero(model.geom_contype)
+    assert (len(collides) > 1) == (collision == "decompose")
+    assert (model.geom_type[collides] == mujoco.mjtGeom.mjGEOM_MESH).all()
+    assert parts["link/tip/collision/geometry/mesh"].endswith(note)
+
+
+def test_a_mesh_that_is_a_box_collides_as_one(tmp_path: Path) -> None:
+    path = meshed(tmp_path)
+    corners = [(x, y, z) for x in (0, 1) for y in (0, 2) for z in (0, 3)]
+    quads = ("1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6")
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {quad}" for quad in quads]
+    (tmp_path / "m.obj").write_text("\n".join(lines))
+    model, parts = loaded(path, tmp_path / "o", collision="primitives")
+    box = int(np.flatnonzero(model.geom_contype)[0])
+    assert model.geom_type[box] == mujoco.mjtGeom.mjGEOM_BOX
+    assert sorted(model.geom_size[box]) == pytest.approx([0.5, 1, 3], abs=1e-6)
+    assert model.geom_pos[box] == pytest.approx([0.5, 1, 3], abs=1e-6)
+    assert parts["link/tip/collision/geometry/mesh"].startswith("approximated: box, up to ")
+
+
+def test_lidars_measure(tmp_path: Path) -> None:
+    wall = (
+        '<collision><origin xyz="2 0 -0.5"/><geometry><box size="0.2 9 9"/></geometry></collision>'
+    )
+    tag = (
+        '<gazebo reference="base"><sensor name="scan" type="gpu_lidar"><lidar><scan><horizontal>'
+        "<samples>3</samples><min_angle>-0.5</min_angle><max_angle>0.5</max_angle></horizontal>"
+        "</scan><range><min>0.1</min><max>30</max></range></lidar></sensor></gazebo>"
+    )
+    model, parts = loaded(arm(LIMIT, tip=INERTIAL + wall, more=tag), tmp_path / "o")
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert data.sensordata == pytest.approx([1.9 / np.cos(0.5), 1.9, 1.9 / np.cos(0.5)])
+    assert model.sensor_cutoff.tolist() == [30] * 3
+    at = "gazebo/base/sensor/scan"
+    assert parts[at] == "kept: rangefinders"
+    assert parts[f"{at}/lidar/range/max"] == "kept: cutoff"
+    assert parts[f"{at}/lidar/range/min"].startswith("lost: ")
+
+
+def test_lidars_of_many_rays_have_fewer(tmp_path: Path) -> None:
+    tag = (
+        '<gazebo reference="base"><sensor name="scan" type="ray"><ray><scan><horizontal>'
+        "<samples>1000000000</samples><min_angle>0</min_angle><max_angle>6</max_angle></horizontal>"
+        "<vertical><samples>32</samples><min_angle>0</min_angle><max_angle>1</max_angle></vertical>"
+        "</scan></ray></sensor></gazebo>"
+    )
+    model, parts = loaded(arm(LIMIT, more=tag), tmp_path / "o")
+    assert model.nsensor == 352
+    at = "gazebo/base/sensor/scan/ray/scan/vertical/samples"
+    assert parts[at] == "approximated: 352 rangefinders for 32000000000 rays"
+
+
+SRDF = """<robot name="arm">
+<group name="all"><joint name="turn"/></group>
+<group name="same"><joint name="turn"/></group>
+<group_state name="up" group="all"><joint name="turn" value="1.5"/></group_state>
+<group_state name="home" group="all"><joint name="turn" value="0.5"/></group_state>
+<group_state name="home" group="same"><joint name="turn" value="-0.5"/></group_state>
+<group_state name="none" group="same"><joint name="other" value="-0.5"/></group_state>
+<disable_collisions link1="base" link2="hand" reason="Never"/>
+</robot>"""
+HAND = (
+    f'<link name="hand">{INERTIAL}</link><joint name="grip" type="revolute">'
+    f'<parent link="tip"/><child link="hand"/>{LIMIT}<mimic joint="turn" multiplier="2"/></joint>'
+    '<ros2_control name="c" type="system"><joint name="turn">'
+    '<command_interface name="position"/></joint></ros2_control>'
+)
+
+
+def test_states_are_keyframes(tmp_path: Path) -> None:
+    path = tmp_path / "arm.urdf"
+    path.write_bytes(arm(LIMIT, more=HAND).data)
+    (tmp_path / "arm.srdf").write_text(SRDF)
+    model, _ = loaded(path, tmp_path / "o")
+    assert [model.key(number).name for number in range(model.nkey)] == [
+        "up",
+        "all home",
+        "same home",
+    ]
+    assert model.key_qpos.tolist() == [[1.5, 3], [0.5, 1], [-0.5, -1]]
+    assert model.key_ctrl.tolist() == [[1.5], [0.5], [-0.5]]
+    assert "base hand" in [model.exclude(number).name for number in range(model.nexclude)]
+
+
+def test_exclusions_that_are_computed(tmp_path: Path) -> None:
+    pytest.importorskip("coal")
+    before, _ = loaded(PICKER, tmp_path / "o")
+    after, _ = loaded(PICKER, tmp_path / "p", exclude="computed")
+    assert after.nexclude > before.nexclude
+
+
+FIXED = (
+    f'<link name="flange">{INERTIAL}<collision><origin xyz="0 0 1"/>'
+    '<geometry><sphere radius="0.1"/></geometry></collision></link>'
+    '<joint name="f" type="fixed"><parent link="tip"/><child link="flange"/>'
+    '<origin xyz="0 2 0" rpy="1.5707963267948966 0 0"/></joint>'
+    f'<link name="end">{INERTIAL}</link><joint name="last" type="continuous">'
+    '<parent link="flange"/><child link="end"/><origin xyz="0 0 3"/></joint>'
+)
+
+
+def test_fixed_links_are_merged(tmp_path: Path) -> None:
+    tags = (
+        '<gazebo reference="flange"><mu1>0.7</mu1><sensor name="imu" type="imu">'
+        "<pose>0 0 1 0 0 0</pose></sensor></gazebo>"
+    )
+    model, parts = loaded(arm(LIMIT, more=FIXED + tags), tmp_path / "o", fixed="merge")
+    assert [model.body(number).name for number in range(model.nbody)] == [
+        "world",
+        "base",
+        "tip",
+        "end",
+    ]
+    assert model.body("tip").mass[0] == 4
+    assert model.body("end").pos == pytest.approx([0, -1, 0])
+    assert model.site("flange").pos == pytest.approx([0, 2, 0])
+    assert model.site("imu").pos == pytest.approx([0, 1, 0])
+    assert model.geom_pos[0] == pytest.approx([0, 1, 0])
+    assert model.geom_friction[0][0] == 0.7
+    assert parts["link/flange"] == "kept: site of 'tip'"
+    assert parts["joint/f"] == "kept: merged into body 'tip'"
+    assert parts["link/flange/inertial/mass"] == "kept: part of the inertial of body 'tip'"
+
+
+def test_a_fixed_joint_that_is_measured_is_not_merged(tmp_path: Path) -> None:
+    tag = '<gazebo reference="f"><sensor name="ft" type="force_torque"/></gazebo>'
+    model, parts = loaded(arm(LIMIT, more=FIXED + tag), tmp_path / "o", fixed="merge")
+    assert model.body("flange").mass[0] == 2
+    assert parts["gazebo/f/sensor/ft"] == "kept: site and sensors"
+
+
+@settings(suppress_health_check=list(HealthCheck), derandomize=True)
+@given(robots())
+def test_random_trees_are_merged(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
+    robot = read(Source("r.urdf", text.encode()))
+    found = convert(robot, tmp_path_factory.mktemp("tree") / "out", fixed="merge")
+    assert found.proof.holds
+
+
+def test_a_link_without_inertial_bears_what_cannot_stand_alone(tmp_path: Path) -> None:
+    """MuJoCo rejects the tensor of the child, and its mass must not be lost."""
+    tensor = INERTIAL.replace('izz="0.1"', 'izz="0.9"')
+    more = (
+        f'<link name="flange">{tensor}</link><joint name="f" type="fixed">'
+        '<parent link="tip"/><child link="flange"/></joint>'
+        f'<link name="other">{INERTIAL.replace("0.1", "10")}</link><joint name="g" type="fixed">'
+        '<parent link="tip"/><child link="other"/></joint>'
+    )
+    robot = arm(LIMIT, tip="", more=more)
+    model, _ = loaded(robot, tmp_path / "o", fixed="merge")
+    assert model.body("tip").mass[0] == 4
+
+
+def test_no_file_is_written_beside_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """MuJoCo writes a log of its warnings into the current directory."""
+    monkeypatch.chdir(tmp_path)
+    loaded(meshed(tmp_path), tmp_path / "o")
+    assert not (tmp_path / "MUJOCO_LOG.TXT").exists()

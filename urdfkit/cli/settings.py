@@ -1,0 +1,122 @@
+"""``urdfkit check --show-settings``: the settings of a check as a configuration."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import groupby
+
+from urdfkit.lint import rule_index
+from urdfkit.lint.config import Config, RobotEntry
+from urdfkit.lint.options import Options
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.editing.formatter import WIDTH
+from urdfkit.text.source import shown
+from urdfkit.text.terminal import printable, wrap
+
+#: Letters of a code that name its family.
+_FAMILY = 3
+
+
+def shown_settings(chosen: Options, fail_on: Severity) -> str:
+    """The settings of a check as TOML, those of the command line included.
+
+    Args:
+        chosen: the options of the check.
+        fail_on: the mildest severity that counts.
+    """
+    return "".join(f"{line}\n" for line in _lines(chosen, fail_on))
+
+
+def _lines(chosen: Options, fail_on: Severity) -> Iterator[str]:
+    resolved = chosen.resolved()
+    config = resolved.config
+    yield (
+        f"# from {printable(shown(config.path))}"
+        if config.path
+        else "# there is no configuration file"
+    )
+    yield wrap(f"select = {_listed(_rules(resolved))}", WIDTH, indent=4)
+    yield f"fail-on = {_text(fail_on.value)}"
+    targets = f"targets = {_listed(resolved.targets)}"
+    yield targets if resolved.targets else "# targets: detected for each robot"
+    if config.exclude:
+        yield f"exclude = {_listed(config.exclude)}"
+    yield f"preview = {_value(resolved.preview is True)}"
+    yield f"min-confidence = {_text(config.min_confidence.value)}"
+    yield f"width = {config.width or WIDTH}"
+    yield f"xacro-seconds = {config.limits.seconds:g}"
+    yield f"xacro-megabytes = {config.limits.megabytes}"
+    yield f"trust = {_value(resolved.trust)}"
+    directories = {name: os.path.abspath(path) for name, path in resolved.packages.items()}
+    yield from _table("packages", directories)
+    yield from _table("arguments", {**config.arguments, **chosen.arguments})
+    yield from _table("severity", {code: one.value for code, one in config.severities.items()})
+    for code, options in config.options.items():
+        yield from _table(f"rules.{code}", options)
+    yield from _of_files(config)
+    for file, entries in groupby(config.robots, key=lambda robot: robot.file):
+        yield from _robot(file, list(entries))
+
+
+def _rules(resolved: Options) -> Iterator[str]:
+    """The rules that run: families of which all do, and codes."""
+    chosen = set(resolved.select)
+    known = sorted({*rule_index.codes(), *rule_index.external()})
+    for family, codes in groupby(known, key=lambda code: code[:_FAMILY]):
+        every = list(codes)
+        whole = chosen.issuperset(every)
+        yield from [family] if whole else ()
+        for code in filter(chosen.__contains__, every):
+            if resolved.previews(code) if rule_index.get(code).preview else not whole:
+                yield code
+
+
+def _of_files(config: Config) -> Iterator[str]:
+    for entry in config.file_ignores:
+        yield ""
+        yield "[[per-file-ignores]]"
+        yield f"files = {_listed(entry.files)}"
+        yield wrap(f"codes = {_listed(sorted(entry.codes | entry.but_errors))}", WIDTH, indent=4)
+        if entry.reason:
+            yield f"reason = {_text(entry.reason)}"
+
+
+def _robot(file: str, entries: list[RobotEntry]) -> Iterator[str]:
+    yield ""
+    yield "[[robot]]"
+    yield f"file = {_text(file)}"
+    for entry in entries:
+        key = f"variants.{_key(entry.name)}" if entry.name else "arguments"
+        inner = ", ".join(
+            f"{_key(name)} = {_text(value)}" for name, value in entry.arguments.items()
+        )
+        yield f"{key} = {{ {inner} }}"
+
+
+def _table(name: str, values: Mapping[str, object]) -> Iterator[str]:
+    if values:
+        yield ""
+        yield f"[{name}]"
+        yield from (f"{_key(key)} = {_value(value)}" for key, value in values.items())
+
+
+def _listed(texts: Iterable[str]) -> str:
+    return f"[{', '.join(map(_text, texts))}]"
+
+
+def _value(value: object) -> str:
+    """A value as TOML writes it; numbers and truth values are as in JSON."""
+    return _text(value) if isinstance(value, str) else json.dumps(value)
+
+
+def _key(name: str) -> str:
+    is_bare = name.isascii() and name.replace("-", "").replace("_", "").isalnum()
+    return name if is_bare else _text(name)
+
+
+def _text(text: str) -> str:
+    """A text as TOML writes it, without what steers a terminal or a CI server."""
+    quoted = json.dumps(text, ensure_ascii=False).replace("##", "\\u0023#")
+    return "".join(char if char.isprintable() else f"\\U{ord(char):08x}" for char in quoted)

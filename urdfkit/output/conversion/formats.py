@@ -1,0 +1,16 @@
+"""The formats that a robot can be converted to; each has a module with a function ``write``."""
+
+from __future__ import annotations
+
+from urdfkit.core.record import Record
+
+
+class Format(Record):
+    """A format."""
+
+    name: str  # as --to takes it
+    module: str  # below this package; loaded when the format is asked for, since it is heavy
+    extra: str  # of urdfkit, with the libraries that it needs
+
+
+FORMATS = {one.name: one for one in (Format("mjcf", "writing", "simulate"),)}

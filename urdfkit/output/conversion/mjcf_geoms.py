@@ -1,0 +1,328 @@
+"""The geoms of a robot in MJCF: shapes, meshes with materials and textures, simpler collisions."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from urdfkit.core import atomic
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Transform
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Context
+from urdfkit.mesh.containment import protrusion
+from urdfkit.mesh.convex_decomposition import decompose
+from urdfkit.mesh.convex_hull import NoHull
+from urdfkit.mesh.fitting import fit
+from urdfkit.mesh.geometry import Mesh, MeshPart
+from urdfkit.mesh.repair.soup import soup_of
+from urdfkit.mesh.writers import encode
+from urdfkit.output.conversion.losses import LossTable
+from urdfkit.output.conversion.mjcf_math import quaternion
+from urdfkit.output.conversion.mjcf_textures import Textures
+from urdfkit.render.materials import PLAIN, ModelMaterials, SurfaceMaterial
+from urdfkit.robot.assets.collision_shapes import RELATIVE
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.assets.geometry import body_mesh
+from urdfkit.robot.model import Body, Link, Material, Shape
+
+#: The groups that MuJoCo's viewer shows and hides: visuals, collisions.
+VISUAL_GROUP, COLLISION_GROUP = 2, 3
+#: MuJoCo reads no mesh with fewer vertices.
+_LEAST_VERTICES = 4
+
+_KINDS = {
+    "box": mujoco.mjtGeom.mjGEOM_BOX,
+    "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
+    "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
+    "capsule": mujoco.mjtGeom.mjGEOM_CAPSULE,
+    "mesh": mujoco.mjtGeom.mjGEOM_MESH,
+}
+_NO_SIZE = (0.0, 0.0, 0.0)
+
+
+class Piece(Record):
+    """A geom in the frame of its visual or collision."""
+
+    kind: str  # of the shape
+    size: tuple[float, ...]  # MuJoCo's: half the edges; radius and half the length
+    frame: Transform = Transform()
+    mesh: str = ""  # the name of its mesh; empty for a primitive
+
+
+class Geoms:
+    """The geoms, meshes and materials of a specification.
+
+    Args:
+        spec: MuJoCo's.
+        robot: as it was read.
+        files: where the file of each mesh lies, by the ``id`` of the reference.
+        directory: that the paths of the files begin in; others are added there.
+        losses: of the conversion.
+        collision: one of `urdfkit.output.conversion.options.COLLISIONS`.
+    """
+
+    def __init__(
+        self,
+        spec: Any,
+        robot: Context,
+        files: Mapping[int, str],
+        directory: str,
+        losses: LossTable,
+        collision: str,
+    ) -> None:
+        self._spec = spec
+        self._robot = robot
+        self._files = files
+        self._directory = directory
+        self._losses = losses
+        self._collision = collision
+        self._colours = Colours(robot.model)
+        self._materials = ModelMaterials(robot)
+        self._textures = Textures(spec, directory)
+        self._meshes: dict[tuple[str, tuple[float, ...], bool], str] = {}
+        self._simpler: dict[tuple[str, tuple[float, ...]], tuple[list[Piece], str]] = {}
+        self._gazebo = {
+            block.get("reference"): block for block in robot.model.gazebo if block.child("material")
+        }
+
+    def add(self, body: Any, frame: Transform, link: Link) -> list[Any]:
+        """Add the geoms of a link.
+
+        Args:
+            body: MuJoCo's, that gets them.
+            frame: of the link, in that of the body.
+            link: of the robot.
+
+        Returns:
+            Those that collide.
+
+        Raises:
+            UrdfkitError: a shape has no size.
+        """
+        colliding: list[Any] = []
+        for geometry in (*link.visuals, *link.collisions):
+            shape = geometry.shape
+            if shape is None or shape.kind not in _KINDS:
+                continue
+            size = _size(shape)
+            if size is None:
+                raise UrdfkitError(f"{shape.at.span}: <{shape.kind}> has no size that is over 0")
+            place = frame @ geometry.origin
+            is_visual = any(geometry is one for one in link.visuals)
+            what = "visual geom" if is_visual else "collision geom"
+            self._losses.keep(geometry.at, what)
+            for tag in ("origin", "geometry"):
+                self._losses.keep(geometry.at.child(tag), what)
+            self._losses.keep(shape.at, what)
+            if is_visual:
+                self._visual(body, place, link, geometry, Piece(shape.kind, size))
+            else:
+                pieces = self._collided(geometry, shape, size)
+                colliding += [self._placed(body, place, one, COLLISION_GROUP) for one in pieces]
+        return colliding
+
+    def _placed(self, body: Any, frame: Transform, piece: Piece, group: int) -> Any:
+        place = frame @ piece.frame
+        made = body.add_geom(
+            type=_KINDS[piece.kind],
+            pos=place.position,
+            quat=quaternion(place.rotation),
+            size=piece.size,
+            group=group,
+        )
+        if piece.mesh:
+            made.meshname = piece.mesh
+        return made
+
+    def _visual(
+        self, body: Any, frame: Transform, link: Link, geometry: Body, piece: Piece
+    ) -> None:
+        """One geom for each material."""
+        assert geometry.shape is not None
+        surfaces = [(piece, self._materials.of(link.name, "visual", geometry, None), False)]
+        if geometry.shape.filename is not None:
+            surfaces = [*self._surfaces(link, geometry, geometry.shape)]
+            if len(surfaces) > 1:
+                note = f"visual geom for each of its {len(surfaces)} materials"
+                self._losses.keep(geometry.shape.at, note)
+        for one, material, has_uv in surfaces:
+            made = self._placed(body, frame, one, VISUAL_GROUP)
+            made.contype = made.conaffinity = 0
+            self._paint(made, material, has_uv=has_uv)
+        has_uv = all(one[2] for one in surfaces)
+        self._tell_material(link, geometry, surfaces[0][1], has_uv=has_uv)
+
+    def _surfaces(
+        self, link: Link, geometry: Body, shape: Shape
+    ) -> Iterator[tuple[Piece, SurfaceMaterial, bool]]:
+        """What a mesh consists of, with the material of each, and whether it has uv."""
+        assert shape.filename is not None
+        loaded = self._robot.meshes.mesh(shape)
+        file = self._files[id(shape.filename)]
+        groups: dict[SurfaceMaterial, list[MeshPart]] = {}
+        for part in loaded.parts if loaded else ():
+            if len(part.faces):
+                material = self._materials.of(link.name, "visual", geometry, part.material)
+                groups.setdefault(material, []).append(part)
+        _join_small(groups)
+        if loaded is None or not groups:
+            own = self._materials.of(link.name, "visual", geometry, None)
+            groups = {own: []}
+        for number, (material, parts) in enumerate(groups.items(), 1):
+            has_uv = bool(parts) and all(part.uv is not None for part in parts)
+            path = file
+            if len(groups) > 1 or (material.texture and has_uv and not file.endswith(".obj")):
+                assert loaded is not None
+                plain = [part._replace(material=None, colors=None) for part in parts]
+                path = f"{os.path.splitext(file)[0]}_material_{number}.obj"
+                self._write(path, loaded._replace(parts=tuple(plain)))
+            mesh = self._mesh(path, shape.scale, is_visual=True)
+            yield Piece("mesh", _NO_SIZE, mesh=mesh), material, has_uv
+
+    def _paint(self, made: Any, material: SurfaceMaterial, *, has_uv: bool) -> None:
+        name = self._textures.material(material) if has_uv else ""
+        if name:
+            made.material = name
+        elif material != PLAIN:
+            made.rgba = material.rgba
+
+    def _tell_material(
+        self, link: Link, geometry: Body, used: SurfaceMaterial, *, has_uv: bool
+    ) -> None:
+        """What became of the material of a visual, or of its link in Gazebo."""
+        keep = self._losses.keep
+        material = self._colours.of(geometry)
+        if material is None:
+            block = self._gazebo.get(link.name)
+            loaded = geometry.shape and geometry.shape.filename
+            if block is not None and used != PLAIN and not loaded:
+                keep(block, "body")
+                keep(block.child("material"), "rgba of the geom")
+            return
+        owners = (material, geometry.material)
+        if material.rgba:
+            for owner in owners:
+                if isinstance(owner, Material):
+                    keep(owner.at, "rgba of the geom")
+                    keep(owner.at.child("color") if owner is material else None, "rgba of the geom")
+        if material.texture is None:
+            return
+        why = "" if has_uv else "the shape has no texture coordinates"
+        why = why or ("" if used.texture else "the image is not there")
+        why = why or self._textures.reason(used)
+        texture = material.at.child("texture")
+        if why:
+            self._losses.lose(texture, why)
+            return
+        for owner in owners:
+            if isinstance(owner, Material):
+                keep(owner.at, "material")
+        keep(texture, "texture")
+
+    def _collided(self, geometry: Body, shape: Shape, size: tuple[float, ...]) -> Iterable[Piece]:
+        """What collides for a collision."""
+        if shape.filename is None:
+            return (Piece(shape.kind, size),)
+        file = self._files[id(shape.filename)]
+        if self._collision != "hull":
+            key = file, shape.scale
+            if key not in self._simpler:
+                self._simpler[key] = self._simplified(geometry, file)
+            pieces, note = self._simpler[key]
+            if pieces:
+                self._losses.approximate(shape.at, note)
+                return pieces
+        self._losses.approximate(shape.at, "MuJoCo collides with its convex hull")
+        return (Piece("mesh", size, mesh=self._mesh(file, shape.scale, is_visual=False)),)
+
+    def _simplified(self, geometry: Body, file: str) -> tuple[list[Piece], str]:
+        """Simpler shapes for a mesh, and what they are; none where it is flat."""
+        mesh = body_mesh(self._robot, geometry)
+        if mesh is None:
+            return [], ""
+        try:
+            if self._collision == "primitives":
+                best = fit(mesh, RELATIVE * soup_of(mesh).size).best
+                what, parts, error = str(best), best.mesh, best.error
+                if best.kind in ("box", "sphere", "cylinder"):
+                    halved = _halved(best.kind, best.size)
+                    return [Piece(best.kind, halved, best.frame)], _approximated(what, error)
+            else:
+                parts = decompose(mesh)
+                count = len(parts.parts)
+                what, error = f"{count} convex pieces", protrusion(parts, mesh)
+                what = "its convex hull" if count == 1 else what
+        except NoHull:
+            return [], ""
+        pieces = []
+        for number, part in enumerate(parts.parts, 1):
+            path = f"{os.path.splitext(file)[0]}_piece_{len(self._simpler) + 1}_{number}.stl"
+            self._write(path, parts._replace(parts=(part,)))
+            name = self._mesh(path, (1.0, 1.0, 1.0), is_visual=False)
+            pieces.append(Piece("mesh", _NO_SIZE, mesh=name))
+        return pieces, _approximated(what, error)
+
+    def _write(self, path: str, mesh: Mesh) -> None:
+        """A mesh file in the directory of the conversion."""
+        directory, name = os.path.split(os.path.join(self._directory, path))
+        atomic.make_directory(directory)
+        for one, data in encode(mesh, name).items():
+            atomic.write(os.path.join(directory, one), data, durable=False)
+
+    def _mesh(self, file: str, scale: tuple[float, ...], *, is_visual: bool) -> str:
+        """The name of a mesh of the specification."""
+        key = (file, scale, is_visual)
+        if key not in self._meshes:
+            stem = os.path.splitext(os.path.basename(file))[0]
+            number = sum(one[0] == file for one in self._meshes)
+            self._meshes[key] = f"{stem}_{number + 1}" if number else stem
+            made = self._spec.add_mesh(name=self._meshes[key], file=file, scale=scale)
+            if is_visual:  # which may be flat
+                made.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        return self._meshes[key]
+
+
+def _join_small(groups: dict[SurfaceMaterial, list[MeshPart]]) -> None:
+    """Give what is too small for a mesh of its own to the largest material."""
+    counts = {material: _count_vertices(parts) for material, parts in groups.items()}
+    largest = max(counts, key=lambda material: counts[material], default=None)
+    for material, count in counts.items():
+        if largest is not None and count < _LEAST_VERTICES and material != largest:
+            for part in groups.pop(material):
+                uv = np.zeros((len(part.vertices), 2)) if part.uv is None else part.uv
+                groups[largest].append(part._replace(uv=uv))
+
+
+def _count_vertices(parts: list[MeshPart]) -> int:
+    """Vertices at the same place are one."""
+    corners = np.concatenate([one.vertices[one.faces].reshape(-1, 3) for one in parts])
+    return len(np.unique(corners, axis=0))
+
+
+def _approximated(what: str, error: float) -> str:
+    return f"{what}, up to {error * 1e3:.3g} mm outside of the mesh"
+
+
+def _size(shape: Shape) -> tuple[float, ...] | None:
+    """MuJoCo's size of a shape; None for one that is not over 0."""
+    if shape.kind == "mesh":
+        return _NO_SIZE
+    if shape.kind == "box":
+        written: tuple[float | None, ...] = shape.size or (None,)
+    else:
+        written = (shape.radius,) if shape.kind == "sphere" else (shape.radius, shape.length)
+    sizes = [one for one in written if one is not None and one > 0]
+    return _halved(shape.kind, sizes) if len(sizes) == len(written) else None
+
+
+def _halved(kind: str, sizes: Iterable[float]) -> tuple[float, ...]:
+    """Half the edges of a box; radius and half the length of what has them."""
+    if kind == "box":
+        return tuple(edge / 2 for edge in sizes)
+    radius, *length = sizes
+    return (radius, length[0] / 2 if length else 0.0, 0.0)
