@@ -1,7 +1,5 @@
 """The difference of two texts, as a unified diff."""
 
-from __future__ import annotations
-
 import difflib
 import io
 from array import array
