@@ -6,8 +6,8 @@ inside `<geometry>` gives no colour, an `<origin>` directly in a link moves noth
 outside `<inertial>` has no effect. Correct the name, move the element, or remove it. A tag with a
 namespace prefix, such as `drake:proximity_properties`, is an extension and is not reported; one
 that a program reads, in its package, one next to it or one that it depends on, is an info, as is
-one whose attributes are all zero, one in the axis of a fixed joint, and one that `<xacro:element>`
-makes.
+an old tag whose attributes are all zero, one in the axis of a fixed joint, and one that
+`<xacro:element>` makes.
 
 It is an error where a needed element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -96,12 +96,12 @@ def _unknown(element: Element, suggested: str, reader: str | None) -> Finding:
 
 
 def _has_no_effect(element: Element) -> bool:
-    """True for zeros, and for the axis of a joint that has none."""
+    """True for an old tag with zeros, and for the axis of a joint that has none."""
     parent = element.parent
     joint = parent.parent if parent is not None and parent.tag == "axis" else None
     if joint is not None and joint.attributes.get("type"):
         return joint.attributes["type"].value == "fixed"
-    return bool(element.attributes) and not element.children and _is_zero(element)
+    return element.tag in _INSTEAD and not element.children and _is_zero(element)
 
 
 def _help(element: Element, suggested: str) -> str:
