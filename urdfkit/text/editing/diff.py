@@ -1,5 +1,7 @@
 """The difference of two texts, as a unified diff."""
 
+from __future__ import annotations
+
 import difflib
 import io
 from array import array
