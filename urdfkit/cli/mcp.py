@@ -1,7 +1,5 @@
 """``urdfkit mcp``: the tools of urdfkit for programs that speak the Model Context Protocol."""
 
-from __future__ import annotations
-
 import os
 
 import click

@@ -4,8 +4,6 @@ So it has the limits of that command, and a crash ends one answer. What a client
 option: paths begin with a dot, codes and names of arguments are words.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import subprocess

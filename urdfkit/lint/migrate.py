@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check
@@ -12,9 +12,6 @@ from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.editing.diff import diff
 from urdfkit.text.source import Source
-
-if TYPE_CHECKING:
-    import os
 
 
 class Migration(Record):

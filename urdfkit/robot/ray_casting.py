@@ -8,14 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import cos, inf, sin, sqrt
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
+from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Primitive, primitive
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Body
 
 #: Below this a direction is along a face, or along an axis.
 _SMALL = 1e-9

@@ -1,19 +1,14 @@
 """The words that programs of a workspace name as strings, such as tags of their own in XML."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Collection, Iterable, Iterator
 from itertools import islice
-from typing import TYPE_CHECKING
 
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.manifest import manifest_of
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.resolve import Resolver
 
 #: Bounds of the search.
 MAX_FILES, MAX_BYTES = 1000, 200_000

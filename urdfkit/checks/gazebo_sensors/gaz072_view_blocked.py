@@ -21,23 +21,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 from math import dist
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, vector
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Related, Severity, rule
-from urdfkit.robot.ray_casting import beams_on, crosses_plane, intervals, shape_of
+from urdfkit.robot.model import Body
+from urdfkit.robot.ray_casting import Scan, beams_on, crosses_plane, intervals, shape_of
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import Primitive
 from urdfkit.ros.gazebo.samples import SCANNER, solid_xml
-from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.views import frame_of, image_rays, is_camera, planar_scan
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
-    from urdfkit.robot.model import Body
-    from urdfkit.robot.ray_casting import Scan
-    from urdfkit.ros.gazebo.sensors import Sensor
 
 #: The part of the beams of a lidar from which it is an info and a warning.
 SOME, MANY = 0.1, 0.3

@@ -6,18 +6,15 @@ A uniform solid has its inertial where its shape is, so the calls pass the pose 
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.robot import DescribedRobot
+from urdfkit.robot.model import Body, Link
 from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Edit, Fix
+from urdfkit.text.document import Attribute, CallFrame, Element, Tag
 from urdfkit.text.editing.edits import insert_behind, replace
 from urdfkit.text.source import Span
-
-if TYPE_CHECKING:
-    from urdfkit.robot import DescribedRobot
-    from urdfkit.robot.model import Body, Link
-    from urdfkit.text.document import Attribute, CallFrame, Element, Tag
 
 #: The moments about x, y and z of a uniform solid about its centre, by its parameters.
 _MOMENTS = {
