@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -43,9 +44,33 @@ def test_one_that_does_not(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     found = json.loads(capsys.readouterr().out)
     assert (found["base"], found["passes"]) == ("fixed", False)
     assert [found["verdicts"][0][key] for key in ("test", "line")] == ["overlap", 2]
+    assert main(["simulate", str(file), "--format", "junit"]) == 1
+    (suite,) = ElementTree.fromstring(capsys.readouterr().out)
+    assert suite.get("tests") == str(len(found["verdicts"]))
+    assert suite.get("failures") == str(sum(not one["passes"] for one in found["verdicts"]))
+    first = suite[0]
+    assert (first.get("name"), first.get("line")) == ("overlap a b", "2")
+    assert "overlap by" in first[0].attrib["message"]
+    assert (first[0].tag, suite[-1][0].tag) == ("failure", "system-out")
 
 
 def test_what_cannot_be_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "two.urdf").write_text('<robot name="r"><link name="a"/><link name="b"/></robot>')
     assert main(["simulate", str(tmp_path / "two.urdf")]) == 2
     assert "do not form one tree" in capsys.readouterr().err
+
+
+def test_its_release_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    image = pytest.importorskip("PIL.Image")
+    from urdfkit.cli import simulate
+    from urdfkit.render import animation
+
+    monkeypatch.setattr(simulate, "SIZE", (64, 40))
+    monkeypatch.setattr(simulate, "MOVING", (64, 40))
+    monkeypatch.setattr(animation, "FRAMES", 4)
+    gif, png = tmp_path / "a.gif", tmp_path / "a.png"
+    assert main(["simulate", str(ARM), "--gif", str(gif), "--png", str(png)]) == 0
+    with image.open(gif) as moving, image.open(png) as still:
+        assert (moving.format, moving.size) == ("GIF", (64, 40))
+        assert (still.format, still.size) == ("PNG", (64, 40))
+    assert main(["simulate", str(ARM), "--gif", str(tmp_path / "a.jpg")]) == 2

@@ -8,6 +8,25 @@ from tests.pytest_plugin.projects import Project, outcome
 
 pytest_plugins = ["pytester"]
 
+HELD = """\
+<robot name="held">
+  <link name="base"/>
+  <link name="arm">
+    <inertial>
+      <origin xyz="0.1 0 0"/>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+</robot>
+"""
+
 
 def test_the_factory_expands_with_arguments(project: Project) -> None:
     result = project.test(
@@ -73,3 +92,22 @@ def test_bad(check_urdf):
     assert "urdf/broken.urdf:3:63: error REF001" in text
     assert ">       check_urdf(" in text, "the line of the test"
     assert "urdfkit/testing.py" not in text
+
+
+def test_simulate_fails_with_what_the_robot_does(project: Project) -> None:
+    pytest.importorskip("mujoco")
+    project.write("arm.urdf", HELD)
+    project.write("weak.urdf", HELD.replace('effort="10"', 'effort="0.01"'))
+    result = project.test(
+        """
+def test_good(simulate):
+    assert simulate("arm.urdf").passes
+
+def test_bad(simulate):
+    simulate("weak.urdf")
+"""
+    )
+    text = outcome(result, passed=1, failed=1)
+    assert "FAILS hold: joint" in text
+    assert "weak.urdf:" in text
+    assert "pytest_plugin/__init__.py" not in text

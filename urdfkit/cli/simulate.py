@@ -12,16 +12,21 @@ from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.progress import shown as progress
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.output.conversion.options import BASES
-from urdfkit.output.simulation import simulate
+from urdfkit.output.simulation import motion, simulate
 
 if TYPE_CHECKING:
+    from urdfkit.lint.context import Context
     from urdfkit.output.simulation.verdicts import Simulation
+
+#: Pixels of the image and of the animation.
+SIZE, MOVING = (1280, 720), (640, 400)
 
 
 @with_examples(
     "simulate",
     "urdfkit simulate robot.urdf.xacro",
     "urdfkit simulate robot.urdf.xacro --base free --format json",
+    "urdfkit simulate robot.urdf.xacro --gif released.gif",
 )
 @one_robot
 @click.option(
@@ -30,26 +35,50 @@ if TYPE_CHECKING:
     default="auto",
     help="Weld the root to the world, or let it stand on a floor.",
 )
-@in_formats("text", "json")
+@click.option("--gif", metavar="FILE", help="Animation of its release: .gif, .webp or .apng.")
+@click.option("--png", metavar="FILE", help="Image of the end of its release: .png, .webp ...")
+@in_formats("text", "json", "junit")
 @limited
-def command(asked: dict[str, Any], base: str, form: str) -> int:
+def command(asked: dict[str, Any], base: str, gif: str | None, png: str | None, form: str) -> int:
     """Simulate a robot in MuJoCo; report what it should not do.
 
-    Links that overlap at the start; a robot that gains energy or diverges when it is released;
-    joints that give way though they are held with all of their effort.
+    Links that overlap or collide while a joint moves; a robot that gains energy or diverges when it
+    is released; joints that cannot be moved or held with their effort, or do not follow; a robot
+    that sinks, jitters or tips over when it is dropped.
 
     Exit codes: 0 it behaves, 1 it does not, 2 it cannot be simulated.
     """
     with progress() as bar:
         context = robot(asked, bar)
     found = simulate(context, base=base)
-    output.json_or_page(form, found.facts, _page(found))
+    if gif or png:
+        _draw(context, base, gif, png)
+    if form == "junit":
+        from urdfkit.output.simulation.junit import render
+
+        output.write(render(found, context.source.path))
+    else:
+        output.json_or_page(form, found.facts, _page(found))
     return int(not found.passes)
 
 
 def _page(found: Simulation) -> Iterator[str]:
     yield "its root stands on a floor" if found.is_free else "its root is welded to the world"
     for one in found.verdicts:
-        where = f" ({one.span})" if one.span else ""
-        word = "passes" if one.passes else "FAILS"
-        yield from output.indented(f"{word} {one.test}: {one.message}{where}")
+        yield from output.indented(str(one))
+
+
+def _draw(context: Context, base: str, gif: str | None, png: str | None) -> None:
+    from urdfkit import render
+    from urdfkit.render.animation import FRAMES
+
+    if gif:
+        render.animation_format(gif)
+    scene = render.build(context)
+    moments = motion(context, base=base, images=FRAMES)
+    scenes = [scene._replace(frames=frames) for frames in moments]
+    if gif:
+        shots = render.followed([(one, {}) for one in scenes], size=MOVING)
+        render.save_animation(render.animated(shots), gif)
+    if png:
+        render.save(render.render_image(scenes[-1], ["iso"], size=SIZE), png)

@@ -22,6 +22,7 @@ import pytest
 
 if TYPE_CHECKING:
     from urdfkit.lint.report import Report
+    from urdfkit.output.simulation.verdicts import Simulation
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.robot.assets.mesh_uses import MeshUse
     from urdfkit.robot.model import RobotModel
@@ -189,6 +190,28 @@ def check_urdf(urdf: Callable[..., Description]) -> Callable[..., Report]:
         return report
 
     return check
+
+
+@pytest.fixture
+def simulate(urdf: Callable[..., Description]) -> Callable[..., Simulation]:
+    """``simulate("urdf/arm.urdf.xacro", side="left")`` fails the test if the robot misbehaves.
+
+    What ``urdfkit simulate`` finds; the test is skipped where MuJoCo is not installed.
+    """
+    from urdfkit.core.installation import install_command
+
+    pytest.importorskip("mujoco", reason=f"needs {install_command('simulate')}")
+    from urdfkit.output.simulation import simulate as simulated
+
+    def run(path: str | Path, /, **arguments: object) -> Simulation:
+        __tracebackhide__ = True
+        found = simulated(urdf(path, **arguments).context)
+        if not found.passes:
+            failures = "\n".join(str(one) for one in found.verdicts if not one.passes)
+            pytest.fail(failures, pytrace=False)
+        return found
+
+    return run
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> UrdfFile | None:

@@ -6,8 +6,6 @@ operation that the sandbox does not know is bounded, too. Signals reach the main
 other threads, as in the language server, the sandbox is alone.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Callable, Iterator
@@ -46,7 +44,7 @@ def _interrupt_late(budget: Budget) -> Callable[[], None] | None:
 
     None if the thread is not the main one, or there are no such timers.
     """
-    if sys.platform == "win32":
+    if sys.platform in {"win32", "emscripten"}:
         return None
     import signal
 

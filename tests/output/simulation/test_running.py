@@ -8,7 +8,8 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit import read
-from urdfkit.output.simulation import simulate
+from urdfkit.core.spatial import Transform
+from urdfkit.output.simulation import motion, simulate
 from urdfkit.text.source import Source
 
 for library in ("mujoco", "numpy", "trimesh"):
@@ -30,11 +31,13 @@ def link(name: str, at: str = "0 0 0", mass: float = 1.0) -> str:
     )
 
 
-def joint(name: str, parent: str, at: str, kind: str = "revolute", effort: float = 100) -> str:
+def joint(
+    name: str, parent: str, at: str, kind: str = "revolute", effort: float = 100, more: str = ""
+) -> str:
     return (
         f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{name}"/>'
         f'<origin xyz="{at}"/><axis xyz="0 1 0"/>'
-        f'<limit lower="-3" upper="3" effort="{effort}" velocity="1"/></joint>\n'
+        f'<limit lower="-3" upper="3" effort="{effort}" velocity="1"/>{more}</joint>\n'
     )
 
 
@@ -66,6 +69,8 @@ def test_links_in_one_another_push_each_other_away() -> None:
     assert found["overlap"].span is not None
     assert found["overlap"].span.line == 3
     assert found["energy"].value > found["energy"].bound
+    assert found["energy"].names == ("a", "b")
+    assert found["energy"].message.endswith("contacts: 'a' and 'b' push each other away")
 
 
 def test_neighbours_of_what_is_welded_collide_in_mujoco() -> None:
@@ -94,11 +99,11 @@ def test_a_joint_holds_with_its_effort(effort: float, holds: bool) -> None:
 
 def test_what_follows_starts_where_its_leader_takes_it() -> None:
     """From zero it would be thrown there: a gain of 14 J."""
-    follower = joint("b", "world", "0 2 0").replace(
-        "</joint>", '<mimic joint="a" multiplier="1" offset="0.8"/></joint>'
-    )
+    follower = joint("b", "world", "0 2 0", more='<mimic joint="a" offset="0.8"/>')
     arms = link("a", at="0.5 0 0"), joint("a", "world", "0 0 0"), link("b", at="0.5 0 0"), follower
-    assert failures(robot(*arms)) == {}
+    lenient = *arms[:3], follower.replace('upper="3"', 'upper="4"')
+    assert failures(robot(*lenient)) == {}
+    assert failures(robot(*arms)) == {"mimic": ("b",)}, "it is to go to 3.8 rad"
 
 
 def test_a_joint_starts_within_its_range() -> None:
@@ -111,10 +116,10 @@ def test_a_joint_starts_within_its_range() -> None:
 def test_steps_that_are_too_coarse_are_blamed(
     step: float, test: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from urdfkit.output.simulation import running
+    from urdfkit.output.simulation import release
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(running, "STEP", step)
+    monkeypatch.setattr(release, "STEP", step)
     pendulum = robot(
         link("a", at="0.5 0 0"), joint("a", "world", "0 0 0", "continuous"),
         link("b", at="0.5 0 0"), joint("b", "a", "1 0 0", "continuous"),
@@ -129,3 +134,96 @@ def test_steps_that_are_too_coarse_are_blamed(
 def test_a_robot_on_wheels_stands_on_a_floor() -> None:
     assert simulate(ROVER).is_free
     assert not simulate(ROVER, base="fixed").is_free
+
+
+def pendulum(
+    effort: float = 100, more: str = "", moment: float = 0.01, mass: float = 1.0
+) -> Source:
+    """A link on a hinge, with its centre of mass on the axis."""
+    moments = f'ixx="{moment}" ixy="0" ixz="0" iyy="{moment}" iyz="0" izz="{moment}"'
+    arm = f'<link name="a"><inertial><mass value="{mass}"/><inertia {moments}/></inertial></link>'
+    return robot(arm, joint("a", "world", "0 0 0", effort=effort, more=more))
+
+
+@pytest.mark.parametrize(
+    ("source", "fails"),
+    [
+        (pendulum(effort=100), False),
+        (pendulum(effort=100, moment=60), False),
+        (pendulum(effort=100, moment=600), True),
+        (pendulum(effort=0), True),
+        (pendulum(effort=5, more='<dynamics friction="4"/>'), False),
+        (pendulum(effort=5, more='<dynamics friction="6"/>'), True),
+        (pendulum(effort=5, more='<dynamics damping="4"/>'), False),
+        (pendulum(effort=5, more='<dynamics damping="50"/>'), True),
+        (pendulum(effort=100, moment=1e-4), False),
+        (pendulum(effort=100, moment=1e-9, mass=1e-6), True),
+    ],
+)
+def test_a_joint_is_moved_by_its_effort_and_not_thrown(source: Source, fails: bool) -> None:
+    found = failures(source)
+    assert found == ({"drive": ("a",)} if fails else {})
+
+
+def test_negative_damping_is_the_cause_of_a_gain() -> None:
+    arm = link("a", at="0.5 0 0"), joint("a", "world", "0 0 0", more='<dynamics damping="-1"/>')
+    (verdict,) = [one for one in simulate(read(robot(*arm))).verdicts if one.test == "energy"]
+    assert not verdict.passes
+    assert verdict.message.endswith("negative damping drives 'a'")
+    assert verdict.names == ("a",)
+
+
+@pytest.mark.parametrize(("away", "jammed"), [(0.3, False), (0.08, True)])
+def test_a_joint_that_links_jam(away: float, jammed: bool) -> None:
+    """A slide of 6 m between two walls."""
+    walls = [
+        part
+        for name, x in (("back", -0.2 - away), ("front", 0.2 + away))
+        for part in (link(name), joint(name, "world", f"{x} 0 0", "fixed"))
+    ]
+    cart = link("cart"), joint("cart", "world", "0 0 0", "prismatic").replace("0 1 0", "1 0 0")
+    data = robot(*walls, *cart).data.replace(b'"-3" upper="3"', b'"-2" upper="2"')
+    found = [one for one in simulate(read(Source("r.urdf", data))).verdicts if one.test == "sweep"]
+    (verdict,) = found
+    assert verdict.passes is not jammed
+    if jammed:
+        assert set(verdict.names) in ({"back", "cart"}, {"cart", "front"})
+        assert "joint 'cart' is free in 8% of its range, -2 to 2 m" in verdict.message
+
+
+def dropped(*parts: str) -> tuple[bool, str]:
+    text = f'<robot name="r">{"".join(parts)}</robot>'
+    found = simulate(read(Source("r.urdf", text.encode())), base="free")
+    (verdict,) = [one for one in found.verdicts if one.test == "drop"]
+    return verdict.passes, verdict.message
+
+
+def wheel(name: str, at: str) -> str:
+    return link(name) + joint(name, "body", at, "continuous")
+
+
+def test_a_robot_that_is_dropped() -> None:
+    four = [wheel(f"w{x}{y}", f"{x} {y} -0.2") for x in (-0.3, 0.3) for y in (-0.3, 0.3)]
+    passes, message = dropped(link("body"), *four)
+    assert passes
+    assert message.startswith("dropped from 50 mm, it lies still after 3 s (")
+    passes, message = dropped(link("body", at="1.5 0 0.5", mass=100), *four)
+    assert not passes
+    assert "it tips over by" in message
+    bare = link("body").replace("collision", "visual")
+    assert dropped(bare) == (False, "no link has a <collision>: it falls through every floor")
+
+
+def test_a_balancing_robot_may_fall() -> None:
+    two = [wheel(f"w{y}", f"0 {y} -0.2") for y in (-0.3, 0.3)]
+    assert dropped(link("body", at="0 0 1"), *two)[0]
+
+
+def test_the_moments_of_a_release() -> None:
+    arm = read(robot(link("a", at="0.5 0 0"), joint("a", "world", "0 0 0")))
+    moments = motion(arm, base="auto", images=5)
+    assert len(moments) == 5
+    heights = [frames["a"].apply((0.5, 0, 0))[2] for frames in moments]
+    assert heights[0] == pytest.approx(0)
+    assert min(heights) < -0.3
+    assert moments[0]["world"] == Transform()

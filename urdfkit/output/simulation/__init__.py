@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 from urdfkit.core.installation import install_command
@@ -11,11 +12,12 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 
 if TYPE_CHECKING:
+    from urdfkit.core.spatial import Transform
     from urdfkit.output.simulation.verdicts import Simulation
 
 
 def simulate(robot: Context | str | os.PathLike[str], *, base: str = "auto") -> Simulation:
-    """Simulate a robot: do links overlap, does it gain energy, can its joints hold it?
+    """Simulate a robot: does it stay whole, move, hold itself and land?
 
     Nothing is random, and nothing is written.
 
@@ -27,10 +29,24 @@ def simulate(robot: Context | str | os.PathLike[str], *, base: str = "auto") -> 
         MissingLibrary: MuJoCo is not installed.
         UrdfkitError: the robot cannot be read, or MuJoCo rejects it.
     """
+    running = _running()
+    found: Simulation = running.run(robot if isinstance(robot, Context) else read(robot), base)
+    return found
+
+
+def motion(robot: Context, *, base: str, images: int) -> list[dict[str, Transform]]:
+    """Where the links of a robot are in the world while it is released, for so many images.
+
+    There are fewer where the simulation diverges. The errors are those of `simulate`.
+    """
+    return list(_running().motion(robot, base, images))
+
+
+def _running() -> ModuleType:
     try:
-        from urdfkit.output.simulation.running import run
+        from urdfkit.output.simulation import running
     except ModuleNotFoundError as error:
         raise MissingLibrary(
             f"to simulate a robot needs {error.name}: {install_command('simulate')}"
         ) from error
-    return run(robot if isinstance(robot, Context) else read(robot), base)
+    return running

@@ -11,13 +11,18 @@ from urdfkit.text.source import Span, shown
 class Verdict(Record):
     """One statement."""
 
-    test: str  # ``overlap``, ``stability``, ``energy`` or ``hold``
+    #: ``overlap``, ``energy``, ``stability``, ``drive``, ``sweep``, ``mimic``, ``hold``, ``drop``
+    test: str
     passes: bool  # False if the robot does not behave
     message: str  # what happens, how much, and the bound
-    value: float  # that was measured, in m, J, rad or m
+    value: float  # that was measured, in the unit of the message
     bound: float  # of the value
     names: tuple[str, ...] = ()  # of the links or joints that it is about
     span: Span | None = None  # where the cause is written; None where it has no place
+
+    def __str__(self) -> str:
+        where = f" ({self.span})" if self.span else ""
+        return f"{'passes' if self.passes else 'FAILS'} {self.test}: {self.message}{where}"
 
 
 class Simulation(Record):
@@ -28,7 +33,6 @@ class Simulation(Record):
 
     @property
     def passes(self) -> bool:
-        """True if every verdict does."""
         return all(one.passes for one in self.verdicts)
 
     @property

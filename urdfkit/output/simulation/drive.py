@@ -1,0 +1,67 @@
+"""Joints that are driven, one by one, with all of their effort."""
+
+from collections.abc import Iterator
+
+import mujoco
+
+from urdfkit.output.simulation.simulated_robot import STEP, SimulatedRobot, diverged, unit_of
+from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.robot.model import Joint
+
+#: Within so many seconds a joint reaches its velocity, this one in rad/s or m/s, or an end of its
+#: range.
+DRIVEN, SPEED = 1.0, 1.0
+#: A joint that one step takes to so many times its velocity is moved by nothing that has mass.
+#: A sound UR5e has 136.
+FASTEST = 1e4
+#: A joint that moves by less, in rad or m, is at the end of its range already.
+_LEAST = 1e-3
+
+
+def drive(robot: SimulatedRobot) -> Iterator[Verdict]:
+    """A verdict for each joint that its effort does not move, or throws; without gravity."""
+    robot.set_up(gravity=False, contacts=False)
+    driven, fails = False, False
+    for joint in robot.leaders:
+        limit = joint.limit
+        if limit and limit.effort and limit.velocity and limit.velocity.value > 0:
+            driven = True
+            verdict = _driven(robot, joint, max(limit.effort.value, 0.0), limit.velocity.value)
+            if verdict is not None:
+                fails = True
+                yield verdict
+    if driven and not fails:
+        text = f"with its effort each joint reaches its velocity or {SPEED:g} rad/s in {DRIVEN:g} s"
+        yield Verdict("drive", True, text, 0.0, SPEED)
+
+
+def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float) -> Verdict | None:
+    """None if the joint moves as it should."""
+    model, data = robot.model, robot.started()
+    dof, start = robot.dof(joint.name), robot.position(data, joint.name)
+    lower, upper = robot.range(joint.name) or (-float("inf"), float("inf"))
+    sign = 1.0 if upper - start >= start - lower else -1.0
+    room = max(upper - start, start - lower) - _LEAST
+    unit, force = unit_of(joint)
+    place, fastest = joint.limit.at.span if joint.limit else None, 0.0
+    for number in range(round(DRIVEN / STEP)):
+        data.qfrc_applied[dof] = sign * effort
+        mujoco.mj_step(model, data)
+        speed = abs(float(data.qvel[dof]))
+        if diverged(data) is not None or (number == 0 and speed > FASTEST * velocity):
+            text = (
+                f"joint '{joint.name}': its effort of {effort:g} {force} takes it to "
+                f"{speed / velocity:.2g} times its velocity of {velocity:g} {unit}/s in "
+                f"{STEP * 1e3:g} ms: what it moves has no mass to speak of"
+            )
+            return Verdict("drive", False, text, speed / velocity, FASTEST, (joint.name,), place)
+        moved = abs(robot.position(data, joint.name) - start)
+        if speed >= min(velocity, SPEED) or moved >= room:
+            return None
+        fastest = max(fastest, speed)
+    text = (
+        f"joint '{joint.name}': its effort of {effort:g} {force} takes it to {fastest:.2g} "
+        f"{unit}/s in {DRIVEN:g} s without gravity, its velocity is {velocity:g} {unit}/s"
+    )
+    bound = min(velocity, SPEED)
+    return Verdict("drive", False, text, fastest, bound, (joint.name,), place)

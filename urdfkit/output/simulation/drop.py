@@ -1,0 +1,87 @@
+"""A floating robot that is dropped: does it land, sink, jitter, tip over?"""
+
+from collections.abc import Iterator
+from math import acos, degrees
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from urdfkit.output.simulation.simulated_robot import STEP, SimulatedRobot, diverged
+from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.robot.stability import is_freestanding, standing
+
+#: The height in m that a robot is dropped from, and the seconds until it is to lie still.
+HEIGHT, DROPPED = 0.05, 3.0
+#: Of the last so many seconds, how fast it may move, in m/s or rad/s.
+LAST, SPEED = 0.5, 0.1
+#: How deep it may be in the floor, in m.
+DEPTH = 5e-3
+#: How far it may tilt, in degrees.
+TILT = 30.0
+
+
+def drop(robot: SimulatedRobot) -> Iterator[Verdict]:
+    """A verdict on a floating robot, with its joints locked, that falls on the floor."""
+    dropped = f"dropped from {HEIGHT * 1e3:g} mm"
+    if not robot.model.geom_contype.any():
+        text = "no link has a <collision>: it falls through every floor"
+        yield Verdict("drop", False, text, 0.0, 0.0)
+        return
+    robot.set_up()
+    data = robot.started()
+    _lock(robot, data)
+    data.qpos[2] += HEIGHT
+    speed = 0.0
+    for number in range(round(DROPPED / STEP)):
+        mujoco.mj_step(robot.model, data)
+        if diverged(data) is not None:
+            text = f"{dropped}, its simulation diverges after {number * STEP:.2g} s"
+            yield Verdict("drop", False, text, float("inf"), SPEED)
+            return
+        if number * STEP >= DROPPED - LAST:
+            speed = max(speed, float(np.abs(data.qvel[:6]).max()))
+    depth, links = _depth(robot, data)
+    tilt = degrees(acos(max(-1.0, min(1.0, float(data.body(1).xmat[8])))))
+    if depth > DEPTH:
+        text = f"{dropped}, link '{links}' sinks into the floor by {depth * 1e3:.3g} mm"
+        yield Verdict("drop", False, text, depth, DEPTH, (links,), robot.collision(links))
+    elif speed > SPEED:
+        text = f"{dropped}, it still moves by {speed:.2g} m/s or rad/s after {DROPPED:g} s"
+        yield Verdict("drop", False, text, speed, SPEED)
+    elif tilt > TILT and _is_to_stand(robot):
+        text = f"{dropped}, it tips over by {tilt:.0f} degrees"
+        yield Verdict("drop", False, text, tilt, TILT)
+    else:
+        fallen = f", tilted by {tilt:.0f} degrees" if tilt > TILT else ""
+        text = f"{dropped}, it lies still after {DROPPED:g} s{fallen} ({speed:.1g} m/s or rad/s)"
+        yield Verdict("drop", True, text, speed, SPEED)
+
+
+def _lock(robot: SimulatedRobot, data: Any) -> None:
+    """Keep all joints where they are."""
+    model = robot.model
+    for number in range(model.neq):
+        if model.eq_type[number] == mujoco.mjtEq.mjEQ_JOINT and model.eq_obj2id[number] < 0:
+            at = model.jnt_qposadr[model.eq_obj1id[number]]
+            model.eq_data[number, 0] = data.qpos[at] - model.qpos0[at]
+            data.eq_active[number] = 1
+
+
+def _depth(robot: SimulatedRobot, data: Any) -> tuple[float, str]:
+    """How deep a link is in the floor, and which."""
+    deepest = (0.0, "")
+    for contact in data.contact:
+        names = [
+            robot.model.body(robot.model.geom_bodyid[geom]).name
+            for geom in (contact.geom1, contact.geom2)
+        ]
+        if "world" in names:
+            deepest = max(deepest, (-float(contact.dist), max(names, key="world".__ne__)))
+    return deepest
+
+
+def _is_to_stand(robot: SimulatedRobot) -> bool:
+    """True for what stands on wheels or casters that span an area."""
+    found = standing(robot.robot)
+    return found.stability is not None and is_freestanding(robot.robot.tree, found.links)

@@ -1,0 +1,68 @@
+"""Joints that are held where they are by no more than their efforts."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from urdfkit.mesh.geometry import Floats
+from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot, unit_of
+from urdfkit.output.simulation.verdicts import Verdict
+
+#: A joint that gives way by more, in rad or m, does not hold.
+SAG = 0.02
+#: Seconds that a robot is held for.
+HELD = 1.0
+#: How fast the joints are held, in rad/s: what a stiff drive does.
+_STIFFNESS = 30.0
+
+
+def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
+    """A verdict for each joint that gives way; of a welded robot, without contacts."""
+    robot.set_up(FINE_STEP, contacts=False)
+    model, data = robot.model, robot.started()
+    needed, start = data.qfrc_bias.copy(), data.qpos.copy()
+    most = _efforts(robot)
+    for _ in range(round(HELD / FINE_STEP)):
+        data.qfrc_applied = np.clip(torques(model, data, start), -most, most)
+        mujoco.mj_step(model, data)
+    sags = False
+    for joint in robot.robot.model.joints:
+        if joint.name not in robot.followers and joint not in robot.leaders:
+            continue
+        dof = robot.dof(joint.name)
+        at = model.jnt_qposadr[model.joint(joint.name).id]
+        sag = abs(float(data.qpos[at] - start[at]))
+        if sag > SAG and np.isfinite(most[dof]):
+            sags = True
+            unit, force = unit_of(joint)
+            text = (
+                f"joint '{joint.name}' gives way by {sag:.2g} {unit} in {HELD:g} s: to hold still "
+                f"it needs {abs(float(needed[dof])):.3g} {force}, its effort is "
+                f"{most[dof]:g} {force}"
+            )
+            yield Verdict("hold", False, text, sag, SAG, (joint.name,), robot.joint(joint.name))
+    if not sags and np.isfinite(most).any():
+        yield Verdict("hold", True, "its joints hold it with their efforts", 0.0, SAG)
+
+
+def torques(model: Any, data: Any, wanted: Floats) -> Floats:
+    """What brings a robot to where it is to be, critically damped."""
+    moved = np.zeros(model.nv)
+    mujoco.mj_differentiatePos(model, moved, 1.0, wanted, data.qpos)
+    acceleration = -(_STIFFNESS**2) * moved - 2 * _STIFFNESS * data.qvel
+    found = np.zeros(model.nv)
+    mujoco.mj_mulM(model, data, found, acceleration)
+    needed: Floats = found + data.qfrc_bias
+    return needed
+
+
+def _efforts(robot: SimulatedRobot) -> Floats:
+    """The most that each coordinate may be driven with; without a limit endless."""
+    found = np.full(robot.model.nv, np.inf)
+    for joint in robot.robot.model.joints:
+        effort = joint.limit.effort if joint.limit else None
+        if effort is not None and (joint.name in robot.followers or joint in robot.leaders):
+            found[robot.dof(joint.name)] = max(effort.value, 0.0)
+    return found

@@ -1,0 +1,35 @@
+"""Verdicts as JUnit XML for CI servers: a test case each, with the robot as its suite."""
+
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element, SubElement
+
+from urdfkit.output.formats._paths import posix
+from urdfkit.output.formats._xml import xml_text
+from urdfkit.output.simulation.verdicts import Simulation, Verdict
+
+
+def render(found: Simulation, file: str) -> str:
+    """The verdicts on the robot of a file."""
+    root = Element("testsuites", name="urdfkit simulate")
+    suite = SubElement(root, "testsuite", name=xml_text(posix(file)))
+    for verdict in found.verdicts:
+        _case(suite, posix(file), verdict)
+    for element in (root, suite):
+        element.set("tests", str(len(found.verdicts)))
+        element.set("failures", str(sum(not one.passes for one in found.verdicts)))
+    ElementTree.indent(root)
+    text = ElementTree.tostring(root, encoding="unicode")
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
+
+
+def _case(suite: Element, file: str, verdict: Verdict) -> None:
+    name = " ".join((verdict.test, *verdict.names))
+    case = SubElement(suite, "testcase", classname=xml_text(file), name=xml_text(name))
+    if verdict.span is not None:
+        case.set("file", xml_text(posix(verdict.span.source.path)))
+        case.set("line", str(verdict.span.line))
+    if verdict.passes:
+        SubElement(case, "system-out").text = xml_text(verdict.message)
+    else:
+        failure = SubElement(case, "failure", message=xml_text(verdict.message))
+        failure.text = xml_text(str(verdict))

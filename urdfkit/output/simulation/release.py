@@ -1,0 +1,106 @@
+"""A robot without drives: it may fall, but not blow up nor gain energy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import mujoco
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Transform
+from urdfkit.core.words import listed
+from urdfkit.output.simulation.simulated_robot import FINE_STEP, STEP, SimulatedRobot, diverged
+from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.text.source import Span
+
+#: A robot may gain the energy that lifts it by so much, and a part of its largest kinetic energy.
+LIFT, PART = 1e-3, 0.01
+#: Seconds that a robot is released for.
+RELEASED = 2.0
+
+
+class _Release(Record):
+    """The most energy over that of the start in J, its bound, the coordinate that diverges."""
+
+    gain: float
+    bound: float
+    bad: int | None
+
+    @property
+    def is_calm(self) -> bool:
+        return self.bad is None and self.gain <= self.bound
+
+
+def release(robot: SimulatedRobot) -> Iterator[Verdict]:
+    """Whether a robot gains energy or diverges, with the cause."""
+    found = _released(robot, STEP)
+    if found.is_calm:
+        text = (
+            f"released for {RELEASED:g} s, it gains {found.gain:.2g} J (bound {found.bound:.2g} J)"
+        )
+        yield Verdict("energy", True, text, found.gain, found.bound)
+        return
+    why, names, span = _cause(robot)
+    if found.bad is None:
+        text = (
+            f"released for {RELEASED:g} s, it gains {found.gain:.3g} J (bound {found.bound:.2g} J)"
+        )
+        yield Verdict("energy", False, text + why, found.gain, found.bound, names, span)
+        return
+    model = robot.model
+    joint = model.joint(model.dof_jntid[found.bad]).name if found.bad < model.nv else ""
+    text = f"released, its simulation diverges at joint '{joint}'{why}"
+    place = span or robot.joint(joint)
+    yield Verdict("stability", False, text, found.gain, found.bound, names or (joint,), place)
+
+
+def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
+    """Why a robot gains energy, and what is to blame."""
+    if robot.negative_damping:
+        names = tuple(joint.name for joint in robot.negative_damping)
+        dynamics = robot.robot.model.joints_by_name[names[0]].at.child("dynamics")
+        quoted = listed([f"'{name}'" for name in names])
+        text = f"; negative damping drives {quoted}"
+        return text, names, dynamics.span if dynamics else None
+    if _released(robot, FINE_STEP).is_calm:
+        return f", but not with steps of {FINE_STEP * 1e3:g} ms", (), None
+    if not _released(robot, STEP, contacts=False).is_calm:
+        return "", (), None
+    robot.set_up()
+    overlaps = robot.overlaps(robot.started())
+    if not overlaps:
+        return ", but not without contacts", (), None
+    first, second = max(overlaps, key=lambda pair: overlaps[pair])
+    text = f", but not without contacts: '{first}' and '{second}' push each other away"
+    return text, (first, second), robot.collision(first)
+
+
+def _released(robot: SimulatedRobot, step: float, *, contacts: bool = True) -> _Release:
+    robot.set_up(step, contacts=contacts)
+    model, data = robot.model, robot.started()
+    start = most = float(data.energy.sum())
+    kinetic = 0.0
+    for _ in range(round(RELEASED / step)):
+        mujoco.mj_step(model, data)
+        most = max(most, float(data.energy.sum()))
+        kinetic = max(kinetic, float(data.energy[1]))
+        bad = diverged(data)
+        if bad is not None:
+            return _Release(most - start, 0.0, bad)
+    weight = float(model.body_mass.sum()) * 9.81
+    return _Release(most - start, LIFT * weight + PART * kinetic, None)
+
+
+def moments(robot: SimulatedRobot, images: int) -> Iterator[dict[str, Transform]]:
+    """Where the links of a released robot are in the world, at times that are equally far apart.
+
+    It ends early where the simulation diverges.
+    """
+    robot.set_up()
+    data, steps = robot.started(), round(RELEASED / STEP)
+    for number in range(steps + 1):
+        if number % (steps // (images - 1)) == 0:
+            yield robot.frames(data)
+        mujoco.mj_step(robot.model, data)
+        if diverged(data) is not None:
+            return

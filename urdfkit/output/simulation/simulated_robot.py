@@ -1,0 +1,212 @@
+"""A robot in MuJoCo, ready to be simulated. Lengths in m, angles in rad."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from urdfkit.core import temporary
+from urdfkit.core.spatial import Rotation, Transform, vector
+from urdfkit.lint.context import Context
+from urdfkit.output.bundle import Bundle
+from urdfkit.output.bundle.consumers import CONSUMERS
+from urdfkit.output.bundle.writing import write_files
+from urdfkit.output.conversion.mjcf import MjcfRobot
+from urdfkit.output.conversion.writing import assembled, assets, compiled, floats
+from urdfkit.robot.kinematics import SLIDING, TURNING, laws, positions
+from urdfkit.robot.model import Joint
+from urdfkit.robot.values import number
+from urdfkit.text.source import Span
+
+#: Seconds of a step, and of a finer one: where that is calm, the coarser is at fault.
+STEP, FINE_STEP = 0.002, 0.0005
+#: Links that are in one another by more, push each other away.
+OVERLAP = 1e-3
+
+_BAD = (
+    mujoco.mjtWarning.mjWARN_BADQPOS,
+    mujoco.mjtWarning.mjWARN_BADQVEL,
+    mujoco.mjtWarning.mjWARN_BADQACC,
+)
+
+
+class SimulatedRobot:
+    """A robot in MuJoCo.
+
+    Raises:
+        UrdfkitError: as `urdfkit.output.conversion.convert`.
+    """
+
+    robot: Context  # as it was read
+    model: Any  # MuJoCo's, with a floor under a robot that floats
+    is_free: bool  # the root floats
+    leaders: list[Joint]  # the joints that one number moves and that follow none
+    followers: dict[str, str]  # the joints that follow another one, with that one
+    neighbours: set[frozenset[str]]  # pairs of links with a joint between them
+    negative_damping: list[Joint]  # joints that are driven by what should slow them down
+
+    def __init__(self, robot: Context, base: str) -> None:
+        mujoco.set_mju_user_warning(_ignore)
+        self.robot = robot
+        self.is_free = floats(robot, base)
+        joints = robot.model.joints_by_name
+        known = laws(joints)
+        moving = [one for one in robot.model.joints if one.kind in (*TURNING, *SLIDING)]
+        self.leaders = [one for one in moving if known[one.name].leader == one.name]
+        self.followers = {
+            one.name: known[one.name].leader
+            for one in moving
+            if known[one.name].leader not in (one.name, "")
+        }
+        self.neighbours = {frozenset(robot.tree.ends(one) or ()) for one in robot.model.joints}
+        self.model = self._compiled()
+        self.model.opt.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+        self.model.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
+        self.negative_damping = list(self._apply_negative_damping())
+        self.set_up()
+
+    def _compiled(self) -> Any:
+        bundle = Bundle(self.robot, CONSUMERS["mujoco"])
+        with temporary.scratch() as directory:
+            write_files(assets(bundle), directory)
+            made = assembled(self.robot, bundle, directory, is_free=self.is_free)
+            if not self.is_free:
+                return compiled(made, self.robot)
+            for joint in self.leaders:
+                _add_lock(made, joint)
+            self.model = compiled(made, self.robot)
+            height = self._lowest()
+            if height is not None:
+                plane = mujoco.mjtGeom.mjGEOM_PLANE
+                made.spec.worldbody.add_geom(type=plane, size=(0, 0, 1), pos=(0, 0, height))
+            return compiled(made, self.robot)
+
+    def _apply_negative_damping(self) -> Iterator[Joint]:
+        """As written: MJCF has no such value."""
+        for joint in self.leaders:
+            dynamics = joint.at.child("dynamics")
+            written = dynamics.attributes.get("damping") if dynamics else None
+            value = number(written.value) if written else None
+            if value is not None and value < 0:
+                self.model.dof_damping[self.dof(joint.name)] = value
+                yield joint
+
+    def set_up(self, step: float = STEP, *, gravity: bool = True, contacts: bool = True) -> None:
+        """What holds for all steps from here on; drives are never simulated."""
+        flags = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
+        flags |= 0 if gravity else int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+        flags |= 0 if contacts else int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+        self.model.opt.disableflags = flags
+        self.model.opt.timestep = step
+
+    def started(self) -> Any:
+        """The robot with its joints at zero, or at the end of their range nearest to it.
+
+        What follows another joint is where that takes it.
+        """
+        data = mujoco.MjData(self.model)
+        for index in np.flatnonzero(self.model.jnt_limited):
+            at = self.model.jnt_qposadr[index]
+            data.qpos[at] = np.clip(data.qpos[at], *self.model.jnt_range[index])
+        self.place(data, {joint.name: self.position(data, joint.name) for joint in self.leaders})
+        mujoco.mj_forward(self.model, data)
+        return data
+
+    def place(self, data: Any, given: Mapping[str, float]) -> None:
+        """Put joints, and those that follow them, where they are to be; the others to 0."""
+        for name, position in positions(self.robot.tree, given).items():
+            data.qpos[self.model.jnt_qposadr[self.model.joint(name).id]] = position
+
+    def position(self, data: Any, joint: str) -> float:
+        """Of a joint that one number moves."""
+        return float(data.qpos[self.model.jnt_qposadr[self.model.joint(joint).id]])
+
+    def dof(self, joint: str) -> int:
+        """The index of the velocity and the force of a joint."""
+        return int(self.model.jnt_dofadr[self.model.joint(joint).id])
+
+    def range(self, joint: str) -> tuple[float, float] | None:
+        """Of a joint; None if it is not limited."""
+        found = self.model.joint(joint).id
+        if not self.model.jnt_limited[found]:
+            return None
+        lower, upper = self.model.jnt_range[found]
+        return float(lower), float(upper)
+
+    def _lowest(self) -> float | None:
+        """The height of the lowest point of all that collides, at the start."""
+        data, model = self.started(), self.model
+        lowest = [
+            float(
+                at[2] + (turn.reshape(3, 3) @ box[:3])[2] - np.abs(turn.reshape(3, 3)[2]) @ box[3:]
+            )
+            for at, turn, box, collides in zip(
+                data.geom_xpos, data.geom_xmat, model.geom_aabb, model.geom_contype, strict=True
+            )
+            if collides
+        ]
+        return min(lowest, default=None)
+
+    def overlaps(self, data: Any) -> dict[tuple[str, str], float]:
+        """The pairs of links that are in one another, with the depth; the floor is no link."""
+        deepest: dict[tuple[str, str], float] = {}
+        for contact in data.contact:
+            first, second = sorted(
+                self.model.body(self.model.geom_bodyid[geom]).name
+                for geom in (contact.geom1, contact.geom2)
+            )
+            depth = -float(contact.dist)
+            if depth > OVERLAP and "world" not in (first, second):
+                deepest[first, second] = max(depth, deepest.get((first, second), 0.0))
+        return deepest
+
+    def frames(self, data: Any) -> dict[str, Transform]:
+        """Where the links are in the world."""
+        return {
+            name: Transform(_rotation(data.xmat[index]), vector(data.xpos[index]))
+            for name in self.robot.tree.below(self.robot.tree.roots[0].name)
+            for index in [self.model.body(name).id]
+        }
+
+    def collision(self, link: str) -> Span | None:
+        """Where the collision of a link is written."""
+        found = self.robot.model.links_by_name.get(link)
+        return found.collisions[0].at.span if found and found.collisions else None
+
+    def joint(self, name: str) -> Span | None:
+        """Where a joint is written."""
+        found = self.robot.model.joints_by_name.get(name)
+        return found.at.span if found else None
+
+
+def diverged(data: Any) -> int | None:
+    """The coordinate that has no sensible value any more."""
+    for kind in _BAD:
+        if data.warning[kind].number:
+            return int(data.warning[kind].lastinfo)
+    return None
+
+
+def unit_of(joint: Joint) -> tuple[str, str]:
+    """The units of a joint's position and force."""
+    return ("m", "N") if joint.kind in SLIDING else ("rad", "N·m")
+
+
+def _add_lock(made: MjcfRobot, joint: Joint) -> None:
+    """An equality, off, that keeps a joint where it is."""
+    made.spec.add_equality(
+        type=mujoco.mjtEq.mjEQ_JOINT,
+        objtype=mujoco.mjtObj.mjOBJ_JOINT,
+        name1=joint.name,
+        active=False,
+    )
+
+
+def _rotation(matrix: Any) -> Rotation:
+    first, second, third = (vector(row) for row in matrix.reshape(3, 3))
+    return first, second, third
+
+
+def _ignore(warning: str) -> None:
+    """MuJoCo writes what it warns of to a file in the current directory otherwise."""
