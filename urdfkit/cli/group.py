@@ -31,7 +31,7 @@ SECTIONS = {
     ),
     "Show a robot": ("render", "view", "report"),
     "Mesh files and copies": ("mesh", "bundle", "convert"),
-    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "lsp"),
+    "Rules and set-up": ("rules", "explain", "new", "init", "doctor", "clean", "lsp"),
 }
 COMMANDS = tuple(chain.from_iterable(SECTIONS.values()))
 
