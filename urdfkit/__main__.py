@@ -1,7 +1,5 @@
 """``python -m urdfkit``."""
 
-from __future__ import annotations
-
 import sys
 
 from urdfkit.cli import main

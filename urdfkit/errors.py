@@ -1,7 +1,5 @@
 """What stops urdfkit itself. A defect of a robot is never an exception: it is a Diagnostic."""
 
-from __future__ import annotations
-
 
 class UrdfkitError(Exception):
     """The job cannot be done: the command line prints the message and exits with 2."""

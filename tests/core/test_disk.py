@@ -122,6 +122,7 @@ READERS = {
     "workspace/installs.py": IN_PACKAGE,
     "workspace/manifest.py": IN_PACKAGE,
     "workspace/package_directories.py": IN_PACKAGE,
+    "workspace/python_installs.py": IN_PACKAGE,
     "workspace/resolve.py": "itself",
     "workspace/siblings.py": IN_PACKAGE,
     "workspace/xml_programs.py": ADMITTED,

@@ -9,6 +9,7 @@ import pytest
 
 from tests.launched import launch, reported
 from tests.workspaces import add_file, add_package
+from urdfkit import check
 
 
 @pytest.mark.parametrize("mark", ["", ".git/HEAD"])
@@ -103,3 +104,108 @@ def test_a_superbuild_around_the_package(tmp_path: Path, inner: str, count: int)
     text = f"if(X)\n  project(SUPERBUILD NONE)\nelse()\n  project({inner})\nendif()\n"
     found = reported(tmp_path / "arm", "PKG005", "a.launch", "", {"CMakeLists.txt": text})
     assert len(found) == count
+
+
+def test_files_that_a_setup_py_puts_into_one_directory(tmp_path: Path) -> None:
+    """Nav2's loopback simulator and wheeltec: `glob('launch/*/*')` makes one flat directory."""
+    setup = (
+        "import os\nfrom glob import glob\nfrom setuptools import setup\n\nname = 'arm'\n"
+        "setup(name=name, data_files=[(os.path.join('share', name, 'launch'), "
+        "glob('launch/*.*') + glob('launch/*/*.*')), ('share/' + name, glob('config/*.yaml'))])\n"
+    )
+    files = {"setup.py": setup, "launch/nav/b.launch": "<launch/>", "config/a.yaml": ""}
+    found = '<include file="$(find arm)/launch/b.launch"/><rosparam file="$(find arm)/a.yaml"/>'
+    assert reported(tmp_path / "arm", "LAU003", "a.launch", found, files) == []
+    lost = found.replace("launch/b", "launch/nav/c").replace("a.yaml", "b.yaml")
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch", lost, files)) == 2
+
+
+def test_a_path_from_where_the_user_starts_launch(tmp_path: Path) -> None:
+    """Artefacts' tests: `os.path.join("src", "sam_bot", "test", "bridge.yaml")`."""
+    program = (
+        "from launch_ros.actions import Node\n"
+        "node = [Node(package='p', executable='e', parameters=['{}/bridge.yaml'])]\n"
+    )
+    arm = tmp_path / "arm"
+    assert reported(arm, "LAU003", "a.launch.py", program.format("src/arm/test")) == []
+    assert len(reported(arm, "LAU003", "a.launch.py", program.format(f"{arm}/test"))) == 1
+
+
+def test_an_argument_of_an_include_that_is_off(tmp_path: Path) -> None:
+    """PickNik's UR5: `<arg unless="$(arg fake)" name="robot_ip"/>` for one of two files."""
+    text = (
+        '<arg name="fake" default="true"/><include file="$(dirname)/b.launch">'
+        '<arg {}="$(arg fake)" name="robot_ip" value="10.0.0.1"/></include>'
+    )
+    files = {"launch/b.launch": "<launch/>"}
+    assert reported(tmp_path / "arm", "LAU005", "a.launch", text.format("unless"), files) == []
+    assert len(reported(tmp_path / "arm", "LAU005", "a.launch", text.format("if"), files)) == 1
+
+
+_ROBOT = (
+    '<robot name="r"><link name="base"/><gazebo><plugin filename="libgazebo_ros2_control.so" '
+    'name="c"><ros><namespace>r1</namespace></ros></plugin></gazebo></robot>'
+)
+
+
+@pytest.mark.parametrize(("namespace", "count"), [("'-robot_namespace', 'r2', ", 0), ("", 1)])
+def test_a_robot_that_is_spawned_in_a_namespace(tmp_path: Path, namespace: str, count: int) -> None:
+    """gazebo_ros2_control's two robots of one description, whose plugin names the first."""
+    program = (
+        "from launch_ros.actions import Node\n"
+        "nodes = [\n"
+        "    Node(package='robot_state_publisher', executable='robot_state_publisher',\n"
+        "         parameters=[{'robot_description': open('../robot.urdf').read()}]),\n"
+        "    Node(package='gazebo_ros', executable='spawn_entity.py',\n"
+        f"         arguments=[{namespace}'-topic', 'robot_description', '-entity', 'r']),\n"
+        "    Node(package='controller_manager', executable='spawner',\n"
+        "         arguments=['drive', '-c', '/r2/controller_manager']),\n"
+        "]\n"
+    )
+    files = {"robot.urdf": _ROBOT}
+    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", program, files)
+    assert len([one for one in found if "controller_manager" in one.message]) == count
+
+
+def test_a_program_with_the_suffix_of_xml(tmp_path: Path) -> None:
+    """TARE's `system_garage.launch` is Python, which `ros2 launch` tries for any suffix."""
+    program = "import os\ndef generate_launch_description():\n    return None\n"
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    path = add_file(tmp_path / "launch" / "a.launch", program.encode())
+    assert check(path, select=["LAU001"]).diagnostics == ()
+    path.write_text(program.replace("generate", "make"))
+    assert len(check(path, select=["LAU001"]).diagnostics) == 1
+
+
+_FILTER = (
+    "from launch_ros.actions import Node\n"
+    "nodes = [\n"
+    "    Node(package='robot_state_publisher', executable='robot_state_publisher',\n"
+    "         parameters=[{'robot_description': open('../robot.urdf').read()}]),\n"
+    "    Node(package='tf2_ros', executable='static_transform_publisher',\n"
+    "         arguments=['--frame-id', 'pole', '--child-frame-id', 'imu']),\n"
+    "    Node(package='robot_localization', executable='ekf_node', parameters=['../ekf.yaml']),\n"
+    "]\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "program", "child", "count"),
+    [
+        ("map", "", "imu", 1),
+        ("pole", "", "imu", 0),
+        ("map", 'frame = "pole"', "imu", 0),
+        ("map", "", "base", 0),
+    ],
+)
+def test_frames_that_others_publish(
+    tmp_path: Path, name: str, program: str, child: str, count: int
+) -> None:
+    """A filter of its own tree (bumperbot), CMU's `sensor`, and a footprint above the robot."""
+    files = {
+        "robot.urdf": '<robot name="r"><link name="base"/></robot>',
+        "ekf.yaml": f"ekf:\n  ros__parameters:\n    base_link_frame: {name}\n",
+        "src/node.py": program,
+    }
+    text = _FILTER.replace("'imu'", f"'{child}'")
+    assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count

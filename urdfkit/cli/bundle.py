@@ -1,7 +1,5 @@
 """``urdfkit bundle``: a robot with all of its files, for another machine or program."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from typing import Any

@@ -1,7 +1,5 @@
 """``urdfkit check``, as click has it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import click

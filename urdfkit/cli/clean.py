@@ -1,7 +1,5 @@
 """``urdfkit clean``: removes what is kept between runs."""
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.cli import output

@@ -1,7 +1,5 @@
 """What several commands have in common: examples in their help, and options."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any, TypeVar
 

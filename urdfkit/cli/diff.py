@@ -1,7 +1,5 @@
 """``urdfkit diff``: compare two states of a robot."""
 
-from __future__ import annotations
-
 from functools import partial
 from importlib import import_module
 from typing import Any

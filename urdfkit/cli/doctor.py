@@ -1,7 +1,5 @@
 """``urdfkit doctor``: the environment and the optional dependencies."""
 
-from __future__ import annotations
-
 import os
 import platform
 import shutil
@@ -58,6 +56,7 @@ _PACKAGES = (
     ("uvicorn", "the viewer", "report"),
     ("yourdfpy", "conversion to yourdfpy", "exchange"),
     ("pygls", "the language server", "lsp"),
+    ("mcp", "the tools for agents", "mcp"),
     ("dask", "scan on several machines", "scan"),
     ("pyarrow", "scan to Parquet", "scan"),
 )

@@ -1,7 +1,5 @@
 """``urdfkit explain``."""
 
-from __future__ import annotations
-
 import re
 from textwrap import fill, indent
 
@@ -61,7 +59,6 @@ def _find(word: str) -> Rule:
 
 
 def render(rule: Rule) -> str:
-    """The page of a rule."""
     needs = ", ".join(words for need, words in _NEEDS.items() if need in rule.needs)
     parts = [
         _fill(f"{rule.code} {rule.name} ({_reported(rule)})"),

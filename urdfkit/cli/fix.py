@@ -1,7 +1,5 @@
 """``urdfkit fix``: apply fixes, and report what was fixed, what is left, and why."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -75,7 +73,6 @@ command = click.Command(
 
 
 def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:
-    """The lines of the summary."""
     yield from _applied(fixes, "would fix" if is_dry else "fixed")
     made = list(_meshes(fixes, "would generate" if is_dry else "generated"))
     yield from (*made, "") if made else ()

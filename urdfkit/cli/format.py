@@ -1,7 +1,5 @@
 """``urdfkit format``: one layout for URDF and xacro files."""
 
-from __future__ import annotations
-
 import os
 import sys
 

@@ -1,7 +1,5 @@
 """``urdfkit gazebo``: what Gazebo makes of a robot."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 
@@ -119,7 +117,6 @@ def _link(link: SimulatedLink) -> Iterator[str]:
 
 
 def as_json(conversion: Conversion, rejected: list[Rejection]) -> dict[str, Any]:
-    """The same for programs."""
     return {
         "version": VERSION,
         "converter": conversion.converter.name,

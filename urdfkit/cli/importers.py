@@ -1,7 +1,5 @@
 """``urdfkit importers``: what simulators and dynamics libraries make of a robot."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import groupby
 from typing import Any
@@ -127,7 +125,6 @@ def _letter(number: int) -> str:
 
 
 def _moving(one: Imported) -> list[str]:
-    """The bodies that are not the world."""
     world = one.facts.merges_into_world
     return [body.name for body in one.bodies if not (world and body.name == "world")]
 
@@ -279,7 +276,6 @@ def _map_csv(found: IndexMap) -> Iterator[str]:
 
 
 def _map_line(found: IndexMap) -> str:
-    """One line to paste into Python."""
     source, target = found.source.replace("-", "_"), found.target.replace("-", "_")
     name = f"{source}_to_{target}"
     return f"{name} = {list(found.indices)}  # q_{target} = q_{source}[{name}]"

@@ -1,7 +1,5 @@
 """``urdfkit inertia``: declared masses and moments, compared with those of the shapes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from math import inf
 from typing import Any
@@ -156,7 +154,6 @@ def _name(one: InertiaProposal) -> str:
 
 
 def as_json(proposals: Sequence[InertiaProposal]) -> dict[str, Any]:
-    """The same for programs."""
     return {
         "version": VERSION,
         "links": [

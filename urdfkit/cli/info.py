@@ -1,7 +1,5 @@
 """``urdfkit info``: a robot on one page."""
 
-from __future__ import annotations
-
 import os
 import textwrap
 from collections import Counter
@@ -51,7 +49,6 @@ def command(asked: dict[str, Any], form: str) -> int:
 
 
 def render(found: Overview) -> Iterator[str]:
-    """The lines of the page."""
     kind = "xacro" if found.is_xacro else "URDF"
     yield f"{found.name or '(no name)'}: {kind}, {shown(found.file)}"
     targets = ", ".join(found.targets) or "not detected; select it with --target"

@@ -1,7 +1,5 @@
 """``urdfkit init``: a first configuration from what is found."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator
 
@@ -53,7 +51,6 @@ def command(directory: str, only_print: bool) -> int:
 
 
 def render(found: DirectoryContents, directory: str) -> str:
-    """The text of a configuration."""
     resolver = Resolver()
     robots = [_ConfiguredRobot(robot.file, directory, resolver) for robot in found.robots]
     lines = [
@@ -125,7 +122,6 @@ def _key(name: str) -> str:
 
 
 def _quoted(text: str) -> str:
-    """A text as TOML writes it."""
     import json  # a JSON text is a TOML text
 
     return json.dumps(text, ensure_ascii=False)

@@ -1,7 +1,5 @@
 """``urdfkit kinematics``: where links are, and how they move."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import degrees
 from typing import Any

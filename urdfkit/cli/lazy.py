@@ -1,7 +1,5 @@
 """Groups of commands, each of which is imported when it is used."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping, Sequence
 from importlib import import_module

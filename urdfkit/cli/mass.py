@@ -1,7 +1,5 @@
 """``urdfkit mass``: the mass properties of every link and of the whole."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Iterable, Iterator

@@ -1,7 +1,5 @@
 """``urdfkit migrate``: what a model needs to run in another Gazebo."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Iterator
 from typing import Any

@@ -35,12 +35,10 @@ class Option(Record):
 
     @property
     def key(self) -> str:
-        """The name of its value."""
         return self.flag[2:].replace("-", "_")
 
     @property
     def initial(self) -> Any:
-        """The value if it is not given."""
         if self.many:
             return ()
         return self.default if self.metavar else False
@@ -226,7 +224,6 @@ def arguments(values: Mapping[str, Any]) -> dict[str, str]:
 
 
 def packages(values: Mapping[str, Any]) -> dict[str, str]:
-    """The directories of packages."""
     found = {}
     for word in values["package"]:
         name, equals, directory = word.partition("=")

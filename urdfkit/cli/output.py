@@ -1,7 +1,5 @@
 """Standard output: whether it has colours, how wide it is, and what can go wrong with it."""
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Iterable, Iterator

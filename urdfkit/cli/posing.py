@@ -1,7 +1,5 @@
 """The options that set the joints of a robot, for every command that has a pose."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Reads the ordinary ``check`` command line without click, which costs 27 ms to import."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

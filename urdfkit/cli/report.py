@@ -1,7 +1,5 @@
 """``urdfkit report``: all that is known of a robot, as one file."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping
 from typing import Any

@@ -9,8 +9,6 @@ damaged, or that answers another question is as good as none.
 This module runs before anything else is imported, and imports next to nothing.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 import time
@@ -80,7 +78,6 @@ def replay(words: list[str]) -> int | None:
 
 
 def _write(entry: ResultEntry) -> int:
-    """Write everything as the check did."""
     for path, data in entry.outputs:
         if path:
             from urdfkit.core import atomic

@@ -1,7 +1,5 @@
 """Keeps the result of a check with all that it depends on; the counterpart of `result_cache`."""
 
-from __future__ import annotations
-
 import os
 import time
 

@@ -1,7 +1,5 @@
 """``urdfkit rules``."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """``urdfkit scan``: check collections of models."""
 
-from __future__ import annotations
-
 import os
 from importlib.util import find_spec
 from typing import Any

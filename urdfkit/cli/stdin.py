@@ -1,7 +1,5 @@
 """Standard input."""
 
-from __future__ import annotations
-
 import sys
 
 from urdfkit.errors import UnreadableFile

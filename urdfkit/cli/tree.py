@@ -1,7 +1,5 @@
 """``urdfkit tree``: the kinematic tree."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import Any
 

@@ -1,7 +1,5 @@
 """``urdfkit view``: a robot in the browser, as it is being written."""
 
-from __future__ import annotations
-
 import sys
 import webbrowser
 from typing import Any

@@ -1,7 +1,5 @@
 """Writing files so that no reader ever sees half of one, and no kill leaves one."""
 
-from __future__ import annotations
-
 import os
 import stat
 import sys

@@ -1,7 +1,5 @@
 """The directory of what urdfkit keeps between runs: measures of meshes, results of checks."""
 
-from __future__ import annotations
-
 import os
 import sys
 

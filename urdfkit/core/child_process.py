@@ -1,7 +1,5 @@
 """A process of our own, which talks with this one by its standard input and output."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -4,8 +4,6 @@ Importing ``hashlib`` loads OpenSSL, which takes 4 of the 13 ms of an unchanged 
 without as Python's own ``random`` does.
 """
 
-from __future__ import annotations
-
 try:
     from _blake2 import blake2b
 except ImportError:  # another Python

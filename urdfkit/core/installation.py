@@ -5,8 +5,6 @@ environment that pre-commit, uv or pipx made. So a hint names from where this ur
 which program.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import sys

@@ -1,7 +1,5 @@
 """The sources of urdfkit, of which a result depends where they change without a new version."""
 
-from __future__ import annotations
-
 import os
 import sys
 

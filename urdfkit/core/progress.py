@@ -1,7 +1,5 @@
 """How far a long job is."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 #: Called with the number of things that are done, and of all.

@@ -1,7 +1,5 @@
 """JSON for programs: what any reader takes, however odd the numbers of a robot are."""
 
-from __future__ import annotations
-
 import json
 from math import isfinite
 from typing import Any

@@ -4,8 +4,6 @@ The system locks each for the process that uses it, until that ends in whatever 
 which locks no directories, what a kill leaves stays.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """Numbers of things, and several names, in a sentence."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 

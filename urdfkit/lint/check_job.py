@@ -1,7 +1,5 @@
 """The check of one description of a plan."""
 
-from __future__ import annotations
-
 import gc
 import sys
 from collections.abc import Callable

@@ -63,7 +63,6 @@ class Config(Record):
 
     @property
     def directory(self) -> str:
-        """The directory that its paths start from."""
         return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
 
     def entries(

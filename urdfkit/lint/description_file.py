@@ -94,7 +94,6 @@ class DescriptionFile:
 
     @cached_property
     def reading(self) -> Reading:
-        """The text, read and expanded."""
         if is_launch(self.source.path):
             return Reading(None, tuple(self.launch.problems), None)
         if not is_xacro(self.source):
@@ -208,7 +207,6 @@ class DescriptionFile:
 
     @cached_property
     def ignores(self) -> tuple[Ignore, ...]:
-        """The ignore comments in its files."""
         sources: tuple[Source, ...] = (self.source,)
         if self.reading.xacro:
             sources = self.reading.xacro.sources

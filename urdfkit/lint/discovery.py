@@ -5,8 +5,6 @@ the text, without expanding anything, so that a change of one file leads to the 
 of in a few milliseconds per file.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator
 from itertools import islice

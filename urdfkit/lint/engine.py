@@ -1,7 +1,5 @@
 """check(): descriptions of robots make a Report."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator, Mapping
 

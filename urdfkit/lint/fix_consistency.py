@@ -4,8 +4,6 @@ The body of a macro and the block of a property are written once and stand in th
 often as they are used. An edit there changes all uses, so all of them must ask for it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from urdfkit.lint.rules import Finding

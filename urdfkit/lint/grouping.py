@@ -4,8 +4,6 @@ People read them so, in a terminal, a pull request or a page. A program gets eac
 editor marks every place, and a baseline must know the thirty-first as new.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 from urdfkit.core.words import more_like_this
@@ -57,7 +55,7 @@ def _note(other: Diagnostic, first: Diagnostic) -> Related:
 
 def without_search(message: str) -> str:
     """A message without the places that were searched, which is long and the same in others."""
-    return message.partition("; searched: ")[0]
+    return message.partition("; searched: ")[0].partition("; tried ")[0]
 
 
 def _together(fixes: list[Fix | None]) -> Fix | None:

@@ -1,7 +1,5 @@
 """Which xacro includes which file; read from the texts, nothing is expanded."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterable, Iterator

@@ -73,7 +73,6 @@ class _Merger:
         self._silenced: list[Superseded] = []
 
     def add(self, job: Job, result: FileResult) -> None:
-        """One description."""
         self.findings.add(job.path, job.name, result.diagnostics)
         if not _is_skipped(result):
             self.read.add(disk.real(job.path))
@@ -100,7 +99,6 @@ class _Merger:
         self._proposals.append(tuple(edit for fix in fixes for edit in fix.edits))
 
     def report(self) -> Report:
-        """On all that was added."""
         return Report(
             tuple(dict.fromkeys(job.path for job in self._plan.jobs)),
             self.findings.diagnostics(),
@@ -118,7 +116,6 @@ class _Merger:
 
 
 def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """By file, place, code and message."""
     found = tuple(diagnostics)
     names = {path: shown(path) for path in {one.span.source.path for one in found}}
 

@@ -213,7 +213,6 @@ class Plan:
         return True
 
     def _add_robot(self, path: str, name: str, arguments: Mapping[str, str]) -> None:
-        """A robot that was found."""
         every = {**self.config.arguments, **arguments, **self.arguments}
         self.jobs.append(Job(path, name, every, True))
 

@@ -1,7 +1,5 @@
 """Libraries without which a rule is skipped."""
 
-from __future__ import annotations
-
 from importlib import import_module
 
 from urdfkit.core import libraries

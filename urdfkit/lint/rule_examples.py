@@ -8,8 +8,6 @@ the same functions. ``NAME`` is the name of the example's file where it is no ``
 ``TARGETS`` are the consumers that it is checked for where they are not detected.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import sys
@@ -34,7 +32,6 @@ _PIECE = re.compile(r"\s*<(link|joint|material|gazebo|transmission|ros2_control)
 
 
 def whole_robot(text: str) -> str:
-    """An example as a whole document."""
     if _PIECE.match(text):
         return f'<robot name="example">\n{text}\n</robot>\n'
     return text
@@ -65,7 +62,6 @@ def targets_of(rule: Rule) -> tuple[str, ...]:
 
 
 def context_of(rule: Rule, source: Source) -> Context:
-    """An example as a rule sees it."""
     names = targets_of(rule)
     return Context(source, Resolver(environment={}), targets=parse(names) if names else None)
 

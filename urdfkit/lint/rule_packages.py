@@ -6,8 +6,6 @@ entry points costs as much as checking a robot, and a report should not depend o
 happens to be installed.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Iterable

@@ -62,7 +62,6 @@ class SettingsTable:
         return value
 
     def texts(self, key: str) -> tuple[str, ...]:
-        """A list of strings."""
         values = self.take(key, list, [])
         for value in values:
             if not isinstance(value, str):

@@ -179,7 +179,6 @@ def _attributes_of(robot: OpenRobot, node: TagNode) -> Iterator[tuple[str, str, 
 
 
 def _values(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
-    """The values that an attribute may have."""
     node, written = here.node, here.attribute
     assert node is not None
     assert written is not None
@@ -243,7 +242,6 @@ def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterato
 def _of_command(
     robot: OpenRobot, match: re.Match[bytes], packages: Iterable[str], word: int
 ) -> Iterator[CompletionItem]:
-    """The words of a ``$(...)``."""
     if match[2] is None:
         yield from (CompletionItem(name, "word", "substitution", word) for name in _COMMANDS)
     elif match[1] == b"arg":

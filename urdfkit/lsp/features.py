@@ -1,7 +1,5 @@
 """What the server can do: a handler for every request and notification."""
 
-from __future__ import annotations
-
 import re
 
 from lsprotocol import types as lsp
@@ -40,7 +38,6 @@ _ITEMS = {
 
 
 def make() -> Server:
-    """A server with all its features."""
     server = Server()
     _add_documents(server)
     _add_pull(server)

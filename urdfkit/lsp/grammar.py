@@ -1,7 +1,5 @@
 """What URDF's grammar, SRDF and Gazebo say of an element in a text."""
 
-from __future__ import annotations
-
 from urdfkit.lsp.markup import TagNode, WrittenAttribute
 from urdfkit.text.schema import JOINT, LINK, ROBOT, Grammar
 

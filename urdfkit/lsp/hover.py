@@ -1,7 +1,5 @@
 """Hover texts: numbers of a robot, origins of a value, explanations of a rule."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator
 

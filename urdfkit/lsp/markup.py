@@ -78,7 +78,6 @@ class TagNode:
 
     @property
     def span(self) -> Span:
-        """The whole element."""
         return Span(self.source, self.start, self.end)
 
     @property
@@ -136,7 +135,6 @@ class Page:
             node.end = len(self.source.data)
 
     def _open(self, open_: list[TagNode], token: Token) -> None:
-        """A start tag."""
         node = TagNode(token, self.source, open_[-1] if open_ else None)
         self.nodes.append(node)
         if node.parent:
@@ -190,7 +188,6 @@ class Cursor(Record):
 
 
 def cursor(page: Page, offset: int) -> Cursor:
-    """What is at a place."""
     if page.is_comment(offset):
         return Cursor(offset, None, "comment")
     node = page.node_at(offset)

@@ -79,7 +79,6 @@ class NameIndex:
 
     @cached_property
     def all(self) -> tuple[NameUse, ...]:
-        """Every place of a name."""
         return tuple(
             name
             for page in self.pages.values()
@@ -275,7 +274,6 @@ class NameIndex:
 
 
 def parameters(macro: TagNode) -> list[str]:
-    """The names of a macro's parameters."""
     found = _PARAMETER.findall(macro.get("params").encode())
     return [word.decode("utf-8", "replace").lstrip("*") for word in found]
 

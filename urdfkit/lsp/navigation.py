@@ -1,7 +1,5 @@
 """From a name to where it is given, to where it is used, and to another name."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterator

@@ -52,7 +52,6 @@ class OpenRobot:
 
     @cached_property
     def sources(self) -> dict[str, Source]:
-        """Its texts by real path."""
         xacro = self.context.reading.xacro
         sources = xacro.sources if xacro else (self.context.source,)
         return {os.path.realpath(source.path): source for source in sources}
@@ -77,7 +76,6 @@ class OpenRobot:
         return found
 
     def page(self, path: str) -> Page:
-        """The elements of one of its texts."""
         source = self.source(path)
         pages = self.names.pages
         if source.path not in pages:

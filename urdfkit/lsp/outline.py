@@ -1,7 +1,5 @@
 """The outline of a file: the kinematic tree of what it makes, and what else it defines."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable
 
@@ -44,7 +42,6 @@ class OutlineEntry:
 
 
 def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
-    """The entries of a file."""
     top = [_definition(node) for node in page.nodes if _is_definition(node)]
     if robot.document is None:
         plain = [node for node in page.nodes if node.name in ("link", "joint") and _is_top(node)]

@@ -1,7 +1,5 @@
 """Places as editors have them: lines from 0, and characters counted in units of an encoding."""
 
-from __future__ import annotations
-
 import os
 from urllib.parse import quote, unquote, urlsplit
 
@@ -23,7 +21,6 @@ class PositionEncoding:
         self._codec, self._size = _BYTES.get(PositionEncodingKind(encoding), ("utf-32-le", 4))
 
     def position(self, source: Source, offset: int) -> Position:
-        """The position of a byte."""
         line, column = source.position(offset)
         before = source.line(line)[: column - 1]
         return Position(line - 1, len(before.encode(self._codec, "replace")) // self._size)
@@ -56,7 +53,6 @@ def to_bytes(path: str, text: str) -> bytes:
 
 
 def to_uri(path: str) -> str:
-    """The URI of a file."""
     path = os.path.abspath(path).replace(os.sep, "/")
     return "file://" + ("" if path.startswith("/") else "/") + quote(os.fsencode(path))
 

@@ -60,7 +60,6 @@ class Workspace:
         self._found: dict[str, dict[str, list[Diagnostic]]] = {}
 
     def set_text(self, path: str, text: bytes) -> None:
-        """A file is opened or changed."""
         if self.texts.get(path) != text:
             self.texts[path] = text
             self._forget_robots()
@@ -79,7 +78,6 @@ class Workspace:
         return {file: list(self._of_file(file)) for file in files}
 
     def reload(self) -> None:
-        """Files on disk have changed."""
         self._entries.clear()
         self._launched.clear()
         self._configs.clear()

@@ -1,7 +1,5 @@
 """The pieces of a mesh: what each encloses, which are flat, and which look inwards."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -56,7 +54,6 @@ def take_apart(places: Floats, edges: Edges) -> Pieces:
 def _extents(
     places: Floats, faces: Integers, of_face: Integers, number: int
 ) -> tuple[Floats, Floats]:
-    """The bounding box of each piece."""
     low, high = np.full((number, 3), np.inf), np.full((number, 3), -np.inf)
     for corner in range(3):
         np.minimum.at(low, of_face, places[faces[:, corner]])

@@ -1,7 +1,5 @@
 """Convex pieces around a mesh: grown until they contain it; what sticks out, what is missing."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

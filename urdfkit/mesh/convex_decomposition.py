@@ -1,7 +1,5 @@
 """Meshes cut into convex pieces."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.core.installation import install_command

@@ -1,7 +1,5 @@
 """A mesh ever coarser: within tolerances that grow, or with fewer triangles."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import Any
 

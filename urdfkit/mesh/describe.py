@@ -28,7 +28,6 @@ class MeshDescription(Record):
     area: float  # of the surface in m^2
 
     def as_json(self) -> dict[str, Any]:
-        """The same for programs."""
         return {
             "path": self.path,
             "format": self.format,

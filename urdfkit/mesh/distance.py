@@ -1,7 +1,5 @@
 """How far two surfaces are apart."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

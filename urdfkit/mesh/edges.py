@@ -1,7 +1,5 @@
 """The edges of a triangle mesh: which faces share each."""
 
-from __future__ import annotations
-
 from functools import cached_property
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Equal rows and connected components."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.mesh.geometry import Integers

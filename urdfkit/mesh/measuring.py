@@ -1,7 +1,5 @@
 """Measuring triangles."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.core.spatial import vector

@@ -1,7 +1,5 @@
 """Normals for triangles that have none: smooth where the surface is, sharp at its edges."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers, MeshPart

@@ -1,7 +1,5 @@
 """Rays against triangles."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Small mesh files for the examples of rules."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from urdfkit.core.spatial import Vector

@@ -44,7 +44,6 @@ class Simplified(Record):
 
     @property
     def deviation(self) -> float:
-        """The greater of the two distances."""
         return max(self.lost, self.gained)
 
 

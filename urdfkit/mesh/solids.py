@@ -3,8 +3,6 @@
 Lengths in m. Everything comes from manifold3d, so every solid is closed and oriented.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 
 import numpy as np

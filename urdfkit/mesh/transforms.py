@@ -1,7 +1,5 @@
 """Meshes moved, turned and stretched."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.core.spatial import Transform, Vector

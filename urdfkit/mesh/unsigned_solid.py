@@ -1,7 +1,5 @@
 """The solid that MuJoCo takes the triangles of a mesh for, whichever way they look."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers, areas

@@ -1,7 +1,5 @@
 """Vertices made one: where they are at the same place, and where only rounding parts them."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.mesh.edges import Edges, three_cornered

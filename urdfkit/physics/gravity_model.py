@@ -126,7 +126,6 @@ class GravityModel:
         ]
 
     def places(self, pose: Mapping[str, float]) -> list[float]:
-        """The position of each body's joint."""
         return [b.law.factor * pose.get(b.law.leader, 0.0) + b.law.shift for b in self.bodies]
 
     def lever(self, number: int, moment: Vector) -> Vector:

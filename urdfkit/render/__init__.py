@@ -10,8 +10,6 @@
 gives a `Camera` that has a scene in view, and `draw` the pixels that it sees.
 """
 
-from __future__ import annotations
-
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
 

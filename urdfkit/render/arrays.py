@@ -1,7 +1,5 @@
 """The arrays that images are made of; single precision wherever there are many, for speed."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Where an image is taken from. World coordinates in m, z upwards; +x is a robot's front."""
 
-from __future__ import annotations
-
 from math import cos, isfinite, radians, sin, tan
 from typing import NamedTuple, TypedDict
 

@@ -4,8 +4,6 @@ Vertices in one cell of a grid become one (Rossignac, Borrel: Multi-resolution 3
 1993): crude, but fast, and whatever a mesh is like.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

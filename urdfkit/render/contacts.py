@@ -1,7 +1,5 @@
 """Where links overlap in a configuration, measured with coal."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 

@@ -5,8 +5,6 @@ which surfaces the pixels see, how much light reaches them, and their colours. N
 the order of the bands, so the bytes are the same for any number of threads.
 """
 
-from __future__ import annotations
-
 import itertools
 from typing import NamedTuple, TypedDict
 
@@ -283,7 +281,6 @@ class _Drawing:
         sun: Floats,
         background: Background | None,
     ) -> Bytes:
-        """The pixels of a band."""
         width = self.camera.size[0]
         some, there = band.opaque
         start, count = first * width, (last - first) * width

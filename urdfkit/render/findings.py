@@ -1,7 +1,5 @@
 """An image of a robot whose parts with findings are coloured and labelled with the codes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 from urdfkit.lint.context import Context

@@ -4,8 +4,6 @@ What Pillow's font can write looks the same on every machine. For Chinese, Japan
 names, for instance, a font of the system is taken if one is found, else the letters are escaped.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import cache
 

@@ -1,7 +1,5 @@
 """From samples to fragments: what is shaded is a piece of one triangle in one pixel."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

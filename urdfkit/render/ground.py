@@ -1,7 +1,5 @@
 """The ground: it is not seen itself, only the shadows and the metric grid on it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 

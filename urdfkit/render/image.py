@@ -90,7 +90,6 @@ def _cameras(
 
 
 def _part(progress: Progress | None, number: int, count: int) -> Progress | None:
-    """Progress of one view of several."""
     if progress is None:
         return None
     return lambda done, total: progress(number * total + done, count * total)
@@ -110,7 +109,6 @@ def colour(word: str) -> tuple[float, float, float]:
 
 
 def _grid(count: int) -> tuple[int, int]:
-    """Columns and rows of a sheet."""
     columns = 1
     while columns * columns < count:
         columns += 1

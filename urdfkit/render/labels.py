@@ -29,7 +29,6 @@ class LabelBox(NamedTuple):
     bottom: float
 
     def meets(self, other: LabelBox) -> bool:
-        """True if the two overlap."""
         return (
             self.left < other.right
             and other.left < self.right

@@ -3,8 +3,6 @@
 Signs are seen through what hides them, faintly. Their sizes follow from that of the robot.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import pi
 

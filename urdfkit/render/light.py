@@ -1,7 +1,5 @@
 """The lamps of the studio, and the shadows that the sun casts."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The materials of the surfaces of a robot."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from urdfkit.lint.context import Context

@@ -4,8 +4,6 @@ McGuire, Mara, Luebke: Scalable Ambient Obscurance, 2012, equation 1 of section 
 positions instead of a pyramid of them, and the authors' falloff.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.render.arrays import Floats, Integers

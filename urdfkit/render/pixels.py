@@ -1,7 +1,5 @@
 """From fragments to pixels: light over lattices, sums, backgrounds and bytes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np

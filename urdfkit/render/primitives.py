@@ -1,7 +1,5 @@
 """URDF's shapes as triangles, with the normals of the true surface. Lengths in m."""
 
-from __future__ import annotations
-
 from functools import cache
 from math import pi
 from typing import NamedTuple
@@ -39,12 +37,10 @@ def box(x: float, y: float, z: float) -> Triangles:
 
 
 def cylinder(radius: float, length: float) -> Triangles:
-    """A cylinder along z, about its centre."""
     return revolved((0, radius, radius, 0), (-length / 2, -length / 2, length / 2, length / 2))
 
 
 def sphere(radius: float) -> Triangles:
-    """A sphere about its centre."""
     return capsule(radius, 0.0)
 
 

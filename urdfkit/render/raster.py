@@ -129,7 +129,6 @@ class Spans(NamedTuple):
     number: Integers
 
     def some(self, few: slice) -> Spans:
-        """A part of them."""
         return Spans(
             self.place[few], self.length[few], self.nearness[few], self.step[few], self.number[few]
         )
@@ -147,7 +146,6 @@ def _rows(triangles: Projected, numbers: Integers, grid: Grid) -> tuple[Integers
 
 
 def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> Spans:
-    """The spans of some triangles."""
     first, rows = _rows(triangles, numbers, grid)
     some = rows > 0
     first, rows, numbers = first[some], rows[some], numbers[some]
@@ -193,7 +191,6 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
 
 
 def _quotient(dividend: Floats, divisor: Floats) -> Floats:
-    """A quotient; 0 where there is none."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         result: Floats = dividend / divisor
     result[~np.isfinite(result)] = 0

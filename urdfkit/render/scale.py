@@ -1,7 +1,5 @@
 """How large a robot is, in its image: a grid on the ground, or a bar under an orthographic view."""
 
-from __future__ import annotations
-
 from math import floor, log10
 
 from PIL import Image, ImageDraw

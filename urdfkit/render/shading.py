@@ -1,7 +1,5 @@
 """What colour a surface has in the light of the studio."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """All triangles of a scene in one list, in the frame of a camera, cut at its near plane."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import accumulate, pairwise
 from typing import NamedTuple
@@ -87,7 +85,6 @@ def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
 
 
 def chosen_triangles(whole: CameraTriangles, chosen: Bools | Integers) -> CameraTriangles:
-    """Some of the triangles, with all vertices."""
     return whole._replace(
         faces=whole.faces[chosen], item=whole.item[chosen], flat=whole.flat[chosen]
     )

@@ -1,7 +1,5 @@
 """The colours of surfaces: materials, textures and light, for each fragment."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Images on surfaces: read once, halved as often as it takes, and sampled."""
 
-from __future__ import annotations
-
 import io
 from functools import cache, lru_cache
 

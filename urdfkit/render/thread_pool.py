@@ -1,7 +1,5 @@
 """Bands of an image on several threads; what they do does not depend on their number."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor

@@ -4,8 +4,6 @@ Source: ``computeConnectionGraph`` in moveit_setup_srdf_plugins: links without c
 are taken out one by one, and what they joined is joined directly.
 """
 
-from __future__ import annotations
-
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 

@@ -1,7 +1,5 @@
 """Which links and joints a finding concerns, by the address of its element."""
 
-from __future__ import annotations
-
 from urdfkit.robot.model import RobotModel
 
 
@@ -33,7 +31,6 @@ class ElementLookup:
         return _nearest(self._links, element)
 
     def joint(self, element: str) -> str | None:
-        """The joint that an element belongs to."""
         return _nearest(self._joints, element)
 
 

@@ -147,13 +147,11 @@ def box(mass: float, size: Vector) -> Tensor:
 
 
 def cylinder(mass: float, radius: float, length: float) -> Tensor:
-    """A solid cylinder along z."""
     across = mass * (3 * radius * radius + length * length) / 12
     return Tensor(across, 0.0, 0.0, across, 0.0, mass * radius * radius / 2)
 
 
 def sphere(mass: float, radius: float) -> Tensor:
-    """A solid ball."""
     moment = 2 * mass * radius * radius / 5
     return Tensor(moment, 0.0, 0.0, moment, 0.0, moment)
 
@@ -199,7 +197,6 @@ def rotated(tensor: Tensor, rotation: Rotation) -> Tensor:
 
 
 def scaled(tensor: Tensor, factor: float) -> Tensor:
-    """Every entry times a factor."""
     return Tensor(*(factor * value for value in tensor))
 
 

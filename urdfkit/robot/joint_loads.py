@@ -4,8 +4,6 @@ The weight below a joint at the longest lever that its links can make: an upper 
 one walk over the tree. Where it is under the effort of a joint, no pose overloads that joint.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from math import hypot
 

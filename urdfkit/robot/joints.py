@@ -1,7 +1,5 @@
 """Limits, ranges and units of joints, as URDF parsers take them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from math import pi
 
@@ -99,7 +97,6 @@ def unit(joint: Joint) -> str:
 
 
 def effort_unit(joint: Joint) -> str:
-    """Of what moves it."""
     return "N" if joint.kind == "prismatic" else "N·m"
 
 

@@ -1,12 +1,9 @@
 """Small robots as text, for the examples of rules."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 
 def robot_xml(*parts: str) -> str:
-    """Elements one below the other."""
     return "\n".join(parts)
 
 

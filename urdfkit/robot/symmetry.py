@@ -4,19 +4,14 @@ Authors write one side and copy it. What then differs between the two is a mista
 an intention, and the counterpart shows the intended value.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector
 from urdfkit.robot.joints import MOVING
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Joint
-    from urdfkit.robot.tree import KinematicTree
+from urdfkit.robot.model import Joint
+from urdfkit.robot.tree import KinematicTree
 
 #: The words of a name: ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
 _WORD = r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+"

@@ -4,8 +4,6 @@ Cycles, two parents, islands, unknown links and 100 000 links in a row are all n
 nothing here recurses, and every walk visits a link once.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 
 from urdfkit.core.spatial import Transform

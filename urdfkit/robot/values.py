@@ -1,7 +1,5 @@
 """Numbers in the text of an attribute, as the readers of URDF take them."""
 
-from __future__ import annotations
-
 from math import isfinite
 
 from urdfkit.core.spatial import Vector

@@ -1,7 +1,5 @@
 """What a controller claims: command interfaces of joints, which one at a time may write."""
 
-from __future__ import annotations
-
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller
 from urdfkit.text.located_yaml import Value

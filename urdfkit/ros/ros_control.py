@@ -7,16 +7,13 @@ Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling)
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import control_plugin
 from urdfkit.ros.targets import Targets
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 ROS1 = ("ros1", "classic-ros1")
 ROS2 = ("ros2", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
@@ -46,7 +43,6 @@ class Interface(Record):
     name: str
 
     def parameter(self, name: str) -> Element | None:
-        """The ``<param>`` of a name."""
         return parameter(self.at, name)
 
     def bound(self, name: str) -> float | None:
@@ -87,7 +83,6 @@ class Component(Record):
 
     @property
     def called(self) -> str:
-        """For messages."""
         return f"<ros2_control> '{self.name}'" if self.name else "<ros2_control>"
 
 
@@ -100,7 +95,6 @@ class ControlPlugin(Record):
 
 
 def components(model: RobotModel) -> list[Component]:
-    """The ``<ros2_control>`` blocks of a model."""
     return [_component(element) for element in model.ros2_controls]
 
 
@@ -117,7 +111,6 @@ def control_plugins(model: RobotModel) -> list[ControlPlugin]:
 
 
 def parameter(element: Element, name: str) -> Element | None:
-    """The first ``<param>`` of a name."""
     for found in element.all("param"):
         if found.get("name") == name:
             return found

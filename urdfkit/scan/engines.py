@@ -1,7 +1,5 @@
 """What runs a scan: processes of this machine, or Dask. Both ask the same `Isolated`."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait

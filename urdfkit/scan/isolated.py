@@ -71,7 +71,6 @@ class Isolated:
         return row
 
     def end(self) -> None:
-        """End the process, whatever it is doing."""
         self._left = 0
         if self._process is not None:
             self._process.kill()

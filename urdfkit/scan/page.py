@@ -1,7 +1,5 @@
 """A summary of a scan for people: as text, and as one HTML file that opens offline."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
@@ -22,7 +20,6 @@ _Table = tuple[str, Sequence[str], list[tuple[object, ...]]]
 
 
 def text(summary: Summary) -> Iterator[str]:
-    """The lines of the summary."""
     yield from _counts(summary)
     for heading, columns, rows in _tables(summary):
         if rows:
@@ -41,7 +38,6 @@ def text(summary: Summary) -> Iterator[str]:
 
 
 def html(summary: Summary, title: str) -> str:
-    """The page."""
     parts = [
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>',
         f"<style>{_STYLE}</style><h1>{escape(title)}</h1>",

@@ -1,7 +1,5 @@
 """The results of a scan as two Parquet files: one row for a model, one for a finding."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Iterator
 from itertools import islice

@@ -1,7 +1,5 @@
 """XML comments in the bytes of a file, which need not be well formed."""
 
-from __future__ import annotations
-
 import re
 
 #: What has no end goes on to that of the file: to look for it anew from each beginning takes hours.

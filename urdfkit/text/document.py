@@ -49,7 +49,6 @@ class CallFrame:
         self.outer = outer
 
     def steps(self) -> tuple[Step, ...]:
-        """All steps, outermost first."""
         steps: list[Step] = []
         frame: CallFrame | None = self
         while frame is not None:
@@ -91,7 +90,6 @@ class Tag(Record):
 
     @property
     def name_span(self) -> Span:
-        """The name in the start tag."""
         match = _compiled(_TAG_NAME).match(self.source.data, self.start)
         start, end = match.span(1) if match else (self.start, self.start + 1)
         return Span(self.source, start, end)
@@ -185,7 +183,6 @@ class Element:
 
     @property
     def span(self) -> Span:
-        """The start tag."""
         return self.tag_at.span
 
     @property
@@ -194,19 +191,16 @@ class Element:
         return self.frame.steps() if self.frame else ()
 
     def get(self, name: str) -> str | None:
-        """The value of an attribute."""
         attribute = self.attributes.get(name)
         return None if attribute is None else attribute.value
 
     def child(self, tag: str) -> Element | None:
-        """The first child of that name."""
         for child in self.children:
             if child.tag == tag:
                 return child
         return None
 
     def all(self, tag: str) -> list[Element]:
-        """The children of that name."""
         return [child for child in self.children if child.tag == tag]
 
     def walk(self) -> Iterator[Element]:

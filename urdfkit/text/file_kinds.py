@@ -1,7 +1,5 @@
 """What a file of a robot is: xacro, by its content, or a launch file, by its name."""
 
-from __future__ import annotations
-
 import os
 import re
 

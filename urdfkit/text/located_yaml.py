@@ -7,13 +7,10 @@ have a few levels, and what is deeper is no such file.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeAlias
 
 from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
-
-if TYPE_CHECKING:
-    from typing import TypeAlias
 
 #: Larger files are no lists of parameters.
 MAX_BYTES = 1024 * 1024
@@ -52,7 +49,6 @@ Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
 
 
 def load(source: Source) -> Node:
-    """The first document of a YAML file."""
     if len(source.data) > MAX_BYTES:
         return None
     import yaml  # 15 ms, and few models name a file of parameters

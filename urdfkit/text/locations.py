@@ -1,7 +1,5 @@
 """Places as JSON: what ``urdfkit expand --map`` writes, and one address for every element."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from urdfkit.core.suggest import did_you_mean

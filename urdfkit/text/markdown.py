@@ -4,8 +4,6 @@ The words of a robot's file come from anybody: whatever would be markup, a menti
 shown as the characters it is made of.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 

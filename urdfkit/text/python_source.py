@@ -1,7 +1,5 @@
 """Python files of others as syntax trees: they are read, and never run."""
 
-from __future__ import annotations
-
 import ast
 import warnings
 

@@ -136,7 +136,6 @@ class TagMatching:
         self._pop()
 
     def _instead(self, tag: TagToken) -> None:
-        """An end tag with a wrong name."""
         expected = self._pop()
         note = expected.note(f"{self._shown(expected)} is open since here")
         message = f"</{tag.name}> stands where </{expected.name}> is expected"
@@ -177,7 +176,6 @@ class TagMatching:
         return None
 
     def _end(self) -> None:
-        """The end of the file."""
         if self._cut_off:
             return
         unclosed = [tag for tag in reversed(self._open) if tag.kind == "open"]

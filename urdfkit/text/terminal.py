@@ -1,7 +1,5 @@
 """Text on a screen: what may be shown of a robot's file, and how many columns it takes."""
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.text.source import Span

@@ -1,7 +1,5 @@
 """Elements and attributes that a program adds to URDF without a namespace prefix."""
 
-from __future__ import annotations
-
 import os
 from functools import cache
 from typing import Any

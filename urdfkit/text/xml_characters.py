@@ -1,7 +1,5 @@
 """Characters that XML forbids, and hyphens that it forbids in comments."""
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.text.tag_matching import SyntaxMistake
@@ -12,7 +10,6 @@ _HYPHENS = re.compile(rb"--+|-\Z")
 
 
 def control_characters(data: bytes) -> list[tuple[int, int]]:
-    """The characters that XML forbids."""
     return [found.span() for found in _CONTROLS.finditer(data)]
 
 
@@ -49,7 +46,6 @@ def hyphen_mistake(data: bytes, start: int, end: int) -> SyntaxMistake | None:
 
 
 def is_character(code: int) -> bool:
-    """True if XML allows the character."""
     return (
         code in (0x9, 0xA, 0xD)
         or 0x20 <= code <= 0xD7FF

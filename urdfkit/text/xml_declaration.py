@@ -1,7 +1,5 @@
 """The encoding of a file and its XML declaration, as URDF parsers take them."""
 
-from __future__ import annotations
-
 import re
 from xml.parsers import expat
 

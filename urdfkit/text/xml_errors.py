@@ -6,8 +6,6 @@ chooses where something is missing what the rest of the file agrees with best. I
 that expat has rejected; it never rejects a file that expat accepts.
 """
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.text.tag_matching import MAX_ERRORS, SyntaxMistake, TagMatching, TagToken

@@ -139,7 +139,6 @@ class _DocumentBuilder:
         return found
 
     def unexpanded(self) -> list[Problem]:
-        """Tags of xacro in a plain file."""
         if not self._unexpanded:
             return []
         first, *others = self._unexpanded

@@ -1,7 +1,5 @@
 """The configuration file that holds for a file; most robots have none, and nothing more is read."""
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

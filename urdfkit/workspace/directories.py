@@ -1,7 +1,5 @@
 """Directories, each listed once, and names looked up in them exactly as on disk."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 

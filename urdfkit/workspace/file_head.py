@@ -1,7 +1,5 @@
 """Looking into files that may be anything."""
 
-from __future__ import annotations
-
 from urdfkit.core import disk
 
 

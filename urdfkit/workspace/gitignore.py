@@ -1,7 +1,5 @@
 """Which files git leaves out of a repository."""
 
-from __future__ import annotations
-
 import os
 from fnmatch import fnmatchcase
 

@@ -1,7 +1,5 @@
 """The files by which git decides what it ignores. They are git's to read; here they are noted."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 

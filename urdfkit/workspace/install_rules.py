@@ -3,8 +3,6 @@
 The answer is "yes" wherever the build file says something that is not understood here.
 """
 
-from __future__ import annotations
-
 import os
 import posixpath
 import re
@@ -95,7 +93,6 @@ class InstallRules:
         return re.search(_MAKES, self._text) is not None
 
     def advice(self, top: str) -> str:
-        """How to install a directory."""
         if self.file.endswith(".py"):
             return f"add the files of {top} to data_files in setup.py"
         return f"write install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}})"

@@ -1,7 +1,5 @@
 """Which files a program may edit: what people wrote, in their own workspace."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterable

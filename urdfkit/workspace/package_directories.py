@@ -1,7 +1,5 @@
 """Directories as packages: which package a directory is, and whether it is a repository."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping
 from functools import lru_cache

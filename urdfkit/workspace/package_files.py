@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import posixpath
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -68,6 +69,20 @@ class PackageFiles:
                 yield path
         if not any(self._directories.find(directory, file) for file in _BUILD_FILES):
             yield from self._one_level_down(directory, relative)
+        elif self._directories.find(directory, "setup.py"):
+            yield from self._as_data(name, directory, relative)
+
+    def _as_data(self, name: str, directory: str, relative: str) -> Iterator[str]:
+        """The files that a setup.py installs at a path."""
+        from urdfkit.workspace.python_installs import patterns_of
+
+        for pattern in patterns_of(directory, name, relative):
+            above, star, rest = pattern.partition("*/")
+            inside = self._directories.entries(join(directory, above)) if star else None
+            for one in sorted(inside or {}) if star else [""]:
+                path = self._directories.find(directory, posixpath.join(above, one, rest))
+                if path:
+                    yield path
 
     def _installed(self, name: str, directory: str) -> list[Installed]:
         """What the build of a package installs; its CMakeLists.txt is read once."""

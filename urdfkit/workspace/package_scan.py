@@ -1,7 +1,5 @@
 """Scanning a directory for packages, breadth first and within bounds."""
 
-from __future__ import annotations
-
 import os
 import time
 
@@ -43,7 +41,6 @@ class PackageScan:
         return self._found.get(name)
 
     def all(self) -> dict[str, str]:
-        """Directories of all packages by name."""
         self.find("")
         return self._found
 

@@ -1,7 +1,5 @@
 """Files as they were in a git revision."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 
@@ -92,7 +90,6 @@ def _top(path: str) -> str:
 
 
 def _commit(top: str, revision: str) -> str:
-    """The hash of a revision's commit."""
     words = ("rev-parse", "--verify", "--end-of-options", f"{revision}^{{commit}}")
     try:
         return _git(top, *words).decode().strip()

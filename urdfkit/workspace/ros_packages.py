@@ -1,7 +1,5 @@
 """Packages that come with ROS, by name: a launch file may use them where no ROS is installed."""
 
-from __future__ import annotations
-
 #: Packages of the desktop and simulation installations of ROS 1 and 2, and of the stacks that
 #: nearly every robot uses. Sources: the metapackages of REP 131, 142, 150 and 2001, and the
 #: repositories ros_control, ros2_control, navigation, nav2, MoveIt, gazebo_ros_pkgs and ros_gz.

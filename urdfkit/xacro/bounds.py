@@ -1,7 +1,5 @@
 """How large a value may be that an expression makes, and how its size is counted."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

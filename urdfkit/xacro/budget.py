@@ -1,7 +1,5 @@
 """What an expansion may use up: time, and what it makes."""
 
-from __future__ import annotations
-
 import time
 
 from urdfkit.core import disk, expansion_limits

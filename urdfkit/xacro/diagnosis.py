@@ -1,7 +1,5 @@
 """xacro's errors and warnings as Problems: what went wrong, where, and what to do."""
 
-from __future__ import annotations
-
 import math
 import os
 import re
@@ -28,7 +26,6 @@ _UNKNOWN_ATTRIBUTE = re.compile(r"unknown attribute\(s\): ([\w:.-]+)")
 
 
 def related(span: Span, message: str) -> tuple[Related, ...]:
-    """One related place."""
     return (Related(span, message),)
 
 
@@ -153,7 +150,6 @@ def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Prob
 
 
 def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]:
-    """Code, message and help of an error."""
     cause = root_cause(error)
     if isinstance(cause, (UnsafeExpression, EnvironmentRefused)):
         rejected = "rejected: " if isinstance(cause, UnsafeExpression) else ""

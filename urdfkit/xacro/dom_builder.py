@@ -1,7 +1,5 @@
 """A xacro file as DOM: the events of expat become nodes that know where they were written."""
 
-from __future__ import annotations
-
 from typing import Any
 from xml.dom import XMLNS_NAMESPACE, expatbuilder
 from xml.parsers import expat

@@ -270,7 +270,6 @@ class ExpansionRun:
     # --------------------------------------------------------------- messages
 
     def warn(self, text: str) -> None:
-        """xacro warns."""
         from urdfkit.xacro import diagnosis  # which most runs do without
 
         node, local = diagnosis.node_in(_caller())

@@ -6,8 +6,6 @@ harmless kinds of nodes pass. What may lead out of the data, or grow without bou
 to a call of the Sandbox, which decides when the values are known.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import warnings

@@ -1,7 +1,5 @@
 """Guards for regular expressions of xacro that a hostile text would keep busy for years."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from typing import Any

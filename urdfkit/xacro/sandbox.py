@@ -6,8 +6,6 @@ than MAX_LENGTH, however often it shares its parts. So whatever walks over one (
 ``hash``) is done soon, and what all of them make together the Budget bounds.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator

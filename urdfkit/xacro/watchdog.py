@@ -6,8 +6,6 @@ operation that the sandbox does not know is bounded, too. Signals reach the main
 other threads, as in the language server, the sandbox is alone.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """YAML files that ``xacro.load_yaml`` reads, within bounds."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from functools import lru_cache

@@ -27,6 +27,12 @@ def test_the_nearest_is_told():
     assert finding.message.endswith("did you mean 'base_collision'?")
 
 
+def test_nothing_is_suggested_where_nothing_is_alike():
+    inner = "<contact><collision>wheel_17</collision></contact>"
+    (finding,) = findings("GAZ051", "contact", inner)
+    assert "did you mean" not in finding.message
+
+
 @pytest.mark.parametrize("name", ["end", "end_collision", "tip_collision"])
 def test_what_gazebo_calls_it_is_told(name):
     inner = f"<contact><collision>{name}</collision></contact>"

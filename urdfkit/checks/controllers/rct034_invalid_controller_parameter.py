@@ -93,13 +93,8 @@ def check(context: Context) -> Findings:
             typos = list(_misspelt(one))
             for severity, several in ((None, problems), (Severity.WARNING, typos)):
                 for span, message, help in several:
-                    yield Finding(
-                        Location(span),
-                        f"controller '{one.name}': {message}",
-                        help,
-                        related=(file.note,),
-                        severity=severity,
-                    )
+                    at, whole = Location(span), f"controller '{one.name}': {message}"
+                    yield Finding(at, whole, help, related=(file.note,), severity=severity)
 
 
 def _is_of_workspace(context: Context, controller: Controller) -> bool:

@@ -60,10 +60,7 @@ def check(context: Context) -> Findings:
 
 
 def _unknown(reference: Attribute, suggested: str, lost: str) -> Finding:
-    return Finding(
-        reference,
-        f"unknown link or joint '{reference.value}': Gazebo ignores {lost}",
-        f"did you mean '{suggested}'?" if suggested else "",
-        fix_value(reference, suggested),
-        group_key="" if suggested else "unknown",
-    )
+    message = f"unknown link or joint '{reference.value}': Gazebo ignores {lost}"
+    help = f"did you mean '{suggested}'?" if suggested else ""
+    fix = fix_value(reference, suggested)
+    return Finding(reference, message, help, fix, group_key="" if suggested else "unknown")

@@ -55,10 +55,6 @@ def check(context: Context) -> Findings:
 
 def _finding(child: Element, name: str, right: str) -> Finding:
     edits = replace_text(child, right) if right and not child.get("value") else None
-    return Finding(
-        child,
-        f"unknown Gazebo material '{name}'" if name else "<material> is empty",
-        f"did you mean '{right}'?" if right else "",
-        Fix.of(f"write {right}", edits),
-        group_key=name,
-    )
+    message = f"unknown Gazebo material '{name}'" if name else "<material> is empty"
+    help = f"did you mean '{right}'?" if right else ""
+    return Finding(child, message, help, Fix.of(f"write {right}", edits), group_key=name)

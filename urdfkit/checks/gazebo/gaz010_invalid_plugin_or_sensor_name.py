@@ -119,9 +119,6 @@ def _invalid_node_name(use: PluginUse) -> Findings:
     good = re.sub(r"[^A-Za-z0-9_]", "_", use.name)
     good = f"_{good}" if good[0].isdigit() else good
     attribute = use.at.attributes["name"]
-    yield Finding(
-        attribute,
-        f"{use.title}: '{use.name}' is not a valid ROS 2 node name",
-        f"write '{good}': letters, digits and underscores, no digit first",
-        fix_value(attribute, good),
-    )
+    message = f"{use.title}: '{use.name}' is not a valid ROS 2 node name"
+    help = f"write '{good}': letters, digits and underscores, no digit first"
+    yield Finding(attribute, message, help, fix_value(attribute, good))

@@ -158,8 +158,9 @@ def _lost_on_shapes(context: Context) -> Findings:
             shapes = simulated.collisions if kind == "collision" else simulated.visuals
             for name, shape in shapes:
                 link = (shape.parent and shape.parent.get("name")) or ""
-                tags = _tags(context.model, link, _TAGS[kind])
-                if tags and not _gets_tags(name, link, kind, is_merged=link != simulated.name):
+                if _gets_tags(name, link, kind, is_merged=link != simulated.name):
+                    continue
+                if tags := _tags(context.model, link, _TAGS[kind]):
                     yield _lost(shape, link, simulated.name, tags)
 
 
@@ -181,11 +182,7 @@ def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
     if name is None:
         message = f"{lost} has no effect: the name begins with '{top}', the link it is merged into"
         return Finding(tags[0], message, "rename the link")
-    return Finding(
-        name,
-        f"{lost} does not apply to <{shape.tag}> '{name.value}', because of its name",
-        "remove the name, or begin it with the name of the link",
-        fix_value(name, f"{link}_{name.value}") if link == top else None,
-        (Related(tags[0].span, "set here"),),
-        group_key="name",
-    )
+    message = f"{lost} does not apply to <{shape.tag}> '{name.value}', because of its name"
+    help = "remove the name, or begin it with the name of the link"
+    fix = fix_value(name, f"{link}_{name.value}") if link == top else None
+    return Finding(name, message, help, fix, (Related(tags[0].span, "set here"),), group_key="name")

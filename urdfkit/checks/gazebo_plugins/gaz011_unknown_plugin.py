@@ -57,14 +57,10 @@ def check(context: Context) -> Findings:
 
 def _misspelt(use: PluginUse, suggested: str) -> Finding:
     at = use.at.attributes["filename"]
-    return Finding(
-        at,
-        f"{use.title}: unknown plugin library",
-        f"did you mean '{suggested}'?",
-        fix_value(at, suggested),
-        group_key=suggested,
-        severity=Severity.WARNING,
-    )
+    message = f"{use.title}: unknown plugin library"
+    help = f"did you mean '{suggested}'?"
+    fix = fix_value(at, suggested)
+    return Finding(at, message, help, fix, group_key=suggested, severity=Severity.WARNING)
 
 
 def _unknown_class(use: PluginUse) -> Findings:
@@ -73,13 +69,9 @@ def _unknown_class(use: PluginUse) -> Findings:
     if not classes or not use.name or name is None:
         return  # GAZ010
     if _current_name(use.name) not in map(_current_name, classes):
-        yield Finding(
-            name,
-            f"{use.title}: the library has no class '{use.name}', only {' or '.join(classes)}",
-            f'write name="{classes[0]}"',
-            fix_value(name, classes[0]),
-            severity=Severity.ERROR,
-        )
+        message = f"{use.title}: the library has no class '{use.name}', only {' or '.join(classes)}"
+        help = f'write name="{classes[0]}"'
+        yield Finding(name, message, help, fix_value(name, classes[0]), severity=Severity.ERROR)
 
 
 def _class_of(plugin: Plugin, use: PluginUse) -> str:

@@ -53,12 +53,9 @@ def check(context: Context) -> Findings:
         found = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
         wanted = " or ".join(TITLES[target] for target in targets)
         is_reported = True
-        yield Finding(
-            use.at.attributes["filename"],
-            f"{use.title} is for {found}, but the robot is for {wanted}",
-            _successor(use, targets[0]),
-            _fix(use) if targets[0] == "gz-fortress" else None,
-        )
+        message = f"{use.title} is for {found}, but the robot is for {wanted}"
+        fix = _fix(use) if targets[0] == "gz-fortress" else None
+        yield Finding(use.at.attributes["filename"], message, _successor(use, targets[0]), fix)
     is_given = len({GENERATIONS[name][0] for name in targets}) == 1 and not context.targets.evidence
     if not is_reported and not is_given:
         yield from _mixed(context.plugins)

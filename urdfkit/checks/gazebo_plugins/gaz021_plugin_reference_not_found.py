@@ -66,12 +66,9 @@ def _unknown(use: PluginUse, reference: Reference, suggester: Suggester) -> Find
     item, name = reference.item, reference.name
     suggested = suggester.suggested(name)
     fix = fix_value(item.at, suggested) if item.text == name else None
-    return Finding(
-        item.at,
-        f"{use.title} refers to unknown {reference.kind} '{name}'{use.outcome}",
-        f"did you mean '{suggested}'?" if suggested else f"name a {reference.kind} of this robot",
-        fix,
-    )
+    message = f"{use.title} refers to unknown {reference.kind} '{name}'{use.outcome}"
+    help = f"did you mean '{suggested}'?" if suggested else f"name a {reference.kind} of this robot"
+    return Finding(item.at, message, help, fix)
 
 
 def _is_rewritten(use: PluginUse, reference: Reference) -> bool:
@@ -89,14 +86,12 @@ def _merged(context: Context, use: PluginUse, reference: Reference) -> Finding:
     help = f"name '{survivor}'" if reference.kind == "link" else "make it a joint that moves"
     if joint and can_keep:
         help += f", or keep joint '{joint.name}' with <preserveFixedJoint>"
-    return Finding(
-        reference.item.at,
+    message = (
         f"{use.title} refers to {reference.kind} '{reference.name}', which Gazebo merges into "
-        f"link '{survivor}'{use.outcome}",
-        help,
-        _kept(use, joint) if joint and can_keep else None,
-        group_key=use.filename,
+        f"link '{survivor}'{use.outcome}"
     )
+    fix = _kept(use, joint) if joint and can_keep else None
+    return Finding(reference.item.at, message, help, fix, group_key=use.filename)
 
 
 def _fixed_joint(context: Context, reference: Reference) -> Joint | None:

@@ -38,13 +38,10 @@ def check(context: Context) -> Findings:
             angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
             if angle is not None and abs(angle.value) > 2 * pi + 1e-3:
                 text, tag = f"{radians(angle.value):.6g}", path.rpartition("/")[2]
-                yield Finding(
-                    angle,
-                    f"{sensor.who}: <{tag}> is {angle.value:g} rad, more than a full turn",
-                    f"if it is in degrees, write {text}",
-                    fix_value(angle.at, text),
-                    confidence=Confidence.INFERRED,
-                )
+                message = f"{sensor.who}: <{tag}> is {angle.value:g} rad, more than a full turn"
+                help = f"if it is in degrees, write {text}"
+                fix = fix_value(angle.at, text)
+                yield Finding(angle, message, help, fix, confidence=Confidence.INFERRED)
         yield from _turned_far(sensor)
         yield from _field_of_view(sensor)
 
@@ -58,13 +55,10 @@ def _turned_far(sensor: Sensor) -> Findings:
         most = max(values[3:], key=abs)
         if abs(most) > 2 * pi + 1e-3:
             right = " ".join(f"{part:.6g}" for part in (*values[:3], *map(radians, values[3:])))
-            yield Finding(
-                pose,
-                f"{sensor.who}: <pose> rotates it by {most:g} rad, more than a full turn",
-                f"if it is in degrees, write {right}",
-                fix_value(pose, right),
-                confidence=Confidence.INFERRED,
-            )
+            message = f"{sensor.who}: <pose> rotates it by {most:g} rad, more than a full turn"
+            help = f"if it is in degrees, write {right}"
+            fix = fix_value(pose, right)
+            yield Finding(pose, message, help, fix, confidence=Confidence.INFERRED)
 
 
 def _field_of_view(sensor: Sensor) -> Findings:

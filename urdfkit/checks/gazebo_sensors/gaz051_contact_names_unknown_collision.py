@@ -50,11 +50,8 @@ def check(context: Context) -> Findings:
                 continue
             renamed = [new for new, at in known.items() if name in _called(at)]
             suggested = renamed[0] if len(renamed) == 1 else Suggester(known).suggested(name)
-            hint = (
-                f"; its name in Gazebo is '{suggested}'"
-                if renamed
-                else f"; did you mean '{suggested}'?"
-            )
+            what = "its name in Gazebo is '{}'" if len(renamed) == 1 else "did you mean '{}'?"
+            hint = f"; {what.format(suggested)}" if suggested else ""
             message = f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}"
             yield Finding(named, message, fix=fix_value(named, suggested))
 

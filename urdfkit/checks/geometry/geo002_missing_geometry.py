@@ -75,12 +75,10 @@ def _without_collision(context: Context) -> Findings:
 def _without_visual(context: Context) -> Findings:
     for link in context.model.links:
         if link.collisions and not link.visuals:
+            message = f"link '{link.name}' has a collision and no visual"
+            help = "add a <visual> if the link should be visible"
             yield Finding(
-                link.collisions[0].at,
-                f"link '{link.name}' has a collision and no visual",
-                "add a <visual> if the link should be visible",
-                group_key="no visual",
-                severity=Severity.INFO,
+                link.collisions[0].at, message, help, group_key="no visual", severity=Severity.INFO
             )
 
 

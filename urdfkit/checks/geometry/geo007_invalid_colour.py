@@ -67,12 +67,9 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
     better = _fixed(values)
     color = material.at.child("color")
     assert color is not None
-    return Finding(
-        material.rgba,
-        f"{name}: {', '.join(wrong)} {verb} not between 0 and 1",
-        f'write rgba="{better}"' if better else "",
-        fix_value(color.attributes["rgba"], better),
-    )
+    message = f"{name}: {', '.join(wrong)} {verb} not between 0 and 1"
+    help = f'write rgba="{better}"' if better else ""
+    return Finding(material.rgba, message, help, fix_value(color.attributes["rgba"], better))
 
 
 def _fixed(values: tuple[float, ...]) -> str:

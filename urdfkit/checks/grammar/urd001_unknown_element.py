@@ -5,7 +5,7 @@ the tag belongs to another format (SDF, an old ROS tutorial, another simulator).
 inside `<geometry>` gives no colour, an `<origin>` directly in a link moves nothing, a `<mass>`
 outside `<inertial>` has no effect. Correct the name, move the element, or remove it. A tag with a
 namespace prefix, such as `drake:proximity_properties`, is an extension and is not reported; one
-that a program in the workspace reads is an info.
+that a program reads, in its package, one next to it or one that it depends on, is an info.
 
 It is an error where a needed element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;

@@ -50,13 +50,9 @@ def check(context: Context) -> Findings:
             reason = alike = _reason(text, length)
             better = _fixed(text, length)
         fix = fix_value(attribute, better)
-        yield Finding(
-            attribute,
-            f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}",
-            f'write {attribute.name}="{better}"' if better else "",
-            fix,
-            group_key=alike,
-        )
+        message = f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}"
+        help = f'write {attribute.name}="{better}"' if better else ""
+        yield Finding(attribute, message, help, fix, group_key=alike)
 
 
 def _of_words(attribute: Attribute, words: list[str]) -> Finding:

@@ -48,15 +48,9 @@ def check(context: Context) -> Findings:
 def _declared(attribute: Attribute, version: str) -> Finding:
     """A version that does not exist, or that some parsers reject."""
     if version in VERSIONS:
-        return Finding(
-            attribute,
-            f"URDF version {version} is rejected by older parsers",
-            'write version="1.0" unless the robot needs more',
-            severity=Severity.WARNING,
-        )
-    return Finding(
-        attribute,
-        f"URDF version '{attribute.value}' does not exist; there are {', '.join(VERSIONS)}",
-        'leave it out, or write version="1.0"',
-        fix_value(attribute, VERSIONS[0]),
-    )
+        message = f"URDF version {version} is rejected by older parsers"
+        help = 'write version="1.0" unless the robot needs more'
+        return Finding(attribute, message, help, severity=Severity.WARNING)
+    message = f"URDF version '{attribute.value}' does not exist; there are {', '.join(VERSIONS)}"
+    help = 'leave it out, or write version="1.0"'
+    return Finding(attribute, message, help, fix_value(attribute, VERSIONS[0]))

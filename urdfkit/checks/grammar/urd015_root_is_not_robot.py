@@ -33,12 +33,9 @@ def check(context: Context) -> Findings:
         return
     for element, *_ in context.deviations.get("URD015", ()):
         edits = rename_element(element, "robot") if nearest(element.tag, ["robot"]) else None
-        yield Finding(
-            element,
-            f"the root element is <{element.tag}>, not <robot>",
-            "rename it to <robot>" if edits else _help(element),
-            Fix.of(f"rename <{element.tag}> to <robot>", edits),
-        )
+        message = f"the root element is <{element.tag}>, not <robot>"
+        help = "rename it to <robot>" if edits else _help(element)
+        yield Finding(element, message, help, Fix.of(f"rename <{element.tag}> to <robot>", edits))
 
 
 def _help(element: Element) -> str:

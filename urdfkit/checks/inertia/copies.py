@@ -40,7 +40,6 @@ def together(
 
 
 def _merged(fixes: list[Fix]) -> Fix | None:
-    """Several fixes as one."""
     if len(fixes) < 2:
         return fixes[0] if fixes else None
     edits = tuple(edit for fix in fixes for edit in fix.edits)

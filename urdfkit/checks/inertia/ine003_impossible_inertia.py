@@ -76,10 +76,5 @@ def _finding(one: LinkInertia, masses: Masses) -> Finding:
         )
         weight = (high - low - middle) / high
     diagnosis = of_impossible(one, masses)
-    return Finding(
-        one.at,
-        f"link '{one.link.name}': {message}",
-        str(diagnosis),
-        replacement(one, diagnosis.tensor),
-        weight=weight,
-    )
+    fix = replacement(one, diagnosis.tensor)
+    return Finding(one.at, f"link '{one.link.name}': {message}", str(diagnosis), fix, weight=weight)

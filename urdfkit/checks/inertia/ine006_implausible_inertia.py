@@ -139,15 +139,13 @@ def _wrong_axes(one: LinkInertia) -> Finding:
     _, tensor = of_wrong_axes(one)
     flipped = opposite(one.tensor, tensor)
     fix = replacement(one, tensor)
-    return Finding(
-        one.at,
-        _signs(one, flipped) if flipped else _moments(one),
+    message = _signs(one, flipped) if flipped else _moments(one)
+    help = (
         f"{fix.title}, or rotate the <inertial>"
         if fix
-        else "swap the values, or give the <inertial> the rpy of the shape",
-        fix,
-        confidence=Confidence.INFERRED,
+        else "swap the values, or give the <inertial> the rpy of the shape"
     )
+    return Finding(one.at, message, help, fix, confidence=Confidence.INFERRED)
 
 
 def _moments(one: LinkInertia) -> str:

@@ -35,9 +35,7 @@ def check(context: Context) -> Findings:
         if kind.value == "spherical" and context.targets.all_are("reads_ball_joints"):
             continue
         suggested = nearest(kind.value.strip(), JOINT_TYPES, _SIMILAR)
-        yield Finding(
-            kind,
-            f"joint '{joint.name}': unknown type '{kind.value}'"
-            + (f"; did you mean '{suggested}'?" if suggested else ""),
-            fix=fix_value(kind, suggested),
+        message = f"joint '{joint.name}': unknown type '{kind.value}'" + (
+            f"; did you mean '{suggested}'?" if suggested else ""
         )
+        yield Finding(kind, message, fix=fix_value(kind, suggested))

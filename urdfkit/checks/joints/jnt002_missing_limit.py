@@ -47,11 +47,9 @@ def _lacking(model: RobotModel) -> Findings:
             continue
         missing = [key for key in units if key not in joint.limit.at.attributes]
         if missing:
-            yield Finding(
-                joint.limit.at,
-                f"joint '{joint.name}': <limit> has no {' and no '.join(missing)}",
-                "add " + " and ".join(f"{key} in {units[key]}" for key in missing),
-            )
+            message = f"joint '{joint.name}': <limit> has no {' and no '.join(missing)}"
+            help = "add " + " and ".join(f"{key} in {units[key]}" for key in missing)
+            yield Finding(joint.limit.at, message, help)
 
 
 def _unequal(model: RobotModel) -> Findings:

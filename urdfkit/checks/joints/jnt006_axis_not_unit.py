@@ -66,12 +66,9 @@ def _findings(joint: Joint, axis: Placed[Vector]) -> Findings:
         yield Finding(axis, message, "write the direction of the axis", severity=Severity.ERROR)
     elif abs(norm - 1) > _TOLERANCE:
         normalized = " ".join(f"{part / norm + 0.0:.10g}" for part in axis.value)  # + 0.0: no -0
-        yield Finding(
-            axis,
-            f"{who} has length {norm:.4g}, not 1",
-            "write a vector of length 1 in the direction of the axis",
-            fix_value(axis.at, normalized),
-        )
+        message = f"{who} has length {norm:.4g}, not 1"
+        help = "write a vector of length 1 in the direction of the axis"
+        yield Finding(axis, message, help, fix_value(axis.at, normalized))
     elif joint.kind in MOVING:
         yield from _noise(joint, axis)
 
@@ -84,10 +81,6 @@ def _noise(joint: Joint, axis: Placed[Vector]) -> Findings:
     if _MIN_NOISE < off < _MAX_NOISE:
         sign = "-" if axis.value[main] < 0 else ""
         suggested = " ".join(f"{sign}1" if index == main else "0" for index in range(3))
-        yield Finding(
-            axis,
-            f"joint '{joint.name}': axis deviates from {sign}{'xyz'[main]} by {off:.2g} rad",
-            "write the intended axis",
-            fix_value(axis.at, suggested),
-            severity=Severity.INFO,
-        )
+        message = f"joint '{joint.name}': axis deviates from {sign}{'xyz'[main]} by {off:.2g} rad"
+        help = "write the intended axis"
+        yield Finding(axis, message, help, fix_value(axis.at, suggested), severity=Severity.INFO)

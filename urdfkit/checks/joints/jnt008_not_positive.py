@@ -92,9 +92,6 @@ def _of_dynamics(joint: Joint) -> Findings:
     for key, in_unit in (("damping", f"{effort}·s/{unit(joint)}"), ("friction", effort)):
         value = number(dynamics.get(key)) if dynamics else None
         if dynamics and value is not None and value < 0:
-            yield Finding(
-                dynamics.attributes[key],
-                f"joint '{joint.name}': the {key} is {value:g} {in_unit}, below 0",
-                "write a positive number, or 0 for none",
-                severity=Severity.ERROR,
-            )
+            message = f"joint '{joint.name}': the {key} is {value:g} {in_unit}, below 0"
+            help = "write a positive number, or 0 for none"
+            yield Finding(dynamics.attributes[key], message, help, severity=Severity.ERROR)

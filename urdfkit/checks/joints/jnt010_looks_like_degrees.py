@@ -195,11 +195,9 @@ def _is_suspect(velocity: float) -> bool:
 
 def _speed(joint: Joint, velocity: Placed[float]) -> Finding:
     right = f"{radians(velocity.value):.10g}"
-    return Finding(
-        velocity,
+    message = (
         f"joint '{joint.name}' has velocity limit {velocity.value:g} rad/s, which looks like "
-        f"degrees per second ({float(right):.3g} rad/s)",
-        fix=fix_value(velocity.at, right),
-        confidence=Confidence.INFERRED,
-        group_key="velocity",
+        f"degrees per second ({float(right):.3g} rad/s)"
     )
+    fix = fix_value(velocity.at, right)
+    return Finding(velocity, message, fix=fix, confidence=Confidence.INFERRED, group_key="velocity")

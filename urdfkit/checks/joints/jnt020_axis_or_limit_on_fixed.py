@@ -24,13 +24,9 @@ def check(context: Context) -> Findings:
             continue
         axis, limit = joint.at.child("axis"), joint.limit
         if axis is not None:
-            yield Finding(
-                axis,
-                f"joint '{joint.name}' is fixed; its <axis> has no effect",
-                "remove the axis",
-                Fix("remove the axis", remove_element(axis), safe=True),
-                group_key="axis",
-            )
+            message = f"joint '{joint.name}' is fixed; its <axis> has no effect"
+            fix = Fix("remove the axis", remove_element(axis), safe=True)
+            yield Finding(axis, message, "remove the axis", fix, group_key="axis")
         if limit is None:
             continue
         lower, upper = (end.value if end else 0.0 for end in (limit.lower, limit.upper))

@@ -95,12 +95,9 @@ def _of_gazebo(context: Context) -> Findings:
         link = sensor.reference
         if "optical" in link:
             if _looks_aside(context, link) and not _is_rotated(sensor.find("pose")):
-                yield Finding(
-                    sensor.at,
-                    f"{sensor.who} looks along x of '{link}', to the robot's right",
-                    "refer to the camera's link, and name the optical frame in the plugin",
-                    group_key="optical",
-                )
+                message = f"{sensor.who} looks along x of '{link}', to the robot's right"
+                help = "refer to the camera's link, and name the optical frame in the plugin"
+                yield Finding(sensor.at, message, help, group_key="optical")
             continue
         for parent in (sensor.at, *sensor.plugins):
             for frame in (one for tag in _FRAME_IDS for one in parent.all(tag)):

@@ -72,7 +72,6 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
 
 
 def _limited(joint: Joint, link: Link) -> Findings:
-    """A wheel with position limits."""
     ends = bounds(joint)
     if joint.kind != "revolute" or ends is None or ends[0] >= ends[1]:
         return

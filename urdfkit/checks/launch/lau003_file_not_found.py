@@ -4,7 +4,9 @@ RViz starts with an empty view when its configuration is missing; a missing para
 file stops the launch, and Gazebo does not start without its world. What the build of a package may
 make is not reported, nor an absolute path outside of the repository or workspace, such as
 `/etc/clearpath`: the computer of the robot has it. Nor is a file that git ignores, since everybody
-makes it for himself.
+makes it for himself. In Python, a part that begins with a slash makes `os.path.join` and
+`PathJoinSubstitution` drop all before it (error). An executable or a launch file that a package
+of ROS does not have is reported, too.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -14,7 +16,16 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Severity,
+    reported,
+    rule,
+)
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.worlds import GZ, worlds
@@ -42,6 +53,7 @@ def check(context: Context) -> Findings:
             hint = f"did you mean '{suggested}'?" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} not found: {file.path}", hint)
     yield from _worlds(context)
+    yield from reported(context, "LAU003")
 
 
 def _outside(what: str, span: Span) -> Finding:
@@ -54,6 +66,10 @@ def _worlds(context: Context) -> Findings:
     packages = context.resolver.packages
     for started in worlds(context.launch):
         name = started.name
+        if started.is_glued and started.span.source is context.source:
+            message = f"missing space between '-r' and the world '{name}'"
+            yield Finding(Location(started.span), message, "write '-r ' with a space")
+            continue
         if started.span.source is not context.source or name.startswith(UNKNOWN):
             continue
         if os.path.isabs(name):

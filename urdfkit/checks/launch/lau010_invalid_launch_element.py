@@ -1,4 +1,4 @@
-"""A launch file has an unknown, incomplete or invalid tag, or a command without spaces.
+"""A launch file has an unknown, incomplete or invalid tag or call, or a command without spaces.
 
 - A required attribute is missing (error). `roslaunch` stops: "<node> tag is missing required
   attribute"; `ros2 launch`, too: "Attribute 'exec' not found".
@@ -9,8 +9,15 @@
 - The pieces of a `Command` have no space between them (error). launch joins them as they are:
   `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the
   argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
+- A call in Python has a value of another type than launch takes (error): a dictionary where a list
+  of `parameters` belongs, `launch_arguments` without `.items()`, `default_value=True`, a number
+  among `arguments`, a plain text as a condition.
+- An action is made and never added to the launch description, so nothing starts it. It is an info
+  where a comment names it, too.
 
 Sources:
+    launch, type_utils.py: https://github.com/ros2/launch/blob/rolling/launch/launch/utilities/normalize_to_list_of_substitutions_impl.py
+    launch_ros, node.py: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/actions/node.py
     roslaunch, xmlloader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/xmlloader.py
     launch, entity.py: https://github.com/ros2/launch/blob/rolling/launch_xml/launch_xml/entity.py
     launch, command.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/command.py

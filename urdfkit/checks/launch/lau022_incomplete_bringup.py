@@ -8,6 +8,8 @@
   the joint states.
 - Nodes with `use_sim_time`, and no bridge that passes Gazebo's `/clock` on: their time stands still
   at zero.
+- Controllers in a gz sim that is started without `-r`: it waits for its button to be pressed, and
+  the spawners for the controllers to become active. Without controllers it is an info.
 - `create -topic` on which no robot_state_publisher publishes the robot: "Waiting messages on topic
   [robot_description]", for ever.
 - A spawner that looks for the controller manager in another namespace: "Could not contact service
@@ -25,7 +27,7 @@ Sources:
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.meeting_points import other_manager, unpublished_description
-from urdfkit.checks.launch.simulated_time import by_wall_clock, without_clock
+from urdfkit.checks.launch.simulated_time import by_wall_clock, paused, without_clock
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
@@ -70,6 +72,7 @@ def check(context: Context) -> Findings:
         yield from _without_joint_states(context, started)
     yield from by_wall_clock(context, started)
     yield from without_clock(context, started)
+    yield from paused(context, started)
     if not launch.has_scopes and all(map(_is_known, launch.unread)):
         yield from unpublished_description(started)
         yield from other_manager(context, started)

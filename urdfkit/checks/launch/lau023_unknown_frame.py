@@ -8,7 +8,8 @@ Frame [base] does not exist". A static transform with such a parent makes a seco
 
 Checked are `base_link_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and `sensor_frame`,
 RViz's fixed frame and the frames of its displays, and the parents of static transforms. The robot
-is that of the launch file, else those that the other launch files of the workspace start. `map`,
+is that of the launch file, else those that the other launch files of the workspace start. A frame
+that a program of the workspace names is left out. `map`,
 `odom` and `world` as the fixed frame are reported where a launch file starts RViz with
 joint_state_publisher and nothing else. So is a `world_frame` of robot_localization that is neither
 its `odom_frame` nor its `map_frame`, at which the filter stops.
@@ -32,6 +33,7 @@ from urdfkit.ros.launch.frames import NamedFrame, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 from urdfkit.text.located_yaml import Node, Value, load
+from urdfkit.workspace.xml_programs import named_in_programs
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -74,12 +76,21 @@ def check(context: Context) -> Findings:
         return
     known = _published(context)
     if known:
+        known |= _of_filters(launch, named)
         given = {key for one in _started(launch) for key in one.parameters.values}
-        for frame in named:
-            if frame.name not in known and frame.key not in given:
-                yield _unknown(frame, known)
-        yield from _unknown_parents(launch, known, _of_robots(context, (launch,)))
+        unknown = [one for one in named if one.name not in known and one.key not in given]
+        parents = dict(_unknown_parents(launch, known, _of_robots(context, (launch,))))
+        words = {one.name for one in unknown} | parents.keys()
+        elsewhere = named_in_programs(words, context.source.path, context.resolver)
+        yield from (_unknown(one, known) for one in unknown if one.name not in elsewhere)
+        yield from (found for name, found in parents.items() if name not in elsewhere)
     yield from _other_world(context)
+
+
+def _of_filters(launch: Launch, named: list[NamedFrame]) -> frozenset[str]:
+    """The frames that a filter publishes beside the robot, for the static transforms on them."""
+    parents = {(one.parent.text or "").lstrip("/") for one in _transforms(launch)}
+    return frozenset(one.name for one in named if one.key == "base_link_frame") & parents
 
 
 def _unknown(frame: NamedFrame, known: frozenset[str]) -> Finding:
@@ -103,10 +114,13 @@ def _published(context: Context) -> frozenset[str]:
         links = _of_robots(context, launches)
     if not links or any(map(_renames_frames, launches)):
         return frozenset()
-    children = (transform.child.text or "" for one in launches for transform in _transforms(one))
+    transforms = [transform for one in launches for transform in _transforms(one)]
+    children = [(transform.child.text or "").lstrip("/") for transform in transforms]
+    parents = [(transform.parent.text or "").lstrip("/") for transform in transforms]
+    above = (parent for parent, child in zip(parents, children, strict=True) if child in links)
     is_viewer = _is_viewer(launch) and not is_included(context.source.path, context.resolver)
     well_known = frozenset() if is_viewer else _WELL_KNOWN
-    return links.union((child.lstrip("/") for child in children), well_known)
+    return links.union(children, above, well_known)
 
 
 def _of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
@@ -153,8 +167,10 @@ def _transforms(launch: Launch) -> Iterator[StaticTransform]:
             yield found
 
 
-def _unknown_parents(launch: Launch, known: frozenset[str], of_robot: frozenset[str]) -> Findings:
-    """The transforms that make a second tree; a parent of the robot's root is one above it."""
+def _unknown_parents(
+    launch: Launch, known: frozenset[str], of_robot: frozenset[str]
+) -> Iterator[tuple[str, Finding]]:
+    """The parents that make a second tree; a parent of the robot's root is one above it."""
     for one in launch.started:
         found = static_transform(one)
         if found is None:
@@ -162,11 +178,14 @@ def _unknown_parents(launch: Launch, known: frozenset[str], of_robot: frozenset[
         name, child = ((word.text or "").lstrip("/") for word in (found.parent, found.child))
         # Gazebo's plugins publish frames as MODEL/FRAME.
         if name and name.rpartition("/")[2] not in known and child not in of_robot:
-            yield Finding(
-                Location(found.parent.span, one.frame),
-                f"parent '{name}' of the static transform is no link of the robot"
-                f"{did_you_mean(name, known)}",
-                f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _NAMED)}",
+            yield (
+                name,
+                Finding(
+                    Location(found.parent.span, one.frame),
+                    f"parent '{name}' of the static transform is no link of the robot"
+                    f"{did_you_mean(name, known)}",
+                    f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _NAMED)}",
+                ),
             )
 
 

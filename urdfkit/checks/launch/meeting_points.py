@@ -39,6 +39,8 @@ def unpublished_description(started: tuple[StartedProgram, ...]) -> Findings:
 
 def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Spawners that wait for a controller manager in another namespace than that which runs."""
+    if any(_renames(one) for one in started):
+        return
     running = list(_managers(context, started))
     if not running or any(name is None for name, _ in running):
         return
@@ -59,6 +61,12 @@ def other_manager(context: Context, started: tuple[StartedProgram, ...]) -> Find
                 f"write --controller-manager {other}",
                 related=(Related(place, "it is started here"),),
             )
+
+
+def _renames(started: StartedProgram) -> bool:
+    """True for a program that spawns a robot in a namespace of its choice."""
+    spawner = spawner_of(started)
+    return spawner is not None and "robot_namespace" in options(started, spawner)[0]
 
 
 def _managers(

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.spawned_controllers import activates, controllers
 from urdfkit.ros.launch.spawning import spawner_of
 from urdfkit.ros.launch.worlds import GZ, worlds
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.resolve import Resolver
 
 _CLOCK = "clock"
 _SIM_TIME = "use_sim_time"
@@ -52,11 +50,9 @@ def without_clock(context: Context, started: tuple[StartedProgram, ...]) -> Find
     ):
         return
     where = bridges[0] if bridges else waiting
-    yield Finding(
-        Location(where.span, where.frame),
-        f"nothing publishes /clock, for which '{waiting.executable}' waits with {_SIM_TIME}",
-        "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock",
-    )
+    message = f"nothing publishes /clock, for which '{waiting.executable}' waits with {_SIM_TIME}"
+    help = "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"
+    yield Finding(Location(where.span, where.frame), message, help)
 
 
 def by_wall_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
@@ -78,6 +74,22 @@ def by_wall_clock(context: Context, started: tuple[StartedProgram, ...]) -> Find
             continue
         help = f'give it {{"{_SIM_TIME}": True}}'
         yield Finding(Location(one.span, one.frame), message, help, severity=severity)
+
+
+def paused(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """A gz sim that stands still until somebody presses its button."""
+    if not any(map(spawner_of, started)):
+        return
+    waiting = any(activates(one) and any(True for _ in controllers(one)) for one in started)
+    for world in worlds(context.launch):
+        if world.is_paused and world.is_sure:
+            who = "no controller becomes active" if waiting else "nothing moves"
+            yield Finding(
+                Location(world.span, world.frame),
+                f"Gazebo starts paused: {who} before somebody presses its button",
+                "write -r before the world",
+                severity=None if waiting else Severity.INFO,
+            )
 
 
 def _is_known(bridge: StartedProgram) -> bool:

@@ -81,13 +81,9 @@ def _tiny(uses: list[MeshUse], target: TargetFacts) -> Findings:
     for use in uses:
         volume = use.solid.volume if use.solid else 0.0
         if use.role == "collision" and use.measures.hull and volume < target.least_volume:
-            yield Finding(
-                use.at,
-                f"{use.who} has a volume of {volume:.3g} m³, which {target.title} rejects",
-                "correct its scale, or remove the collision",
-                severity=Severity.ERROR,
-                targets=(target.name,),
-            )
+            message = f"{use.who} has a volume of {volume:.3g} m³, which {target.title} rejects"
+            help = "correct its scale, or remove the collision"
+            yield Finding(use.at, message, help, severity=Severity.ERROR, targets=(target.name,))
 
 
 def _open(use: MeshUse) -> Finding:
@@ -101,10 +97,5 @@ def _open(use: MeshUse) -> Finding:
     what = f"is not closed: {' and '.join(parts)} among {among}"
     if not parts:
         what = f"encloses nothing: its {among} are two sides of a sheet"
-    return Finding(
-        use.at,
-        f"{use.who} {what}",
-        "" if parts else "urdfkit mesh repair --one-sided FILE, or urdfkit mesh hull FILE",
-        weight=found.open_edges,
-        group_key="open",
-    )
+    help = "" if parts else "urdfkit mesh repair --one-sided FILE, or urdfkit mesh hull FILE"
+    return Finding(use.at, f"{use.who} {what}", help, weight=found.open_edges, group_key="open")

@@ -66,12 +66,9 @@ def check(context: Context) -> Findings:
         elif mesh.located.package == "":
             yield _without_package(context, mesh, scheme, rest)
         elif mesh.located.outside:
-            yield Finding(
-                mesh.at,
-                f"{mesh.who} {OUTSIDE}: not read",
-                "move it into the package, name its directory with --package, or pass --trust",
-                severity=Severity.WARNING,
-            )
+            message = f"{mesh.who} {OUTSIDE}: not read"
+            help = "move it into the package, name its directory with --package, or pass --trust"
+            yield Finding(mesh.at, message, help, severity=Severity.WARNING)
         elif id(mesh) in missing:
             yield _missing(context, mesh)
 

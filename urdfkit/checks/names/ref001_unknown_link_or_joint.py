@@ -78,12 +78,9 @@ def _leaders(model: RobotModel) -> Findings:
         if leader is None or leader.value in known or is_expression(leader.value):
             continue
         hint = suggester.hint(leader.value)
-        yield Finding(
-            leader,
-            f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}",
-            "correct the name, or add the joint",
-            fix_value(leader, suggester.suggested(leader.value)),
-        )
+        message = f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}"
+        help = "correct the name, or add the joint"
+        yield Finding(leader, message, help, fix_value(leader, suggester.suggested(leader.value)))
 
 
 def _ends(joint: Joint) -> list[str]:

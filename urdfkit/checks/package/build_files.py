@@ -49,11 +49,9 @@ def not_registered(name: str, directory: str) -> Findings:
     if named and named.group(1) == b"ament_python":
         yield from _unregistered(setup, directory, name)
     elif not named and _INDEX.encode() in setup.data:
-        yield Finding(
-            Location(Span(manifest, 0, 0)),
-            "no build type: colcon looks for a CMakeLists.txt",
-            "add <export><build_type>ament_python</build_type></export>",
-        )
+        message = "no build type: colcon looks for a CMakeLists.txt"
+        help = "add <export><build_type>ament_python</build_type></export>"
+        yield Finding(Location(Span(manifest, 0, 0)), message, help)
 
 
 def _read(directory: str, file: str) -> Source | None:
@@ -65,11 +63,9 @@ def _read(directory: str, file: str) -> Source | None:
 
 def _unregistered(setup: Source, directory: str, name: str) -> Findings:
     if b"resource_index" not in setup.data:
-        yield Finding(
-            Location(Span(setup, 0, 0)),
-            f"nothing is installed into {_INDEX}: ROS does not find the package '{name}'",
-            f"add ('{_INDEX}', ['resource/{name}']) to data_files, and create that empty file",
-        )
+        message = f"nothing is installed into {_INDEX}: ROS does not find the package '{name}'"
+        help = f"add ('{_INDEX}', ['resource/{name}']) to data_files, and create that empty file"
+        yield Finding(Location(Span(setup, 0, 0)), message, help)
         return
     marker = re.search(rb"[\"']resource/|[\"']resource[\"']\s*,", setup.data)
     if marker and not disk.exists(os.path.join(directory, "resource", name)):

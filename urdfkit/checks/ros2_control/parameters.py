@@ -49,12 +49,9 @@ def _parameter(who: str, element: Element) -> Findings:
         if number(text) is None and not is_expression(text):
             shown = f"'{text}'" if text else "empty"
             message = f"{who}: parameter '{name.value}' is {shown}, not a number"
+            help = "write a number"
             yield Finding(
-                element,
-                message,
-                "write a number",
-                group_key="not a number",
-                severity=Severity.WARNING,
+                element, message, help, group_key="not a number", severity=Severity.WARNING
             )
     elif suggested := nearest(name.value, ("initial_value",), _TYPO):
         fix = fix_value(name, suggested)

@@ -61,12 +61,9 @@ def _of_robot(context: Context, suggester: Suggester) -> Findings:
         if name.value in context.model.joints_by_name or is_expression(name.value):
             continue
         hint = suggester.hint(name.value)
-        yield Finding(
-            name,
-            f"{owner}: unknown joint '{name.value}'{hint}",
-            fix=fix_value(name, suggester.suggested(name.value)),
-            group_key="" if hint else owner,
-        )
+        message = f"{owner}: unknown joint '{name.value}'{hint}"
+        fix = fix_value(name, suggester.suggested(name.value))
+        yield Finding(name, message, fix=fix, group_key="" if hint else owner)
 
 
 def _named(context: Context) -> Iterator[tuple[Attribute, str]]:

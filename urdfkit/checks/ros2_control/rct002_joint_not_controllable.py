@@ -74,12 +74,9 @@ def _fixed(context: Context) -> Findings:
     for element, owner in _driven(context):
         joint = joints.get(element.get("name") or "")
         if joint and joint.kind == "fixed":
-            yield Finding(
-                element.attributes["name"],
-                f"{owner} drives joint '{joint.name}', which is fixed",
-                "change the type of the joint, or remove the joint here",
-                group_key="fixed",
-            )
+            message = f"{owner} drives joint '{joint.name}', which is fixed"
+            help = "change the type of the joint, or remove the joint here"
+            yield Finding(element.attributes["name"], message, help, group_key="fixed")
 
 
 def _driven(context: Context) -> Iterator[tuple[Element, str]]:

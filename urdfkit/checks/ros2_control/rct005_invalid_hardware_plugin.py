@@ -68,11 +68,8 @@ def _missing(component: Component) -> Findings:
     for transmission in component.at.all("transmission"):
         plugin = transmission.child("plugin")
         if plugin is None or not plugin.text.strip():
-            yield Finding(
-                transmission,
-                f"{called(transmission)} has no <plugin>",
-                "add <plugin>transmission_interface/SimpleTransmission</plugin>",
-            )
+            help = "add <plugin>transmission_interface/SimpleTransmission</plugin>"
+            yield Finding(transmission, f"{called(transmission)} has no <plugin>", help)
 
 
 def _is_left_to_arguments(component: Element) -> bool:

@@ -140,12 +140,9 @@ def _without_state(context: Context) -> Findings:
     for block in blocks:
         for part in block.joints:
             if part.of("command") and part.name and part.name not in measured:
-                yield Finding(
-                    part.at,
-                    f"joint '{part.name}' has command interfaces but no state interface",
-                    'add <state_interface name="position"/>, and velocity if the hardware has it',
-                    severity=Severity.WARNING,
-                )
+                message = f"joint '{part.name}' has command interfaces but no state interface"
+                help = 'add <state_interface name="position"/>, and velocity if the hardware has it'
+                yield Finding(part.at, message, help, severity=Severity.WARNING)
 
 
 def _offered(context: Context, direction: str) -> _Offered:

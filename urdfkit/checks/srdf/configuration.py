@@ -51,12 +51,9 @@ def _joint_limits(context: Context) -> Findings:
     if len(unknown) == len(planned) > 1:
         unknown = unknown[:1]  # of another robot altogether
     for limit in unknown:
-        yield Finding(
-            Location(limit.at.span),
-            f"limits of unknown joint '{limit.joint}'{did_you_mean(limit.joint, known)}",
-            "fix the name, or remove the entry",
-            severity=Severity.WARNING,
-        )
+        message = f"limits of unknown joint '{limit.joint}'{did_you_mean(limit.joint, known)}"
+        help = "fix the name, or remove the entry"
+        yield Finding(Location(limit.at.span), message, help, severity=Severity.WARNING)
 
 
 def _groups(context: Context, srdf: Srdf) -> Findings:

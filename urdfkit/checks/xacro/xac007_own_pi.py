@@ -37,11 +37,9 @@ def check(context: Context) -> Findings:
             continue
         off = abs(value - pi)
         if off < _CERTAIN or (off < _NAMED and re.search(_NAME, definition.name)):
-            yield Finding(
-                Location(definition.tag.span, definition.frame),
-                f"property '{definition.name}' is {value}, {off:.1e} off the built-in pi",
-                fix=Fix("use the built-in pi", _edits(definition)),
-            )
+            message = f"property '{definition.name}' is {value}, {off:.1e} off the built-in pi"
+            fix = Fix("use the built-in pi", _edits(definition))
+            yield Finding(Location(definition.tag.span, definition.frame), message, fix=fix)
 
 
 def _edits(definition: Definition) -> tuple[Edit, ...]:

@@ -1,7 +1,5 @@
 """``urdfkit mesh``: the commands about mesh files."""
 
-from __future__ import annotations
-
 import click
 
 from urdfkit.cli.lazy import LazyGroup

@@ -1,7 +1,5 @@
 """``urdfkit mesh collision``: simple collisions for links with visual meshes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """``urdfkit mesh generate``: meshes for files that are missing, empty or broken."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 
@@ -9,6 +7,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.progress import working
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
 from urdfkit.lint.context import Context
@@ -70,7 +69,8 @@ def command(
     else:
         arguments = (word for word in words if ":=" in word)
         context = robot({**asked, options.FILES: (model, *arguments)})
-        found = _of_robot(context, files, part, size, force)
+        with working():
+            found = _of_robot(context, files, part, size, force)
     if not dry_run:
         for one in found.generated:
             one.write()

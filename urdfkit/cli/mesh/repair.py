@@ -1,7 +1,5 @@
 """``urdfkit mesh repair``: a mesh made the surface of a solid."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import click

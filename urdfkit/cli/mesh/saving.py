@@ -1,7 +1,5 @@
 """Where commands about meshes write: a new file, or the file itself."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import click
@@ -37,7 +35,6 @@ def destination(file: str, out: str | None, in_place: bool, force: bool) -> str 
 
 
 def save(mesh: Mesh, path: str | None) -> Iterator[str]:
-    """Write a mesh, and say so."""
     if path is None:
         yield "nothing written; use --output OUT or --write"
         return

@@ -1,7 +1,5 @@
 """``urdfkit mesh simplify``: fewer triangles."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import click

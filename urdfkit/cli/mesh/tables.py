@@ -1,7 +1,5 @@
 """Numbers of meshes as people read them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from urdfkit.mesh.health import Health
@@ -19,7 +17,6 @@ def length(metres: float) -> str:
 
 
 def volume(cubic_metres: float) -> str:
-    """A volume in cm^3 or m^3."""
     if abs(cubic_metres) < 0.1:
         return f"{cubic_metres * 1e6:.6g} cm^3"
     return f"{cubic_metres:.6g} m^3"

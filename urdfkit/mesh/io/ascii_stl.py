@@ -1,7 +1,5 @@
 """Judging ASCII STL files from their bytes."""
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.core.words import counted

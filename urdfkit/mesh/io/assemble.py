@@ -1,7 +1,5 @@
 """From the lists of a mesh file to parts: corners, bad indices and numbers, transforms."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@
 triangle 50 bytes: normal and three corners as 12 floats of 32 bits, and 2 bytes of colour.
 """
 
-from __future__ import annotations
-
 from math import isfinite
 from struct import unpack_from
 
@@ -31,7 +29,6 @@ def whole_size(data: bytes) -> int:
 
 
 def _count(data: bytes) -> int:
-    """The declared number of triangles."""
     return int.from_bytes(data[80:HEADER], "little")
 
 

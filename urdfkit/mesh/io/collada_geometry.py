@@ -4,8 +4,6 @@ COLLADA 1.4.1, chapter 5: the corners of a surface are rows of indices, one inde
 offset; an input of the semantic VERTEX stands for the inputs of ``<vertices>``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The materials of COLLADA: from ``<material>`` through ``<effect>`` to colour and texture."""
 
-from __future__ import annotations
-
 import os
 from typing import NamedTuple
 

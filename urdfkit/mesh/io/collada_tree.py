@@ -1,7 +1,5 @@
 """The elements of a COLLADA file, found by tag and by id."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any, TypeAlias
 from urllib.parse import unquote
@@ -79,7 +77,6 @@ def parse(data: bytes, *, recover: bool = False) -> Element:
 
 
 def tag(element: Element) -> str:
-    """The tag without its namespace."""
     return str(element.tag).rpartition("}")[2]
 
 

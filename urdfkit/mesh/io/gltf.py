@@ -1,7 +1,5 @@
 """Judging glTF 2.0 files from their bytes: JSON, or the binary container GLB."""
 
-from __future__ import annotations
-
 from struct import unpack_from
 from typing import Any
 
@@ -14,7 +12,6 @@ _JSON_CHUNK = 0x4E4F534A
 
 
 def judge_glb(data: bytes) -> tuple[Defect | None, str]:
-    """What is wrong with a GLB file."""
     if len(data) < _HEADER + _CHUNK_HEADER:
         return truncated(f"ends after {counted(len(data), 'byte')}, inside its header"), ""
     version, length = unpack_from("<II", data, 4)

@@ -4,8 +4,6 @@ Source: glTF 2.0 Specification, chapter "Binary Data Storage",
 https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html#binary-data-storage.
 """
 
-from __future__ import annotations
-
 from base64 import b64decode
 from typing import Any
 from urllib.parse import unquote, unquote_to_bytes

@@ -1,7 +1,5 @@
 """The materials of glTF: base colour and its texture."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

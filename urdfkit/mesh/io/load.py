@@ -4,8 +4,6 @@ All but PLY are read here and not by trimesh: importing it takes longer than rea
 a robot, and it loses what is there of many files that are not quite right.
 """
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

@@ -5,8 +5,6 @@ reference to nothing. The unit of length and the upward axis are
 recorded and not applied, for every consumer does otherwise with them.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from math import radians

@@ -4,8 +4,6 @@ Written here and not left to trimesh, which takes fans, sparse lists and normali
 something else, without a word. The numbers are taken as they are, with y upwards.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Sequence
 from math import atan2

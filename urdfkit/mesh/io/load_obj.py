@@ -1,7 +1,5 @@
 """Reading Wavefront OBJ files."""
 
-from __future__ import annotations
-
 from itertools import chain
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Reading PLY files with trimesh."""
 
-from __future__ import annotations
-
 import re
 from io import BytesIO
 from typing import Any

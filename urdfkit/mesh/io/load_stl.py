@@ -4,8 +4,6 @@ Normals are left: they say nothing that the order of the corners does not, and m
 zeros.
 """
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Numbers in the text of mesh files."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Judging Wavefront OBJ files from their bytes."""
 
-from __future__ import annotations
-
 import re
 
 from urdfkit.mesh.io.facts import Defect, empty, truncated, unreadable

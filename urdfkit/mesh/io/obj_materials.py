@@ -1,7 +1,5 @@
 """The materials of OBJ files: MTL."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.mesh.geometry import MeshMaterial

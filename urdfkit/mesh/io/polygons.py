@@ -1,7 +1,5 @@
 """Polygons as triangles."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.mesh.geometry import Flags, Floats, Integers

@@ -68,7 +68,6 @@ class ReferencedFiles:
         return data
 
     def added_to(self, mesh: Mesh) -> Mesh:
-        """A mesh that knows these files."""
         return mesh._replace(
             textures=tuple(dict.fromkeys(self._textures)),
             missing=tuple(dict.fromkeys(self._missing)),

@@ -5,8 +5,6 @@ either: web pages are saved as meshes, and 118 of 121 STL files that begin with 
 mark of an ASCII STL, are binary.
 """
 
-from __future__ import annotations
-
 import os
 import re
 from importlib import import_module

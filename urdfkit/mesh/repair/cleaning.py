@@ -1,7 +1,5 @@
 """Triangles that are no part of a surface: collapsed, repeated, fins, walls and scraps."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from urdfkit.mesh.components import take_apart

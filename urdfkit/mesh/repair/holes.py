@@ -1,7 +1,5 @@
 """Holes closed with triangles, so that as little area as possible is added."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Open edges that belong together: points that nearly meet."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.spatial import cKDTree
 

@@ -19,11 +19,9 @@ class TriangleSoup(Record):
     parts: Integers  # (m,), the number of the part that each face belongs to
 
     def kept(self, which: Flags) -> TriangleSoup:
-        """Some of the faces."""
         return TriangleSoup(self.points, self.faces[which], self.corners[which], self.parts[which])
 
     def turned(self, which: Flags) -> TriangleSoup:
-        """Some of the faces turned over."""
         faces, corners = self.faces.copy(), self.corners.copy()
         faces[which] = faces[which][:, ::-1]
         corners[which] = corners[which][:, ::-1]

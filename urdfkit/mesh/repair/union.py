@@ -1,7 +1,5 @@
 """Bodies that overlap made one."""
 
-from __future__ import annotations
-
 from math import isclose
 
 import numpy as np

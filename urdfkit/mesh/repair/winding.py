@@ -1,7 +1,5 @@
 """Triangles made to agree on what is outside."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order

@@ -1,7 +1,5 @@
 """Writing meshes: the same mesh gives the same bytes, on every day and every machine."""
 
-from __future__ import annotations
-
 import os
 from importlib import import_module
 

@@ -1,7 +1,5 @@
 """The formats that trimesh writes: GLB with all that a mesh has, binary PLY and STL."""
 
-from __future__ import annotations
-
 import io
 import os
 from typing import Any

@@ -5,8 +5,6 @@ RViz, Gazebo, MoveIt, Pinocchio and Bullet agree. The schema wants dates; they a
 epoch, so that equal meshes give equal files.
 """
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ trimesh has an exporter, but it rounds to 8 decimals, which 10-micrometre parts 
 drops what it fails to convert.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Numbers as text, for the formats that are text."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 

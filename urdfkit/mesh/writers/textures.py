@@ -1,7 +1,5 @@
 """Textures on their way into another file: bytes, or a file next to the mesh."""
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.core import disk

@@ -1,7 +1,5 @@
 """What makes a bundle a ROS 2 package: package.xml and CMakeLists.txt."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 

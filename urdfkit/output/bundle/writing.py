@@ -149,7 +149,6 @@ def _require_free(out: str, mark: str, *, force: bool) -> None:
 
 
 def write_files(files: Iterable[BundledFile], directory: str) -> None:
-    """Write files below a directory."""
     for file in files:
         path = os.path.join(directory, *file.path.split("/"))
         os.makedirs(os.path.dirname(path), exist_ok=True)

@@ -185,7 +185,6 @@ def _of_bodies(
 
 
 def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
-    """What it is, and its numbers."""
     if shape is None:
         return "nothing", ()
     if shape.filename:

@@ -50,7 +50,6 @@ def _apart(before: Transform, after: Transform) -> tuple[float, float]:
 
 
 def _parent(tree: KinematicTree, name: str) -> str:
-    """The parent link; empty for a root."""
     joints = tree.parents[name]
     return joints[0].parent.value if joints and joints[0].parent else ""
 

@@ -1,7 +1,5 @@
 """A comparison as one HTML file that opens offline, with images of both states."""
 
-from __future__ import annotations
-
 from math import degrees
 
 from urdfkit.output.comparison import KINDS, Comparison, portable

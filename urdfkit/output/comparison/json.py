@@ -1,7 +1,5 @@
 """A comparison for programs: one JSON document; lengths in m, angles in rad, masses in kg."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from urdfkit.core.strict_json import dumped
@@ -15,7 +13,6 @@ VERSION = 1
 
 
 def render(comparison: Comparison, *, width: int = 80) -> str:
-    """The whole comparison."""
     document = {
         "version": VERSION,
         "before": comparison.before,

@@ -1,7 +1,5 @@
 """A comparison as Markdown, for a pull request."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from math import degrees
 

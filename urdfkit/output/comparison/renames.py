@@ -5,8 +5,6 @@ of the three must be as they were. A joint is known again by its two links. What
 more than one way is not guessed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.output.comparison.differences import RenamedParts, Tolerances, of_frames, of_link

@@ -1,7 +1,5 @@
 """One state of a robot: a file, or a file as git has it."""
 
-from __future__ import annotations
-
 import os
 from functools import cached_property
 
@@ -55,7 +53,6 @@ class RobotState:
 
     @cached_property
     def report(self) -> Report:
-        """What ``urdfkit check`` says."""
         return check(self.context.source, options=self._options)
 
     def rename_sources(self) -> None:

@@ -37,7 +37,6 @@ class Proof(Record):
 
     @property
     def holds(self) -> bool:
-        """True within the bounds."""
         return self.frames <= LENGTH and max(self.mass, self.mass_matrix, self.gravity) <= PART
 
     @property

@@ -1,7 +1,5 @@
 """The kinematic tree in several formats, one in each module; each has ``render(tree)``."""
 
-from __future__ import annotations
-
 from urdfkit.output.diagrams.rows import TreeRow, rows
 
 #: Modules of this package that have ``render``.

@@ -1,7 +1,5 @@
 """The tree for Graphviz."""
 
-from __future__ import annotations
-
 from urdfkit.output.diagrams.rows import caption, rows
 from urdfkit.robot.tree import KinematicTree
 

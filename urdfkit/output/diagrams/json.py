@@ -1,7 +1,5 @@
 """The tree for programs: flat lists, parents before children."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from urdfkit.core.strict_json import dumped

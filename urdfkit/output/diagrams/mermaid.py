@@ -1,7 +1,5 @@
 """The tree as a Mermaid flow chart, which GitHub and GitLab draw in Markdown."""
 
-from __future__ import annotations
-
 from urdfkit.output.diagrams.rows import caption, rows
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.terminal import printable

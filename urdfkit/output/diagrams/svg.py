@@ -3,8 +3,6 @@
 Every link has a row, so that a robot of any shape can be read and printed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from unicodedata import east_asian_width
 from xml.sax.saxutils import escape

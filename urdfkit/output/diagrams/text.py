@@ -1,7 +1,5 @@
 """The tree for a terminal: a link in each line, behind it the joint that leads to it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.output.diagrams.rows import captions, rows

@@ -1,7 +1,5 @@
 """Paths in reports that services read: they know files by their place in the repository."""
 
-from __future__ import annotations
-
 import os
 
 from urdfkit.text.source import shown

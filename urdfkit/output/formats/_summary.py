@@ -1,7 +1,5 @@
 """What follows the findings in a text: crashed rules, what can be fixed, targets, the counts."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from itertools import islice

@@ -1,7 +1,5 @@
 """Text in reports that are XML."""
 
-from __future__ import annotations
-
 
 def xml_text(text: str) -> str:
     """A text without the characters that XML cannot hold."""

@@ -3,8 +3,6 @@
 Source of the form: what Checkstyle's own ``XMLLogger`` writes; there is no schema of it.
 """
 
-from __future__ import annotations
-
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 

@@ -1,7 +1,5 @@
 """One line a finding, which no screen breaks: for grep, editors and short lists."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.report import Report

@@ -1,7 +1,5 @@
 """For people who want all of it: every finding with its line of source, calls and notes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import chain, groupby
 

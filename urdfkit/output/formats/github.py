@@ -3,8 +3,6 @@
 Source of the form: GitHub's documentation of workflow commands.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.lint.report import Report

@@ -3,8 +3,6 @@
 Source of the form: GitLab's documentation of code quality reports.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -4,8 +4,6 @@ Lines and columns count from 1, columns in characters; an end is the place after
 character. The same report gives the same bytes.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from typing import Any

@@ -4,8 +4,6 @@ Errors and warnings are failures, infos are output, rules that did not run are s
 that crashed is an error of the test case. A robot that is not checked is a skipped test case.
 """
 
-from __future__ import annotations
-
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 

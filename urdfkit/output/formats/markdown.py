@@ -1,7 +1,5 @@
 """Markdown for the summary of a CI job or a comment on a pull request."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 from urdfkit.core.words import counted

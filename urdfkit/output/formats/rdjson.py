@@ -4,8 +4,6 @@ Columns count bytes of UTF-8, ends are exclusive. Source of the form: the commen
 ``reviewdog.proto``.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

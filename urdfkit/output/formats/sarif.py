@@ -5,8 +5,6 @@ logical location, and the fingerprint stays the same under edits elsewhere. Colu
 code units, as SARIF wants.
 """
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Iterable

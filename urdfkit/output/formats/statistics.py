@@ -1,7 +1,5 @@
 """How often each rule found something, the most frequent first."""
 
-from __future__ import annotations
-
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._summary import summary
 

@@ -1,7 +1,5 @@
 """For people: errors with their line of source, warnings in brief, infos counted."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from itertools import groupby

@@ -1,7 +1,5 @@
 """One table of the report, for a spreadsheet."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Iterable, Iterator

@@ -1,7 +1,5 @@
 """Findings for a page: with the piece of source that they are about, and the links they concern."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

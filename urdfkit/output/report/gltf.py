@@ -6,8 +6,6 @@ their bytes. A node is a surface in the frame of its link, with ``link``, ``role
 among its extras; where links are is not in the file, since joints move them.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterable
 from struct import pack

@@ -1,7 +1,5 @@
 """The report as Markdown, for a pull request."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The words of a page in the reader's language; what a rule says stays English."""
 
-from __future__ import annotations
-
 import json
 import os
 

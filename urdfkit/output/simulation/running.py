@@ -1,7 +1,5 @@
 """All simulations of a robot."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.core.spatial import Transform

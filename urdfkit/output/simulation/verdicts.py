@@ -33,7 +33,6 @@ class Simulation(Record):
 
     @property
     def passes(self) -> bool:
-        """True if every verdict does."""
         return all(one.passes for one in self.verdicts)
 
     @property

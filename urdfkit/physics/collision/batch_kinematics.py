@@ -4,8 +4,6 @@ The same mathematics as `urdfkit.robot.kinematics`, over arrays: frames are homo
 (n, 4, 4) in the frame of the root link, for n configurations.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property

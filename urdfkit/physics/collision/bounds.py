@@ -1,7 +1,5 @@
 """Lower bounds of the distance of two bodies, for many poses at once, without measuring any."""
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

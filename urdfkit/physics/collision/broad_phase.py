@@ -1,7 +1,5 @@
 """Which bodies may overlap, by the spheres and boxes around them. Lengths in m."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from math import dist, hypot
 

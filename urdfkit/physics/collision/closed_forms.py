@@ -4,8 +4,6 @@ A signed distance is positive between bodies that are apart, and negative by the
 where they overlap: the shortest way that one must move until they only touch. Lengths in m.
 """
 
-from __future__ import annotations
-
 from math import hypot, sqrt
 
 from urdfkit.core.spatial import Transform, Vector

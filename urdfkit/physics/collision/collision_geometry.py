@@ -1,7 +1,5 @@
 """Collision bodies as coal wants them, each with bounds that numpy can test for many poses."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from math import inf
 from typing import Any, NamedTuple
@@ -57,7 +55,6 @@ class CollisionGeometry(NamedTuple):
 
 
 def form(solid: CollisionArrays) -> CollisionGeometry:
-    """A body for coal."""
     if solid.kind == "mesh":
         return _mesh(solid)
     exact = _PRIMITIVES[solid.kind](*solid.size)

@@ -283,7 +283,6 @@ class Contacts:
         )
 
     def between(self, names: tuple[str, str]) -> list[Joint]:
-        """The joints between two links."""
         first, second = self.tree.branches(*names)
         return [*first, *second]
 

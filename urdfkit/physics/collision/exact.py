@@ -1,7 +1,5 @@
 """Distances of single bodies by coal, for those that have no closed form."""
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

@@ -5,8 +5,6 @@ infinity, and on faces whose vertices do not exist; its results for bodies witho
 wrong. All of these are left out here.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -5,8 +5,6 @@ configurations at once. These are the same whatever the samples are, so that two
 seeds find the same collisions.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from math import inf
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Which links of a robot can collide with one another, as sampling has shown it."""
 
-from __future__ import annotations
-
 from enum import Enum
 from typing import NamedTuple
 
@@ -87,7 +85,6 @@ class Matrix(NamedTuple):
     applies_units: bool  # True if that unit was applied
 
     def of(self, verdict: PairVerdict) -> list[PairResult]:
-        """The pairs with a verdict."""
         return [pair for pair in self.pairs if pair.verdict is verdict]
 
     @property

@@ -73,7 +73,6 @@ class Examiner:
         return self._of_link[link]
 
     def form(self, body: int) -> CollisionGeometry:
-        """A body by its number."""
         return self._forms[body]
 
     def query(self, pairs: Iterable[Pair], limit: float = inf) -> PairQuery:

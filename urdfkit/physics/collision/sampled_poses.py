@@ -1,7 +1,5 @@
 """Collisions of a robot in sampled poses, without a process: what a check can afford."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 

@@ -3,8 +3,6 @@
 Source of the grammar: srdfdom's ``Model::loadDisabledCollisions`` and SRDFWriter.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from urdfkit.physics.collision.matrix import Matrix, PairResult, PairVerdict

@@ -5,8 +5,6 @@ answers go, pickled, to where standard output led; whatever the libraries print 
 error.
 """
 
-from __future__ import annotations
-
 import os
 import pickle
 import sys

@@ -187,7 +187,6 @@ class _Worker:
         return self._receive()
 
     def end(self) -> None:
-        """End it, whatever it is doing."""
         self._process.kill()
         self._process.wait()
         for pipe in (self._process.stdin, self._process.stdout):

@@ -4,8 +4,6 @@ Its parser may crash on hostile text, and writes its reasons to the standard err
 Prints one line of JSON: ``{"error": reason}``, or the facts of the model.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import sys

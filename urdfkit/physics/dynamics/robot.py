@@ -8,8 +8,6 @@ order and on any branch. Results are for the joints that can be set, the root fi
 Lengths in m, angles in rad, masses in kg, forces in N; gravity is 9.81 m/s^2 along -z of the root.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """The colour of a visual, as URDF parsers determine it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import chain
 

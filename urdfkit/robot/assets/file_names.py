@@ -1,7 +1,5 @@
 """Names of files and packages, compared."""
 
-from __future__ import annotations
-
 import os
 import re
 

@@ -111,7 +111,6 @@ class MeasuredMeshes:
 
     @cached_property
     def defects(self) -> dict[MeshDefect, list[MeshUse]]:
-        """The meshes with each defect."""
         from urdfkit.robot.assets.mesh_defects import find_defects
 
         return find_defects(self.model, self.uses, self.files)

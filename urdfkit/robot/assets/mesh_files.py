@@ -33,7 +33,6 @@ class MeshReference(Record):
 
     @property
     def who(self) -> str:
-        """The subject of a message."""
         return f"link '{self.link.name}': the {self.role} mesh '{self.at.value}'"
 
     @property
@@ -111,7 +110,6 @@ class MeshFiles:
         return self.resolver.locate(name.value, _tag(name).source.path, self.top)
 
     def facts(self, path: str) -> MeshFacts:
-        """What the bytes of a file say."""
         if path not in self._facts:
             from urdfkit.mesh.io.sniff import sniff_file
 

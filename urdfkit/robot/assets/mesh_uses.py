@@ -26,7 +26,6 @@ class MeshUse(Record):
 
     @property
     def who(self) -> str:
-        """The subject of a message."""
         return f"link '{self.link.name}': the {self.role} mesh '{self.at.value}'"
 
     @property
@@ -75,5 +74,4 @@ class MeshUse(Record):
 
     @property
     def scale_at(self) -> Attribute | None:
-        """The attribute ``scale``, if there is one."""
         return self.shape.at.attributes.get("scale")

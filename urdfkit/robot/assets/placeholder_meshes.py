@@ -73,7 +73,6 @@ class GeneratedMeshes(Record):
 
     @classmethod
     def of(cls, results: Sequence[GeneratedMesh | NotGenerated]) -> GeneratedMeshes:
-        """Results, taken apart."""
         made = tuple(one for one in results if isinstance(one, GeneratedMesh))
         return cls(made, tuple(one for one in results if isinstance(one, NotGenerated)))
 

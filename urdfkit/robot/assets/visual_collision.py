@@ -263,6 +263,5 @@ def _is_mesh(one: LinkSolid) -> bool:
 
 
 def _form(shape: Shape) -> tuple[object, ...]:
-    """What a shape is, wherever it is."""
     name = shape.filename.value if shape.filename else ""
     return (shape.kind, shape.size, shape.radius, shape.length, name, shape.scale)

@@ -5,8 +5,6 @@ the EN standards of their grades (aluminium 6061 2700, structural steel 7850, st
 titanium grade 5 4430, brass CW614N 8470); plastics from the data sheets of the common makers.
 """
 
-from __future__ import annotations
-
 DENSITIES = {
     "abs": 1040.0,
     "acrylic": 1180.0,

@@ -1,7 +1,5 @@
 """A link with a mass and an inertia tensor, compared with its shapes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 from math import inf
@@ -65,7 +63,6 @@ class LinkInertia:
 
     @property
     def name(self) -> str:
-        """Of the link."""
         return self.link.name
 
     @cached_property

@@ -52,7 +52,6 @@ def successor(controller: str) -> str | None:
 
 
 def classes(ros: int) -> list[str]:
-    """The classes of ros_controllers or ros2_controllers."""
     return list(data("controllers")[f"ros{ros}"])
 
 

@@ -118,7 +118,6 @@ def _numbers() -> dict[str, list[tuple[str, int]]]:
 
 
 def files() -> tuple[str, ...]:
-    """Every file name of every plugin."""
     return tuple(_numbers())
 
 
@@ -169,7 +168,6 @@ def find(filename: str) -> tuple[Plugin, ...]:
 
 
 def all_plugins() -> tuple[Plugin, ...]:
-    """Every plugin of every generation."""
     return tuple(
         _plugin(generation, number)
         for generation, content in _content().items()

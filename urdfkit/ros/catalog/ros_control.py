@@ -58,7 +58,6 @@ def words(subject: str, kind: str) -> list[str]:
 
 
 def component_types() -> list[str]:
-    """What ``<ros2_control type>`` may be."""
     return list(data("ros_control")["types"])
 
 
@@ -87,7 +86,6 @@ def _tag(entry: dict[str, list[str]]) -> ControlTag:
 
 @cache
 def hardware() -> dict[str, Hardware]:
-    """The hardware plugins of simulators, by class."""
     entries = data("ros_control")["hardware"]
     return {name: record(Hardware, entry, name=name) for name, entry in entries.items()}
 

@@ -22,7 +22,6 @@ class SensorType(Record):
 
 @cache
 def types() -> dict[str, SensorType]:
-    """Every type, by name."""
     return {name: record(SensorType, entry) for name, entry in data("sensors")["types"].items()}
 
 

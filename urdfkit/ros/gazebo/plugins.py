@@ -76,7 +76,6 @@ class PluginUse:
 
     @property
     def title(self) -> str:
-        """For messages."""
         return f"plugin '{self.name}' ({self.filename})"
 
     @property
@@ -110,7 +109,6 @@ class PluginUse:
             stack += [(f"{path}/", child) for child in reversed(element.children)]
 
     def values(self, path: str) -> list[PluginParameter]:
-        """The tags or attributes at a path."""
         return [item for item in self.items if item.path == path]
 
     def value(self, path: str) -> str:

@@ -1,7 +1,5 @@
 """Small robots for the examples of rules about sensors, drives and controllers."""
 
-from __future__ import annotations
-
 from urdfkit.robot.samples import arm_xml, element_xml, inertial_xml, joint_xml, link_xml, robot_xml
 
 

@@ -38,8 +38,14 @@ def _read(
     arguments: Mapping[str, str | None],
     frame: CallFrame | None,
 ) -> None:
-    if source.path.endswith(".py"):
+    if is_python(source):
         from urdfkit.ros.launch.python import read
     else:
         from urdfkit.ros.launch.xml import read
     read(collector, source, arguments, frame)
+
+
+def is_python(source: Source) -> bool:
+    """True for a program; ``ros2 launch`` tries that for files with any other suffix, too."""
+    is_marked = b"def generate_launch_description" in source.data
+    return source.path.endswith(".py") or (is_marked and not source.data.lstrip().startswith(b"<"))

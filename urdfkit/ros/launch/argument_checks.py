@@ -1,7 +1,5 @@
 """Arguments of launch files: undeclared, unknown to the included file, or missing."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator

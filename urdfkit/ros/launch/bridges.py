@@ -59,7 +59,6 @@ def all_messages() -> tuple[str, ...]:
 
 
 def is_bridge(started: StartedProgram) -> bool:
-    """True for the bridge of ros_gz."""
     is_executable = started.executable in ("parameter_bridge", "bridge_node")
     return is_executable and started.package in ("ros_gz_bridge", "ros_ign_bridge")
 

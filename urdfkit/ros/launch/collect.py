@@ -1,11 +1,9 @@
 """What both kinds of launch file share: packages, files, and the xacro command line."""
 
-from __future__ import annotations
-
 import os
 import shlex
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import TypeAlias
 
 from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound, UnreadableFile
@@ -20,6 +18,7 @@ from urdfkit.ros.launch.contents import (
     PackageUse,
     StartedProgram,
 )
+from urdfkit.ros.launch.known_packages import mistakes
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
@@ -28,8 +27,6 @@ from urdfkit.workspace.resolve import Resolver
 #: The directory of a package that was not found; files in it are not checked.
 UNKNOWN = "/package-not-found"
 
-if TYPE_CHECKING:
-    from typing import TypeAlias
 
 _XACRO = ("xacro", "xacro.py")
 #: Reads a launch file with the values of its arguments, included at a place.
@@ -166,6 +163,7 @@ class Collector:
         self.names_parameters = self.names_parameters or inner.names_parameters
 
     def launch(self) -> Launch:
+        self.problems += mistakes(self.started, self.includes, self.resolver)
         return Launch(
             tuple(self.descriptions),
             tuple(self.files),

@@ -1,7 +1,5 @@
 """Commands that a Python launch file joins from pieces without spaces."""
 
-from __future__ import annotations
-
 import ast
 import re
 

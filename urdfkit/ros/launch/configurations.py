@@ -1,7 +1,5 @@
 """The arguments that a Python launch file uses and passes on."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Collection, Iterator
 

@@ -61,6 +61,7 @@ class Parameters(Record):
     values: Mapping[str, str | None]  # by name; None where a value is known at run time only
     files: tuple[str, ...] = ()  # the parameter files that hold others
     is_whole: bool = True  # False if there are more, whose names are known at run time only
+    lists: Mapping[str, tuple[str | None, ...]] = {}  # those that are lists; None as above
 
     @property
     def every(self) -> Mapping[str, str | None] | None:
@@ -114,5 +115,4 @@ class Launch(Record):
 
     @property
     def parameters(self) -> tuple[FileUse, ...]:
-        """The files of parameters that it loads."""
         return tuple(file for file in self.files if file.purpose == PARAMETERS)

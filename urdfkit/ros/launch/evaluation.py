@@ -3,8 +3,6 @@
 Source: ``_eval`` and ``_DictWrapper`` in ``roslaunch/substitution_args.py`` of ros/ros_comm.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 from urdfkit.xacro.budget import Budget, deadline

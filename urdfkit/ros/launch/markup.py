@@ -5,8 +5,6 @@ in it an attribute, and each item of a list one of several elements.
 Source: ``launch_yaml/entity.py`` of ros2/launch.
 """
 
-from __future__ import annotations
-
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element, Tag
 from urdfkit.text.located_yaml import Key, Node, Value, load, mistake

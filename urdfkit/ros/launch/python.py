@@ -1,16 +1,16 @@
 """Launch files in Python, of ROS 2: read as a syntax tree, never run."""
 
-from __future__ import annotations
-
 import ast
 import os
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
+from urdfkit.core import disk
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import PARAMETERS, IncludedFile, Parameters, StartedProgram
+from urdfkit.ros.launch.python_mistakes import dropped_directory, mistakes, not_started
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import JOINED, Values, argument, called
@@ -94,8 +94,21 @@ class _Reader:
                 handle(call)
             elif called(call) in _SCOPES:
                 self.collector.has_scopes = True
+        if self.frame is None:
+            self._mistakes()
         self._mentions()
         self.collector.problems += self.configurations.undeclared()
+
+    def _mistakes(self) -> None:
+        """What is wrong with the calls themselves; of an included file when it is read itself."""
+        problems = self.collector.problems
+        for call in self.calls:
+            if call not in self._idle:
+                problems += mistakes(call, self.values)
+            if dropped := dropped_directory(call, self.values):
+                problems.append(dropped)
+        if self._is_complete:
+            problems += not_started(self._idle, self.values)
 
     def _declare(self, call: ast.Call) -> None:
         if call in self._idle and self._is_complete:
@@ -158,6 +171,7 @@ class _Reader:
         """The parameters in a list of dictionaries and files."""
         found: dict[str, str | None] = {}
         files: list[str] = []
+        lists: dict[str, tuple[str | None, ...]] = {}
         is_whole = others is None
         for item in self.values.items(node) if node else ():
             given = self.values.suggested(item)
@@ -166,14 +180,19 @@ class _Reader:
                     name = self.values.text(key)
                     is_whole = is_whole and name is not None
                     found[name or ""] = self.values.text(value)
+                    if name and isinstance(self.values.suggested(value), (ast.List, ast.Tuple)):
+                        items = self.values.items(value)
+                        lists[name] = tuple(self.values.text(item) for item in items)
                     if name == "config_file" and self.values.text(value):
                         self._file(value, "configuration of the bridge")
             elif (path := self.values.text(item) or "").endswith(_PARAMETER_FILES):
-                files.append(path_from(self.source, path))
+                file = self._path(path)
+                files += [file] if file else []
+                is_whole = is_whole and file is not None
             else:
                 is_whole = False
         found.pop("", None)
-        return Parameters(found, tuple(files), is_whole)
+        return Parameters(found, tuple(files), is_whole, lists)
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")
@@ -185,6 +204,8 @@ class _Reader:
                     yield found
 
     def _process(self, call: ast.Call) -> None:
+        if call in self._idle and self._is_complete:
+            return
         words = self.values.words(argument(call, 0, "cmd"))
         span = self.values.span(call)
         is_sure = not self._has_groups and self._condition(call) is True
@@ -193,7 +214,7 @@ class _Reader:
     def _include(self, call: ast.Call) -> None:
         node = argument(call, 0, "launch_description_source")
         path = self.values.text(node)
-        path = "" if path is None else path_from(self.source, path)
+        path = (path and self._path(path)) or ""
         is_there = False
         if node is not None and path:
             is_there = self.collector.file(path, self.values.span(node), "included launch file")
@@ -254,8 +275,9 @@ class _Reader:
             self._describe(call, file)
 
     def _describe(self, call: ast.Call, file: ast.expr | None) -> None:
-        path = self.values.text(file)
-        if path is None:
+        text = self.values.text(file)
+        path = text and self._path(text)
+        if not path:
             return
         mappings = self.values.suggested(argument(call, None, "mappings"))
         arguments: dict[str, str | None] = {}
@@ -265,13 +287,19 @@ class _Reader:
         elif argument(call, None, "mappings") is not None:
             arguments[""] = None
         span = self.values.span(call)
-        self.collector.description(path_from(self.source, path), arguments, span, self._frame(call))
+        self.collector.description(path, arguments, span, self._frame(call))
 
     def _frame(self, call: ast.Call) -> CallFrame:
         start = self.values.span(call).start
         return frame_at(self.source, Tag(self.source, start, start), self.frame)
 
     def _file(self, node: ast.expr, purpose: str) -> None:
-        path = self.values.text(node)
-        if path is not None:
-            self.collector.file(path_from(self.source, path), self.values.span(node), purpose)
+        text = self.values.text(node)
+        path = text and self._path(text)
+        if path:
+            self.collector.file(path, self.values.span(node), purpose)
+
+    def _path(self, text: str) -> str | None:
+        """An absolute path; None for a relative one: launch is started from anywhere."""
+        path = path_from(self.source, text)
+        return path if os.path.isabs(text) or disk.exists(path) else None

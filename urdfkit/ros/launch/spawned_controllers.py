@@ -4,8 +4,6 @@ Sources: ``spawner`` of ros-controls/ros_control (noetic) and of ros-controls/ro
 to rolling), ``load_controller`` of its ros2controlcli.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Substitutions in launch files of XML: ``$(find pkg)``, ``$(var x)`` and the like."""
 
-from __future__ import annotations
-
 import os
 import re
 import shlex

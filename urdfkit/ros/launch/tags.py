@@ -28,7 +28,6 @@ class _Dialect(Record):
     marks: tuple[str, ...]  # texts by which a file is known
 
     def names(self, tag: str) -> set[str]:
-        """The attributes that a tag may have."""
         return {word.rstrip("!") for word in self.attributes.get(tag, "").split()}
 
 

@@ -1,7 +1,5 @@
 """The texts that expressions of a Python launch file give, as far as constants reach."""
 
-from __future__ import annotations
-
 import ast
 import os
 from collections.abc import Iterable, Mapping
@@ -142,7 +140,6 @@ class Values:
 
 
 def called(call: ast.Call) -> str:
-    """The last part of what is called."""
     function = call.func
     if isinstance(function, ast.Attribute):
         return function.attr

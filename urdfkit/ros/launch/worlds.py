@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 import shlex
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
@@ -21,6 +22,9 @@ _OF_ROS = ("libgazebo_ros_init.so", FACTORY)
 #: Programs of the command line that are Gazebo's server, alone or with a first word.
 _COMMANDS = {("gz", "sim"): GZ, ("ign", "gazebo"): GZ, ("gazebo",): CLASSIC, ("gzserver",): CLASSIC}
 
+#: The option that starts the simulation at once, alone or with others of one letter.
+_RUN = re.compile(r"-[a-z]*r[a-z]*\d*$")
+
 
 class StartedWorld(Record):
     """A world that Gazebo is started with."""
@@ -33,6 +37,8 @@ class StartedWorld(Record):
     span: Span  # where the world is named
     frame: CallFrame | None  # the launch files that led there
     is_sure: bool  # False if a condition decides that is known at run time only
+    is_paused: bool = False  # True if gz sim waits until somebody presses its button
+    is_glued: bool = False  # True if no space parts ``-r`` from the path of the world
 
     @property
     def is_shipped(self) -> bool:
@@ -61,7 +67,8 @@ def _of_file(included: IncludedFile) -> StartedWorld | None:
     if word.text is None:
         return None
     is_line = names[0].endswith("_args")
-    words = _words(word.text) if is_line else [word.text]
+    runs = ["-r"] if generation == GZ else []
+    words = _words(word.text) if is_line else [*runs, word.text]
     found = _started(generation, words, word.span, included)
     return found._replace(libraries=_OF_ROS) if found else None
 
@@ -72,7 +79,7 @@ def _of_program(started: StartedProgram) -> StartedWorld | None:
     texts = [word.text for word in started.words]
     if generation == GZ:
         path = started.parameters.values.get("world_sdf_file")
-        return _started(GZ, ["-s", path], started.span, started) if path else None
+        return _started(GZ, ["-s", "-r", path], started.span, started) if path else None
     known = [text for text in texts if text is not None]
     if len(known) < len(texts):
         return None
@@ -92,15 +99,21 @@ def _words(text: str) -> list[str]:
         return text.split()
 
 
+def _parted(word: str) -> list[str]:
+    """A word of the command line; two where the path of a world follows ``-r`` at once."""
+    return ["-r", word[2:]] if word.startswith("-r/") else [word]
+
+
 def _started(
-    generation: str, words: Iterable[str], span: Span, by: IncludedFile | StartedProgram
+    generation: str, words: list[str], span: Span, by: IncludedFile | StartedProgram
 ) -> StartedWorld | None:
     """What a command line starts; None if it starts the window alone."""
     valued = data("worlds")["valued"][generation].split()
     given: dict[str, str] = {}
     libraries: list[str] = []
     names: list[str] = []
-    rest = iter(words)
+    is_glued = any(word.startswith("-r/") for word in words)
+    rest = iter(part for word in words for part in _parted(word))
     for word in rest:
         option, _, value = word.partition("=")
         if not word.startswith("-"):
@@ -113,6 +126,7 @@ def _started(
         given[option] = value
     if generation == GZ and "-g" in given:
         return None
+    runs = any(_RUN.match(option) for option in given)
     engine = given.get("--render-engine-server") or given.get("--render-engine", "")
     return StartedWorld(
         generation,
@@ -123,4 +137,6 @@ def _started(
         span,
         by.frame,
         by.is_sure,
+        is_paused=generation == GZ and not runs,
+        is_glued=is_glued,
     )

@@ -1,7 +1,5 @@
 """Launch files in XML, of ROS 1 and ROS 2, and in the YAML of ROS 2."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterable, Mapping
@@ -249,7 +247,9 @@ class _File:
         passed = [
             (name.value, name.span)
             for child in element.children
-            if (name := child.attributes.get("name")) and child.tag == "arg"
+            if (name := child.attributes.get("name"))
+            and child.tag == "arg"
+            and not self._is_off(child)
         ]
         if element.get("pass_all_args"):
             return  # what was given on the command line, too
@@ -266,7 +266,7 @@ class _File:
         passed: dict[str, str | None] = {**self.values} if self._passes_all(element) else {}
         for child in element.children:
             attribute = child.attributes.get("value")
-            if child.tag in ("arg", "let") and attribute:
+            if child.tag in ("arg", "let") and attribute and not self._is_off(child):
                 passed[child.get("name") or ""] = self.text(attribute)
         return passed
 
@@ -275,7 +275,7 @@ class _File:
         places = {
             child.get("name") or "": child.attributes["value"].span
             for child in element.children
-            if "value" in child.attributes
+            if "value" in child.attributes and not self._is_off(child)
         }
         return {
             name: Word(value, places.get(name, element.span))

@@ -1,7 +1,5 @@
 """Robots and their SRDFs as text, for the examples of rules."""
 
-from __future__ import annotations
-
 from urdfkit.robot.samples import element_xml
 
 

@@ -1,7 +1,5 @@
 """Applying text edits to the bytes of a file."""
 
-from __future__ import annotations
-
 import codecs
 from collections.abc import Iterable
 

@@ -5,8 +5,6 @@ the value came out of a xacro expression, and a person must decide where to chan
 wrote may be edited: the edit is kept only if all uses agree on it (`urdfkit.lint.fix`).
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 
@@ -98,7 +96,6 @@ def escaped(text: str) -> str:
 
 
 def replace_value(attribute: Attribute, value: str) -> tuple[Edit, ...] | None:
-    """Give an attribute another value."""
     if attribute.span.text.split() != attribute.value.split():
         return None
     escaped = value.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
@@ -298,7 +295,6 @@ def indent_of(span: Span) -> str | None:
 
 
 def newline(source: Source) -> str:
-    """The line end of a source."""
     return "\r\n" if b"\r\n" in source.data else "\n"
 
 

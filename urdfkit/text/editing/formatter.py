@@ -109,7 +109,6 @@ class _LineWriter:
         self._fresh = True
 
     def lines(self) -> list[str]:
-        """The lines of the document."""
         number = 0
         while number < len(self._tokens):
             token = self._tokens[number]

@@ -1,7 +1,5 @@
 """The layout of start tags: attributes in one order, in as few lines as they take."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from functools import cache
@@ -141,7 +139,6 @@ def _rest(line: str) -> str:
 
 @cache
 def _grammars() -> dict[str, schema.Grammar]:
-    """The grammars of URDF's elements by tag."""
     return dict(schema.elements())
 
 

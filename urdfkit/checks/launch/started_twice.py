@@ -1,0 +1,111 @@
+"""Programs of which the simulation, or another one, already does the work."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.node_parameters import node_parameters
+from urdfkit.ros.launch.spawned_controllers import activates, controllers
+from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.ros.ros_control import control_plugins
+from urdfkit.text.located_yaml import Value
+
+_PUBLISHER = "robot_state_publisher"
+_DRIVE = "diff_drive_controller/DiffDriveController"
+#: Parameters of a filter, with their defaults.
+_FILTER = {"publish_tf": "true", "odom_frame": "odom", "world_frame": "odom"}
+_FILTERS = {"ekf_node": "ekf_filter_node", "ukf_node": "ukf_filter_node"}
+
+
+def second_publisher(context: Context, started: list[StartedProgram]) -> Findings:
+    """A robot_state_publisher beside another one of the same robot."""
+    paths = {description.path for description in context.launch.descriptions}
+    found = [one for one in started if one.package == _PUBLISHER and _is_plain(one)]
+    for one in found[1:] if len(paths) == 1 and not context.launch.has_scopes else ():
+        yield Finding(
+            Location(one.span, one.frame),
+            "a second robot_state_publisher publishes the transforms of the same robot",
+            "remove one of the two",
+            related=(Related(found[0].span, "the first one is started here"),),
+        )
+
+
+def _is_plain(started: StartedProgram) -> bool:
+    """True for a node without a namespace, other topics and other names of frames."""
+    is_known = started.namespace == "" and not started.is_remapped
+    return is_known and "frame_prefix" not in started.parameters.values
+
+
+def second_manager(context: Context, started: list[StartedProgram]) -> Findings:
+    """A controller manager beside the one that runs in Gazebo."""
+    if not any(map(spawner_of, started)):
+        return
+    nodes = [one for one in started if one.executable == "ros2_control_node"]
+    for description in context.launch.descriptions if nodes else ():
+        robot = context.other_robot(description.path, description.arguments)
+        for plugin in control_plugins(robot.model) if robot.reading.document else ():
+            for one in nodes if "ros2_control" in (plugin.at.get("filename") or "") else ():
+                yield Finding(
+                    Location(one.span, one.frame),
+                    "ros2_control_node is a second controller manager: Gazebo's plugin runs one",
+                    "remove ros2_control_node where the robot is simulated",
+                    related=(Related(plugin.at.span, "the plugin"),),
+                )
+
+
+def second_odometry(context: Context, started: list[StartedProgram]) -> Findings:
+    """The transform from odom to the robot by both a filter and a controller of wheels."""
+    filters = {frame: one for one in started for frame in _odometry_of(one, context)}
+    if not filters:
+        return
+    defined = defined_controllers(context)
+    for one in started:
+        for word in controllers(one) if activates(one) else ():
+            controller = defined.get((word.text or "").strip("/"))
+            if controller is None or controller.ros != 2 or controller.type != _DRIVE:
+                continue
+            section = controller.section
+            written = [value.text for value in section.values("enable_odom_tf")]
+            frames = [value.text for value in section.values("odom_frame_id")] or ["odom"]
+            other = filters.get(frames[0].strip("/"))
+            if other is None or "false" in map(str.lower, written):
+                continue
+            places = section.values("enable_odom_tf") or section.values("odom_frame_id")
+            at = places[0].span if places else section.at or controller.type_at
+            yield Finding(
+                Location(at),
+                f"the transform of '{frames[0]}' is published twice: by controller "
+                f"'{controller.name}', and by '{other.name or other.executable}'",
+                "write enable_odom_tf: false",
+                related=(Related(other.span, "the filter is started here"),),
+            )
+
+
+def _odometry_of(started: StartedProgram, context: Context) -> Iterator[str]:
+    """The frame above the robot that a filter publishes, if it is that of the odometry."""
+    if started.package != "robot_localization" or started.executable not in _FILTERS:
+        return
+    name = started.name or _FILTERS[started.executable]
+    given = dict(_FILTER)
+    is_known = started.parameters.is_whole and bool(started.parameters.files)
+    for path in started.parameters.files:
+        try:
+            sections = list(node_parameters(context.resolver.read(path)))
+        except UnreadableFile:
+            return
+        for node in sections:
+            if node.name == name:
+                values = {
+                    key: one.text for key, one in node.values.items() if isinstance(one, Value)
+                }
+                given |= {key: values[key] for key in _FILTER if key in values}
+    for key, text in started.parameters.values.items():
+        is_known = is_known and (key not in _FILTER or text is not None)
+        given[key] = text or ""
+    is_same = given["world_frame"] == given["odom_frame"]
+    if is_known and is_same and given["publish_tf"].lower() == "true":
+        yield given["odom_frame"].strip("/")

@@ -1,0 +1,106 @@
+"""The launch files and executables of packages that come with ROS: ``catalog/launch.json``."""
+
+from collections.abc import Iterable, Iterator
+
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.errors import PackageNotFound
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import IncludedFile, StartedProgram, Word
+from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.workspace.resolve import Resolver
+
+#: Similarity from which a name is a misspelt known one.
+_TYPO = 0.8
+#: What other launch files call the world, which the one of gz sim does not read.
+_WORLDS = ("world", "world_name", "world_file")
+
+
+def mistakes(
+    started: Iterable[StartedProgram], included: Iterable[IncludedFile], resolver: Resolver
+) -> Iterator[Problem]:
+    """What a launch file names that these packages do not have; included files are left out.
+
+    A workspace may have packages of these names, with more in them.
+    """
+    for program in started:
+        is_ros_2 = b"exec" in program.span.source.data
+        found = unknown_executable(program) if is_ros_2 and program.frame is None else None
+        if found and not _is_own(program.package, program, resolver):
+            yield found
+    for file in included:
+        if file.frame is None and not _is_own(_name(file)[0], file, resolver):
+            yield from filter(None, [unknown_file(file)])
+            yield from unknown_arguments(file)
+
+
+def _is_own(package: str, by: StartedProgram | IncludedFile, resolver: Resolver) -> bool:
+    """True for a package of the workspace."""
+    near = by.span.source.path
+    try:
+        directory = resolver.package(package, near)
+    except PackageNotFound:
+        return False
+    return directory.startswith(resolver.packages.workspace(near))
+
+
+def unknown_executable(started: StartedProgram) -> Problem | None:
+    """An executable that a package of ROS 2 does not have."""
+    known = data("launch")["executables"].get(started.package, "").split()
+    former = data("launch")["former_executables"].get(started.package, "").split()
+    name = started.executable
+    if not known or not name or name in known:
+        return None
+    message = f"package '{started.package}' has no executable '{name}'{did_you_mean(name, known)}"
+    severity = Severity.WARNING
+    if name in former:
+        message, severity = f"{message} (it had until Galactic)", Severity.INFO
+    help = f"write one of {', '.join(known)}"
+    return Problem("LAU003", started.span, message, help, started.frame, severity=severity)
+
+
+def unknown_file(included: IncludedFile) -> Problem | None:
+    """A misspelt launch file of a package that starts Gazebo."""
+    package, name = _name(included)
+    known = data("launch")["launch_files"].get(package, {})
+    found = nearest(name, known, _TYPO) if name not in known else None
+    if not found:
+        return None
+    message = f"package '{package}' has no launch file '{name}'; did you mean '{found}'?"
+    return Problem("LAU003", included.span, message, f"write {found}", included.frame)
+
+
+def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
+    """Arguments that a launch file of these packages does not have.
+
+    roslaunch stops at them. ``ros2 launch`` passes them on to nobody: then only misspelt ones are
+    reported, and the world that it does not open.
+    """
+    package, name = _name(included)
+    known = data("launch")["launch_files"].get(package, {}).get(name, "").split()
+    is_ros_1 = name.endswith(".launch")
+    for given, word in _passed(included) if known else ():
+        is_world = given in _WORLDS and not any(one.endswith("_args") for one in _names(included))
+        if given in known or not (is_ros_1 or is_world or nearest(given, known, _TYPO)):
+            continue
+        suggested = "gz_args" if is_world and not is_ros_1 else nearest(given, known)
+        hint = f"; did you mean '{suggested}'?" if suggested else ""
+        message = f"'{name}': unknown argument '{given}'{hint}"
+        severity = Severity.ERROR if is_ros_1 else Severity.WARNING
+        yield Problem("LAU005", word.span, message, frame=included.frame, severity=severity)
+
+
+def _passed(included: IncludedFile) -> Iterator[tuple[str, Word]]:
+    """The arguments that an include passes itself."""
+    for name, word in (included.arguments or {}).items():
+        if word.span != included.span:
+            yield name, word
+
+
+def _names(included: IncludedFile) -> list[str]:
+    return [name for name, _ in _passed(included)]
+
+
+def _name(included: IncludedFile) -> tuple[str, str]:
+    """The package and the name of a launch file in its directory."""
+    package, _, name = included.path.removesuffix("/").rpartition("/launch/")
+    return package.rpartition("/")[2], name

@@ -1,0 +1,117 @@
+"""Calls of a Python launch file that launch rejects, or that do nothing."""
+
+import ast
+import re
+from collections.abc import Collection, Iterator
+
+from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text.diagnostic import Problem, Severity
+
+#: Actions that do nothing unless a launch description holds them.
+_ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
+#: The arguments of a call that are lists, and what a string or a dictionary there means.
+_LISTS = {"arguments": "a list of words", "parameters": "a list", "remappings": "a list of pairs"}
+_CONDITIONS = ("IfCondition", "UnlessCondition")
+_BOOLEAN = re.compile(r"(?i)\s*(true|false|1|0)\s*")
+#: Numbers and booleans, as launch has texts and substitutions only.
+_NO_TEXT = (bool, int, float)
+
+
+def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """What launch stops at when it makes an action: values of another type than it takes."""
+    name = called(call)
+    if name == "Node":
+        yield from _lists(call, values)
+        yield from _words(argument(call, None, "arguments"), values)
+    elif name == "ExecuteProcess":
+        yield from _words(argument(call, 0, "cmd"), values)
+    elif name == "DeclareLaunchArgument":
+        yield from _text(argument(call, 1, "default_value"), "default_value", values)
+    elif name == "IncludeLaunchDescription":
+        yield from _passed(argument(call, 1, "launch_arguments"), values)
+    elif name in _CONDITIONS:
+        yield from _condition(argument(call, 0, "predicate_expression"), values)
+
+
+def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem]:
+    """Actions that are given to a name which nothing reads; an info if a comment tells of it."""
+    for call in calls:
+        if not isinstance(call, ast.Call) or called(call) not in _ACTIONS:
+            continue
+        span = values.span(call)
+        name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
+        commented = rf"(?m)^\s*#.*\b{re.escape(name)}\b".encode()
+        is_known = re.search(commented, values.source.data)
+        message = f"'{name}' is made and never started"
+        help = f"add {name} to the LaunchDescription, or remove it"
+        severity = Severity.INFO if is_known else Severity.WARNING
+        yield Problem("LAU010", span, message, help, severity=severity)
+
+
+def dropped_directory(call: ast.Call, values: Values) -> Problem | None:
+    """A path that begins with a slash behind others, which ``os.path.join`` then drops."""
+    parts: list[ast.expr] = list(call.args)
+    if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
+        parts = list(parts[0].elts)
+    if called(call) not in ("join", "PathJoinSubstitution"):
+        return None
+    for part in parts[1:]:
+        text = part.value if isinstance(part, ast.Constant) else None
+        if isinstance(text, str) and text.startswith("/"):
+            message = f"'{text}' begins with a slash, so the directories before it are dropped"
+            help = f"write '{text.lstrip('/')}'"
+            return Problem("LAU003", values.span(part), message, help, severity=Severity.ERROR)
+    return None
+
+
+def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
+    for name, what in _LISTS.items():
+        node = argument(call, None, name)
+        given = values.suggested(node)
+        is_text = isinstance(given, ast.Constant) and isinstance(given.value, str)
+        if node is not None and (is_text or isinstance(given, ast.Dict)):
+            yield _rejected(node, f"{name} of Node is not {what}", "write it in [ ]", values)
+
+
+def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+    for item in values.items(node) if node else ():
+        yield from _text(item, "a word of the command line", values)
+
+
+def _text(node: ast.expr | None, what: str, values: Values) -> Iterator[Problem]:
+    """A value that must be a text and is a number or a boolean."""
+    given = values.suggested(node)
+    if isinstance(given, ast.UnaryOp):
+        given = given.operand
+    if node is None or not isinstance(given, ast.Constant) or type(given.value) not in _NO_TEXT:
+        return
+    kind = type(given.value).__name__
+    written = ast.unparse(node) if not isinstance(node, ast.Name) else given.value
+    text = str(written).lower() if kind == "bool" else str(written)
+    yield _rejected(
+        node, f"{what} is a {kind}, where launch takes texts", f"write '{text}'", values
+    )
+
+
+def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+    given = values.suggested(node)
+    if node is not None and isinstance(given, ast.Dict):
+        yield _rejected(
+            node, "launch_arguments is a dictionary", "write .items() behind it", values
+        )
+    if isinstance(given, ast.Call) and isinstance(given.func, ast.Attribute):
+        pairs = values.suggested(given.func.value) if given.func.attr == "items" else None
+        for value in pairs.values if isinstance(pairs, ast.Dict) else ():
+            yield from _text(value, "the value of a launch argument", values)
+
+
+def _condition(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+    given = values.suggested(node)
+    text = given.value if isinstance(given, ast.Constant) else None
+    if node is not None and isinstance(text, str) and not _BOOLEAN.fullmatch(text):
+        help = f"write LaunchConfiguration('{text}')"
+        yield _rejected(node, f"condition '{text}' is neither true nor false", help, values)
+
+
+def _rejected(node: ast.expr, message: str, help: str, values: Values) -> Problem:
+    return Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)
