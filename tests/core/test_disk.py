@@ -41,6 +41,7 @@ WITHOUT_GATE = {
     "mesh/measure_cache.py": "entries of the cache",
     "output/comparison/states.py": "files that the user names on the command line",
     "output/formats/__init__.py": "urdfkit's own",
+    "output/package_templates/__init__.py": "urdfkit's own, and its output",
     "output/report/html.py": "urdfkit's own",
     "mesh/parts": "urdfkit's own",
     "output/bundle/writing.py": "its own output",
