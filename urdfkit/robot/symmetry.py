@@ -84,7 +84,10 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
             rows.setdefault((name[: match.start()], name[match.end() :]), []).append(name)
     taken: set[str] = set()
     found: list[tuple[str, str]] = []
-    for row in rows.values():
+    for (before, after), row in rows.items():
+        numbers = [int(name[len(before) : len(name) - len(after)]) for name in row]
+        if max(numbers) - min(numbers) >= 2 * len(set(numbers)):
+            continue  # names of products: the grippers RG2 and RG6
         free = {name: places[name] for name in row if name not in taken}
         mirrored = _mirrored(free, 1) or _mirrored(free, 0)
         found += mirrored
