@@ -10,11 +10,13 @@ new command needs no edit there; public names that ``api.md`` does not sort in e
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 from typing import Any
 
 import urdfkit
 from docs import generate
+from docs.playground.build import build as build_playground
 
 DOCS = Path(__file__).resolve().parent
 
@@ -48,6 +50,46 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         return link[0] if target.is_relative_to(DOCS) and target.is_file() else link[1]
 
     return _LINK.sub(shown, markdown)
+
+
+def on_post_build(config: Any, **_: Any) -> None:
+    """Write what the playground loads, and ``llms.txt`` with the pages that it lists as written.
+
+    https://llmstxt.org has the format of the latter.
+    """
+    site = Path(config["site_dir"])
+    build_playground(site / "playground")
+    for page in _pages():
+        shutil.copyfile(DOCS / page, site / page)
+    (site / "llms.txt").write_text(llms(), encoding="utf-8")
+
+
+def llms() -> str:
+    """The pages with what each is about: its first sentence that begins a paragraph."""
+    lines = ["# urdfkit", "", f"> {_about('index.md')}", ""]
+    lines += ["Agents can start `urdfkit mcp` (Model Context Protocol).", "", "## Docs", ""]
+    for page in _pages():
+        about = _about(page)
+        lines.append(f"- [{_title(page)}]({page})" + f": {about}" * bool(about))
+    return "\n".join(lines) + "\n"
+
+
+def _pages() -> list[str]:
+    found = [*DOCS.glob("*.md"), *DOCS.glob("commands/*.md")]
+    return sorted(str(page.relative_to(DOCS)) for page in found)
+
+
+def _title(page: str) -> str:
+    return (DOCS / page).read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ")
+
+
+def _about(page: str) -> str:
+    """The first sentence that begins a paragraph, without links; empty if there is none."""
+    text = re.sub(r"```.*?```", "", (DOCS / page).read_text(encoding="utf-8"), flags=re.DOTALL)
+    paragraphs = [" ".join(one.split()) for one in text.split("\n\n")[1:]]
+    first = next((one for one in paragraphs if one[:1].isalnum()), "")
+    sentence = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", first).partition(". ")[0]
+    return sentence.rstrip(".:") + "." if sentence else ""
 
 
 def _not_described(markdown: str) -> str:

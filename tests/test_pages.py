@@ -144,7 +144,7 @@ def test_every_fixture_assertion_and_setting_is_documented() -> None:
 
     fixtures = re.findall(r"@pytest.fixture\ndef (\w+)", Path(pytest_plugin.__file__).read_text())
     settings = re.findall(r'addini\(\s*"(\w+)"', Path(pytest_plugin.__file__).read_text())
-    assert len(fixtures) == 7
+    assert len(fixtures) == 8
     assert len(settings) == 2
     assert [name for name in (*fixtures, *settings, *testing.__all__) if name not in page] == [
         "marked_urdf"  # what the others are made from

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from html.parser import HTMLParser
@@ -91,3 +92,13 @@ def test_a_broken_link_fails(tmp_path: Path) -> None:
     done = build(tmp_path, tmp_path / "site")
     assert done.returncode == 1
     assert "no-such-place" in done.stderr
+
+
+def test_llms_txt_lists_every_page_as_it_is_written(site: Path) -> None:
+    text = (site / "llms.txt").read_text(encoding="utf-8")
+    assert text.startswith("# urdfkit\n\n> urdfkit checks URDF and xacro robot models ")
+    listed = re.findall(r"^- \[[^]]+\]\(([^)]+)\)", text, re.MULTILINE)
+    pages = [*(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "commands").glob("*.md")]
+    assert set(listed) == {str(page.relative_to(ROOT / "docs")) for page in pages}
+    assert all((site / page).read_bytes() == (ROOT / "docs" / page).read_bytes() for page in listed)
+    assert "- [urdfkit fix](commands/fix.md): Applies auto-fixes to source files" in text

@@ -38,6 +38,21 @@ def test_it_appears_after_a_second_and_is_wiped(monkeypatch: pytest.MonkeyPatch)
     assert stream.getvalue() == (f"\r[{'#' * 15}{' ' * 15}] 2 of 4\r[{'#' * 30}] 4 of 4\r\x1b[K")
 
 
+def test_of_a_job_of_unknown_length_it_says_that_it_goes_on(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    clock, stream = Clock(monkeypatch), io.StringIO()
+    bar = ProgressBar(stream)
+    monkeypatch.setattr(progress, "on_terminal", lambda: bar)
+    clock.now += 2
+    with progress.working():
+        assert stream.getvalue() == "\rworking ..."
+    assert stream.getvalue() == "\rworking ...\r\x1b[K"
+    monkeypatch.setattr(progress, "on_terminal", lambda: None)
+    with progress.working():
+        pass
+
+
 def test_a_terminal_that_is_gone_does_not_stop_the_check(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock(monkeypatch)
 

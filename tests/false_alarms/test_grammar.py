@@ -81,3 +81,24 @@ def test_the_same_words_elsewhere_are_unknown() -> None:
 def test_what_loses_nothing_is_an_info(code: str, robot: str, severity: int) -> None:
     (found,) = reported(code, robot)
     assert found.severity is (Severity.INFO, Severity.WARNING)[severity]
+
+
+@pytest.mark.parametrize(
+    ("inside", "severity"),
+    [
+        ('<joint_properties friction="0.0"/>', Severity.INFO),  # Onshape's export
+        ('<joint_properties friction="0.1"/>', Severity.WARNING),
+        ("<axis><xyz>0 0 1</xyz></axis>", Severity.INFO),
+    ],
+)
+def test_what_would_change_nothing(inside: str, severity: Severity) -> None:
+    (found,) = reported("URD001", JOINT.format("", f'<child link="b"/>{inside}'))
+    assert found.severity is severity
+
+
+def test_an_element_whose_name_is_computed() -> None:
+    """robotnik_sensors: the name of a macro that a launch file passes."""
+    inside = "<link name=\"a\"/><xacro:element xacro:name=\"${'sen' + 'sr'}\"/>"
+    robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{inside}</robot>'
+    found = [one for one in reported("URD001", robot.encode()) if one.code == "URD001"]
+    assert [(one.severity, one.fix) for one in found] == [(Severity.INFO, None)]

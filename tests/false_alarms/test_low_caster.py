@@ -39,3 +39,14 @@ def test_a_robot_that_stands_on_all_of_them_is_lifted(footprint: float) -> None:
 
 def test_a_caster_that_ends_above_the_ground() -> None:
     assert reported("TRE008", on_wheels(0.0)) == []
+
+
+def test_a_footprint_below_the_base() -> None:
+    """What is a child of the base moves itself, not the robot."""
+    robot = (
+        link("base", shape("collision", '<box size="1 1 0.2"/>'))
+        + link("base_footprint")
+        + joint("base", "base_footprint", xyz="0 0 0.05")
+    )
+    (found,) = reported("TRE008", robot)
+    assert found.help == "lower 'base_footprint' by 0.15 m in its joint"

@@ -84,3 +84,15 @@ def test_a_missing_package_is_one_finding_for_people(tmp_path: Path) -> None:
     (one,) = grouped(found)
     assert one.message.endswith("(and 1 more like this)")
     assert [note.span.source.path.rpartition("/")[2] for note in one.related] == ["b.urdf"]
+
+
+@pytest.mark.parametrize(
+    ("name", "severity"),
+    [("r.urdf.xacro", "info"), ("r.urdf", "error"), ("a/b/c/r.xacro", "error")],
+)
+def test_a_relative_path_of_the_expanded_urdf(tmp_path: Path, name: str, severity: str) -> None:
+    """Stretch: RE1V0/xacro/*.xacro, expanded to RE1V0, name ./meshes/*.STL."""
+    put(tmp_path, "RE1/meshes/base.stl")
+    (found,) = robot(tmp_path / "RE1" / "xacro" / name, "./meshes/base.stl")
+    assert found.severity.value == severity
+    assert ("is found if the URDF is written to" in found.message) == (severity == "info")

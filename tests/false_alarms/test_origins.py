@@ -31,3 +31,11 @@ def test_a_shift_that_may_be_meant() -> None:
         reported("GEO004", link("base", shape("visual", box, "0 0 0.04"), shape("collision", box)))
         == []
     )
+
+
+@pytest.mark.parametrize(("z", "count"), [(0.001, 0), (0.01, 1)])
+def test_sheets_on_one_another(z: float, count: int) -> None:
+    """A tray whose visual lies on its collision, of 1 mm."""
+    sheet = '<box size="0.2 0.2 0.001"/>'
+    robot = link("a", shape("visual", sheet, f"0 0 {z}"), shape("collision", sheet))
+    assert len(reported("GEO004", robot)) == count

@@ -73,6 +73,31 @@ def test_a_tag_that_a_program_of_the_workspace_reads(
     assert (found.fix is None) is (severity == "info")
 
 
+@pytest.mark.parametrize(
+    ("program", "depends", "severity"),
+    [
+        ("robots/driver", "", "info"),  # next to it
+        ("model", "<depend>model</depend>", "info"),
+        ("model", "", "warning"),
+        ("elsewhere/model", "<depend>model</depend>", "warning"),
+    ],
+)
+def test_the_packages_whose_programs_are_searched(
+    tmp_path: Path, program: str, depends: str, severity: str
+) -> None:
+    (tmp_path / ".git").mkdir()
+    arm = add_package(tmp_path / "robots/arm", "arm")
+    manifest = arm / "package.xml"
+    text = manifest.read_text(encoding="utf-8")
+    manifest.write_text(text.replace("</package>", f"{depends}</package>"), encoding="utf-8")
+    add_package(tmp_path / program, "model")
+    add_file(tmp_path / program / "src/model.py", READER.encode())
+    robot = '<robot name="r"><link name="a"/><thrust_rate value="0"/></robot>'
+    path = add_file(arm / "r.urdf", robot.encode())
+    (found,) = check(path, select=["URD001"]).diagnostics
+    assert found.severity.value == severity
+
+
 def test_a_list_of_joints_is_no_robot(tmp_path: Path) -> None:
     """bluerov_ros_playground: the range of each thruster, for the node that drives them."""
     joints = "".join(

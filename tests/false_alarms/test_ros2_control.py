@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from tests import driving
-from tests.controls import GZ, MOCK, ROBOT, control, driven
-from tests.gazebos import WHEELS
+from tests.controls import GZ, MOCK, ROBOT, control, driven, plugin, transmission
+from tests.gazebos import WHEELS, sensor
 from tests.reported import reported
 from tests.workspaces import add_file, add_package
 from urdfkit.text.diagnostic import Severity
@@ -82,3 +82,20 @@ def test_a_controller_of_the_workspace(tmp_path: Path, file: str, count: int) ->
     text = driving.DRIVE.replace("wheel_radius", "wheels_radius").replace("0.3", "3")
     found = driving.reported(tmp_path, "RCT034", text)
     assert bool(found) == bool(count)
+
+
+def test_transmissions_that_a_plugin_of_the_robot_may_load() -> None:
+    """legged_control: `gazebo_ros_control` with a library of its own."""
+    moved = ROBOT + transmission("swing")
+    for file, count in (("libgazebo_ros_imu_sensor.so", 1), ("liblegged_hw_sim.so", 0)):
+        found = reported("RCT010", moved + plugin(file), targets=("classic-ros1",))
+        assert len(found) == count
+
+
+def test_a_sensor_whose_broadcaster_has_the_frame() -> None:
+    """Elkapod: the IMU is read by ros2_control."""
+    imu = sensor("imu", "", "base").replace('name="s"', 'name="imu"')
+    part = '<sensor name="{}"><state_interface name="orientation.x"/></sensor>'
+    for name, count in (("imu", 0), ("other", 1)):
+        robot = ROBOT + control(part.format(name), plugin=GZ) + imu
+        assert len(reported("GAZ058", robot, targets=("gz-harmonic",))) == count

@@ -65,3 +65,9 @@ def test_a_block_that_a_missing_include_may_define(name: str, count: int) -> Non
     )
     found = [one.message for one in reported("XAC001", text.encode(), "robot.xacro")]
     assert sum("block 'calibration'" in message for message in found) == count
+
+
+def test_a_tag_that_is_cut_off_is_one_mistake() -> None:
+    """An editor that died: `<xacro:arg name="is_sim" defaul`, and the next line."""
+    found = reported("XML001", ROBOT.format('<arg name="sim" defaul\n<arg name="a"/>').encode())
+    assert [one.message for one in found] == ["attribute 'defaul' has no value"]

@@ -178,3 +178,8 @@ def test_fixed_joints_and_what_hangs_on_one_another_are_no_pairs() -> None:
     )
     assert symmetric_pairs(moving("base", "l"), moving("l", "r")) == []
     assert symmetric_pairs(moving("base", "l"), moving("base", "r")) == [("l_joint", "r_joint")]
+
+
+def test_numbers_far_from_one_another_are_products() -> None:
+    """The grippers RG2 and RG6 of OnRobot, side by side."""
+    assert numbered_pairs({"rg2_tip": (0.0, 0.2, 0.0), "rg6_tip": (0.0, -0.2, 0.0)}) == []

@@ -56,6 +56,7 @@ _PACKAGES = (
     ("uvicorn", "the viewer", "report"),
     ("yourdfpy", "conversion to yourdfpy", "exchange"),
     ("pygls", "the language server", "lsp"),
+    ("mcp", "the tools for agents", "mcp"),
     ("dask", "scan on several machines", "scan"),
     ("pyarrow", "scan to Parquet", "scan"),
 )

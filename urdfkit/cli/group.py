@@ -1,11 +1,13 @@
 """The ``urdfkit`` command as click has it: a group of commands, each imported when used."""
 
+import os
 from collections.abc import Sequence
 from itertools import chain
 
 import click
 
 from urdfkit import __version__
+from urdfkit.cli.completion import VARIABLE, register
 from urdfkit.cli.lazy import LazyGroup
 from urdfkit.cli.options import UsageError
 
@@ -29,7 +31,7 @@ SECTIONS = {
     ),
     "Show a robot": ("render", "view", "report"),
     "Mesh files and copies": ("mesh", "bundle", "convert"),
-    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "lsp"),
+    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "completion", "lsp", "mcp"),
 }
 COMMANDS = tuple(chain.from_iterable(SECTIONS.values()))
 
@@ -53,6 +55,8 @@ def run(words: Sequence[str]) -> int:
         UsageError: it cannot be understood.
         KeyboardInterrupt: Ctrl-C.
     """
+    if VARIABLE in os.environ:
+        register()
     try:
         code = group.main(list(words) or ["--help"], "urdfkit", standalone_mode=False)
     except click.Abort as error:

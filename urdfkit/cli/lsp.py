@@ -2,6 +2,7 @@
 
 import click
 
+from urdfkit.cli.decorators import with_examples
 from urdfkit.core.installation import install_command
 from urdfkit.errors import UrdfkitError
 
@@ -10,7 +11,7 @@ class NotInstalled(UrdfkitError):
     """The extra that brings the protocol is not installed."""
 
 
-@click.command("lsp")
+@with_examples("lsp", "urdfkit lsp --stdio")
 @click.option(
     "--stdio",
     is_flag=True,

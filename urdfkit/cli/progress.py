@@ -64,6 +64,10 @@ class ProgressBar:
 
     def _show(self) -> None:
         done, total = self._state
+        if not (done or total):
+            self._draw("\rworking ...")
+            self._is_visible = True
+            return
         bar = "#" * (_WIDTH * done // total) if total else ""
         of_total = f" of {total}" if total else ""
         self._draw(f"\r[{bar:<{_WIDTH}}] {done}{of_total}{self._things}{self._rate()}")
@@ -103,3 +107,17 @@ def shown(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]
     finally:
         if bar is not None:
             bar.clear()
+
+
+@contextmanager
+def working() -> Iterator[None]:
+    """Say on standard error, if a person looks at it, that a job of unknown length goes on."""
+    bar = on_terminal()
+    if bar is None:
+        yield
+        return
+    bar(0, 0)
+    try:
+        yield
+    finally:
+        bar.clear()

@@ -1,7 +1,5 @@
 """``urdfkit check --show-settings``: the settings of a check as a configuration."""
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Iterable, Iterator, Mapping

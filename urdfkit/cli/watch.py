@@ -4,8 +4,6 @@ What a check reads, looks for and lists is noted as for the cache of results (`c
 files that are missing included. That is what is watched, and nothing else.
 """
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import sys

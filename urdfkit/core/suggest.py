@@ -28,17 +28,27 @@ _WORD = r"[^\W_]?[^\W_A-Z]+|[A-Z]+"
 
 def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | None:
     """The known word most like ``word``, upper and lower case alike; None if none is like it."""
+    text = word[:_LONGEST].casefold()
     spellings = {candidate.casefold(): candidate for candidate in known}
+    spellings = {one: spellings[one] for one in spellings if _may_be_like(text, one, cutoff)}
     if not spellings:
         return None
-    from difflib import get_close_matches  # 1 ms, and needed for unknown words only
+    from difflib import get_close_matches  # 1 ms, and most unknown words are like no other
 
-    text = word[:_LONGEST].casefold()
     for found in get_close_matches(text, spellings, _COMPARED, cutoff):
         one, other = _without_common_end(text, found)
         if one == text or get_close_matches(one, [other], 1, min(cutoff, SIMILAR)):
             return spellings[found]
     return None
+
+
+def _may_be_like(word: str, other: str, cutoff: float) -> bool:
+    """False if two words have too few letters in common, in whatever order."""
+    letters = len(word) + len(other)
+    if 2 * min(len(word), len(other)) < cutoff * letters:
+        return False
+    common = sum(min(word.count(one), other.count(one)) for one in set(word))
+    return 2 * common >= cutoff * letters
 
 
 def _without_common_end(word: str, other: str) -> tuple[str, str]:

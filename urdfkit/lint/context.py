@@ -139,8 +139,6 @@ class Context(DescriptionFile):
         That is a library of macros; or a description that another file includes and that lacks
         a name, or a link that is the root of the others.
         """
-        from urdfkit.workspace.includes import is_included
-
         xacro = self.reading.xacro
         if (xacro is not None and xacro.is_library) or self._is_srdf:
             return True
@@ -148,6 +146,13 @@ class Context(DescriptionFile):
             return True  # calls that the including file answers
         if self.document.root.get("name") is not None and self.tree.has_base:
             return False
+        return self.is_included
+
+    @cached_property
+    def is_included(self) -> bool:
+        """True if another file of the package includes this one, or there are too many to know."""
+        from urdfkit.workspace.includes import is_included
+
         return is_included(self.source.path, self.resolver.packages)
 
     @cached_property

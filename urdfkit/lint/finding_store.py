@@ -35,6 +35,7 @@ class FindingStore:
         #: The files by the name that they are shown by, which may be several.
         self._files: dict[str, dict[str, None]] = {}
         self._variants: dict[str, set[str]] = {}
+        self._paths: dict[str, tuple[str, str]] = {}
 
     def __del__(self) -> None:
         if self._spilled is not None:
@@ -48,8 +49,7 @@ class FindingStore:
             self._spill(next(iter(self._memory)))
 
     def add_finding(self, one: Diagnostic, found_in: list[tuple[str, str]]) -> None:
-        path = one.span.source.path
-        file = disk.real(path)
+        file, name = self._real_and_shown(one.span.source.path)
         of_file = self._memory[file] = self._of_file(file)
         key = (one.code, *one.span[1:], one.message)
         if key in of_file:
@@ -57,7 +57,13 @@ class FindingStore:
             return
         of_file[key] = (one, found_in)
         self.counts[one.severity] += 1
-        self._files.setdefault(shown(path), {})[file] = None
+        self._files.setdefault(name, {})[file] = None
+
+    def _real_and_shown(self, path: str) -> tuple[str, str]:
+        """A path without links, and as it is shown; worked out once for all findings of a file."""
+        if path not in self._paths:
+            self._paths[path] = disk.real(path), shown(path)
+        return self._paths[path]
 
     def diagnostics(self) -> Sequence[Diagnostic]:
         """All findings, by file, place, code and message; nothing is added afterwards."""

@@ -1,14 +1,11 @@
 """Why a fix is dropped: it causes a regression in some robot, or has no effect."""
 
-from __future__ import annotations
-
 import os
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import chain, zip_longest
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.errors import UnreadableFile
@@ -19,11 +16,9 @@ from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Need
 from urdfkit.text.diagnostic import Diagnostic, Edit
+from urdfkit.text.document import Element
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
-
-if TYPE_CHECKING:
-    from urdfkit.text.document import Element
 
 #: A finding in any round: its code, its file and its message, since places move.
 FindingKey = tuple[str, str, str]

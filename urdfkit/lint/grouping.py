@@ -55,7 +55,7 @@ def _note(other: Diagnostic, first: Diagnostic) -> Related:
 
 def without_search(message: str) -> str:
     """A message without the places that were searched, which is long and the same in others."""
-    return message.partition("; searched: ")[0]
+    return message.partition("; searched: ")[0].partition("; tried ")[0]
 
 
 def _together(fixes: list[Fix | None]) -> Fix | None:

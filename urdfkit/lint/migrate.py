@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check
 from urdfkit.lint.rule_index import NOT_CHECKED, all_rules
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing.apply import apply_edits
-from urdfkit.text.editing.rewriting import diff
+from urdfkit.text.editing.diff import diff
 from urdfkit.text.source import Source
-
-if TYPE_CHECKING:
-    import os
 
 
 class Migration(Record):

@@ -9,15 +9,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 from importlib import import_module
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Rule, code_of, name_of
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
 
 #: The rule about robots that are found and cannot be checked: it runs whatever is selected, unless
 #: it is ignored by name.

@@ -1,19 +1,14 @@
 """Why a robot is not checked, and what to do about it."""
 
-from __future__ import annotations
-
 import os
-from typing import TYPE_CHECKING
 
 from urdfkit.lint.argument_values import found_values, reported
+from urdfkit.lint.description_file import Reading
 from urdfkit.lint.rule_index import get
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
-
-if TYPE_CHECKING:
-    from urdfkit.lint.description_file import Reading
 
 
 def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:

@@ -9,6 +9,7 @@ is saved. An error in answering is logged and answered by nothing: the server li
 from __future__ import annotations
 
 import asyncio
+import gc
 import logging
 import os
 import sys
@@ -27,7 +28,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.text import PositionEncoding, to_bytes, to_path, to_uri
-from urdfkit.lsp.workspace import Workspace
+from urdfkit.lsp.workspace import Workspace, slow_rules
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Span
 from urdfkit.text.terminal import printable
@@ -43,6 +44,9 @@ PARTS = (
 )
 #: Of the thread that expands robots: xacro recurses in the depth of macros.
 _STACK = 64 * 1024 * 1024
+#: New objects after which garbage is collected during a check: several large robots. It is
+#: collected after each check, when nobody waits for findings.
+_GARBAGE = 1_000_000
 
 _SEVERITIES = {
     Severity.ERROR: lsp.DiagnosticSeverity.Error,
@@ -59,6 +63,7 @@ class Server(LanguageServer):
         super().__init__("urdfkit", __version__)
         threading.stack_size(_STACK)
         self.worker = ThreadPoolExecutor(1, "robots")
+        self.worker.submit(_prepare)
         self.robots = Workspace()
         self.uris: dict[str, str] = {}
         self.places = PositionEncoding()
@@ -157,6 +162,8 @@ class Server(LanguageServer):
         if thorough:  # what takes longer comes behind what does not
             await self._publish_findings(uri, thorough=True)
         self._ask_to_pull()
+        if self._waiting.get(uri) is asyncio.current_task():
+            self.worker.submit(gc.collect)  # the robot that was checked, full of circles
 
     # ---------------------------------------------- clients that pull findings
 
@@ -272,12 +279,20 @@ class Server(LanguageServer):
         return lsp.WorkspaceEdit(changes)
 
 
+def _prepare() -> None:
+    """Import the rules, and leave them out of the search for garbage."""
+    slow_rules()
+    gc.collect()
+    gc.freeze()
+
+
 def serve(server: Server) -> None:
     """Serve one client over standard input and output, until it goes.
 
     Whatever a library prints goes to standard error: one stray word would break the protocol.
     """
     logging.basicConfig(stream=sys.stderr, level=logging.WARNING)
+    gc.set_threshold(_GARBAGE)
     with os.fdopen(os.dup(1), "wb", buffering=0) as output:
         os.dup2(2, 1)
         sys.stdout = sys.stderr

@@ -47,3 +47,6 @@ class DescribedRobot(Robot, Protocol):
 
     @property
     def uses(self) -> Mapping[Tag, int]: ...
+
+    @property
+    def is_included(self) -> bool: ...

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, vector
+from urdfkit.robot import Robot
 from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import BoundingBox, solid
-
-if TYPE_CHECKING:
-    from urdfkit.robot import Robot
 
 
 def without_meshes() -> str:

@@ -7,18 +7,17 @@ Lengths in m, directions of length 1. Primitives are met in closed form; for mes
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import cos, hypot, inf, sin, sqrt
-from typing import TYPE_CHECKING
+from math import cos, inf, sin, sqrt
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import ORIGIN, Transform, Vector, dot, rotate
+from urdfkit.core.spatial import Transform, Vector, dot, rotate
+from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Primitive, primitive
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Body
 
 #: Below this a direction is along a face, or along an axis.
 _SMALL = 1e-9
+_UP: Vector = (0.0, 0.0, 1.0)
+_DOWN: Vector = (0.0, 0.0, -1.0)
 
 
 class Scan(Record):
@@ -51,10 +50,18 @@ def shape_of(body: Body, at: Transform) -> Primitive | None:
     return primitive(body._replace(origin=at @ body.origin))
 
 
-def interval(shape: Primitive, direction: Vector) -> tuple[float, float] | None:
-    """Where a ray from the origin enters and leaves a shape; below 0 behind it, None beside it."""
+def intervals(
+    shape: Primitive, directions: Iterable[Vector]
+) -> Iterator[tuple[float, float] | None]:
+    """Where rays from the origin enter and leave a shape; below 0 behind it, None beside it."""
     frame = shape.origin.inverse
-    start, along = frame.apply(ORIGIN), rotate(frame.rotation, direction)
+    start = frame.position
+    for direction in directions:
+        yield _interval(shape, start, rotate(frame.rotation, direction))
+
+
+def _interval(shape: Primitive, start: Vector, along: Vector) -> tuple[float, float] | None:
+    """Where a ray in the frame of a shape enters and leaves it."""
     if shape.kind == "box":
         halves = (shape.size[0] / 2, shape.size[1] / 2, shape.size[2] / 2)
         return _common(_slab(s, d, h) for s, d, h in zip(start, along, halves, strict=True))
@@ -94,21 +101,22 @@ def _common(parts: Iterable[tuple[float, float] | None]) -> tuple[float, float] 
     return (low, high) if low <= high else None
 
 
+def crosses_plane(shape: Primitive) -> bool:
+    """True if a shape reaches into the plane of a scan, in whose frame it is."""
+    return shape.reach(_UP) >= 0 and shape.reach(_DOWN) >= 0
+
+
 def beams_on(
     shape: Primitive, scan: Scan, directions: Sequence[Vector], *, sees_inside: bool
 ) -> Iterator[int]:
     """The numbers of the beams that end at a primitive.
 
     Args:
-        shape: in the frame of the sensor.
+        shape: in the frame of the sensor, which crosses the plane of the scan.
         sees_inside: True if a beam that begins in the shape ends where it leaves it, as in Gazebo
             Classic; rendered shapes are seen from outside only.
     """
-    x, y, z = shape.origin.position
-    if abs(z) > shape.longest or hypot(x, y) - shape.longest > scan.high:
-        return
-    for number, direction in enumerate(directions):
-        found = interval(shape, direction)
+    for number, found in enumerate(intervals(shape, directions)):
         if found is None:
             continue
         begins = found[1] if sees_inside and found[0] < scan.low else found[0]

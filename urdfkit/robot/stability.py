@@ -8,19 +8,16 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from itertools import product
 from math import atan2, cos, hypot, pi, sin
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector
+from urdfkit.robot import Robot
 from urdfkit.robot.joints import BOUNDED
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import Body, Shape
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.shapes import primitive
-
-if TYPE_CHECKING:
-    from urdfkit.robot import Robot
-    from urdfkit.robot.tree import KinematicTree
+from urdfkit.robot.tree import KinematicTree
 
 Point = tuple[float, float]
 

@@ -4,19 +4,14 @@ Authors write one side and copy it. What then differs between the two is a mista
 an intention, and the counterpart shows the intended value.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector
 from urdfkit.robot.joints import MOVING
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Joint
-    from urdfkit.robot.tree import KinematicTree
+from urdfkit.robot.model import Joint
+from urdfkit.robot.tree import KinematicTree
 
 #: The words of a name: ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
 _WORD = r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+"
@@ -89,7 +84,10 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
             rows.setdefault((name[: match.start()], name[match.end() :]), []).append(name)
     taken: set[str] = set()
     found: list[tuple[str, str]] = []
-    for row in rows.values():
+    for (before, after), row in rows.items():
+        numbers = [int(name[len(before) : len(name) - len(after)]) for name in row]
+        if max(numbers) - min(numbers) >= 2 * len(set(numbers)):
+            continue  # names of products: the grippers RG2 and RG6
         free = {name: places[name] for name in row if name not in taken}
         mirrored = _mirrored(free, 1) or _mirrored(free, 0)
         found += mirrored

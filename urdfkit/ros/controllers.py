@@ -9,22 +9,19 @@ Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_con
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
+from urdfkit.ros import RosDescription
 from urdfkit.ros.catalog.ros_control import hardware as simulators
 from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
+from urdfkit.text.document import Element
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Key, Node, Value, load, mistake
 from urdfkit.text.source import Source, Span
-
-if TYPE_CHECKING:
-    from urdfkit.ros import RosDescription
-    from urdfkit.text.document import Element
 
 _MANAGER = "controller_manager"
 _PARAMETERS = "ros__parameters"

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.robot.inertia import MassProperties, principal_axes, rotated
-from urdfkit.robot.model import Tensor
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
+from urdfkit.robot.model import RobotModel, Tensor
+from urdfkit.text.document import Element
 
 
 class Compiler(Record):

@@ -5,15 +5,9 @@ Parameters are typed when a node starts: an integer is rejected where the node d
 Source: ``rcl_yaml_param_parser/src/parse.c`` of ros2/rcl.
 """
 
-from __future__ import annotations
-
 import re
-from typing import TYPE_CHECKING
 
-from urdfkit.text.located_yaml import Value
-
-if TYPE_CHECKING:
-    from urdfkit.text.located_yaml import Node
+from urdfkit.text.located_yaml import Node, Value
 
 _BOOLS = frozenset(
     "y Y yes Yes YES n N no No NO true True TRUE false False FALSE on On ON off Off OFF".split()

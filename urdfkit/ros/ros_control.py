@@ -7,16 +7,13 @@ Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling)
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import control_plugin
 from urdfkit.ros.targets import Targets
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 ROS1 = ("ros1", "classic-ros1")
 ROS2 = ("ros2", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")

@@ -9,17 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
+from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data, names, record
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
-    from urdfkit.workspace.manifest import Manifest
+from urdfkit.text.document import Element
+from urdfkit.workspace.manifest import Manifest
 
 #: Their names; each has a file of facts. ROS comes first, whose parsers most others build on.
 TARGETS = tuple(sorted(names("targets"), key=lambda name: (not name.startswith("ros"), name)))

@@ -7,13 +7,10 @@ have a few levels, and what is deeper is no such file.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeAlias
 
 from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
-
-if TYPE_CHECKING:
-    from typing import TypeAlias
 
 #: Larger files are no lists of parameters.
 MAX_BYTES = 1024 * 1024

@@ -256,7 +256,7 @@ class _Scanner:
                 self._add(start, found.end(), f"the file ends inside <{name}")
                 return self._give_up()
             if data.startswith(b"<", position):
-                self._add(before, before, f"'>' is missing at the end of <{name}")
+                self._cut(before, name)
                 self._tags.append(TagToken("unsure", name, start, before))
                 return position
             attribute = _ATTRIBUTE_NAME.match(data, position)
@@ -276,6 +276,11 @@ class _Scanner:
                 return end
             if len(self.mistakes) >= MAX_ERRORS:
                 return position
+
+    def _cut(self, at: int, name: str) -> None:
+        """A start tag without its end; an attribute that is cut off there has been reported."""
+        if not self.mistakes or self.mistakes[-1].end != at:
+            self._add(at, at, f"'>' is missing at the end of <{name}")
 
     def _attribute(
         self, found: re.Match[bytes], before: int, seen: dict[bytes, tuple[int, int]]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import os
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.core.record import Record
 from urdfkit.lint.context import Context
@@ -16,9 +16,7 @@ from urdfkit.output.report.document import completed as complete
 from urdfkit.output.report.scene import PageScene
 from urdfkit.output.report.translations import Translator
 from urdfkit.output.report.writing import rendered
-
-if TYPE_CHECKING:
-    from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.diagnostic import Diagnostic
 
 #: The size and the time of change of a file; None if it is not there.
 FileVersion = tuple[int, int] | None

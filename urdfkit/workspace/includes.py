@@ -1,16 +1,11 @@
 """Which xacro file includes a file; read from the text, nothing is expanded."""
 
-from __future__ import annotations
-
 import os
 import re
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.workspace.file_head import read_head
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.packages import Packages
+from urdfkit.workspace.packages import Packages
 
 #: Bounds of the search; the largest public description package has 300 xacro files.
 MAX_ENTRIES = 20_000

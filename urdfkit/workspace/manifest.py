@@ -21,6 +21,7 @@ MAX_DIRECTORIES = 200
 
 _DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
 _FORMAT = rb"""<package\b[^>]*\bformat\s*=\s*["'](\d+)["']"""
+_SUBMODULE = rb"(?m)^\s*path\s*=\s*(.+?)\s*$"
 _BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
 
 
@@ -82,9 +83,28 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
 
 
 def is_known_dependency(name: str, path: str, resolver: Resolver) -> bool:
-    """True if ROS has a package, or the package that a file lies in declares it."""
+    """True if a package is elsewhere, not mistyped.
+
+    ROS has it, the package that a file lies in declares it, or the repository has a submodule that
+    is not checked out, which may hold it.
+    """
     manifest = manifest_of(resolver, path)
-    return comes_with_ros(name) or (manifest is not None and name in manifest.dependencies)
+    return (
+        comes_with_ros(name)
+        or (manifest is not None and name in manifest.dependencies)
+        or _lacks_submodule(resolver.packages.root(path).directory)
+    )
+
+
+def _lacks_submodule(repository: str) -> bool:
+    """True if a submodule of a repository is an empty directory."""
+    text = read_head(os.path.join(repository, ".gitmodules"), MAX_BYTES)
+    return any(
+        not disk.names(directory) if disk.is_directory(directory) else True
+        for directory in (
+            os.path.join(repository, os.fsdecode(path)) for path in re.findall(_SUBMODULE, text)
+        )
+    )
 
 
 def depends_on(name: str, other: str, near: str, resolver: Resolver) -> bool:

@@ -9,13 +9,10 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.packages import Packages
+from urdfkit.workspace.packages import Packages
 
 #: The substitution of xacro and of launch files, and the package in it.
 FIND = r"\$\(find\s+([A-Za-z][\w.-]*)\s*\)"

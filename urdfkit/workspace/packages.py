@@ -83,7 +83,7 @@ class Packages:
             found = self._scan(level).find(name)
             if found:
                 yield Candidate(found)
-        for directory in self._by_directory_name(name, near):
+        for directory in self.siblings_named(name, near):
             yield Candidate(directory, certain=False)
 
     def searched(self, name: str, near: str) -> tuple[str, ...]:
@@ -152,6 +152,14 @@ class Packages:
         """The name of the package whose directory this is; None if it is no package's."""
         return self._packages.name_of(directory)
 
+    def siblings_named(self, name: str, near: str) -> Iterator[str]:
+        """Directories of that name next to those above a file, from the inside out."""
+        above = [at for at in upwards(self.directory_of(near)) if self.searches(at, near)]
+        for directory in above:
+            sibling = os.path.join(directory, name)
+            if sibling not in above and disk.is_directory(sibling):
+                yield sibling
+
     def _may_be_around(self, directory: str, near: str) -> bool:
         """False of a directory above a file that lies outside of its repository or workspace."""
         return not self.root(near).mark or self.searches(directory, near)
@@ -187,14 +195,6 @@ class Packages:
             and directory not in self._roots.too_wide
             if self._may_be_around(directory, near)
         ]
-
-    def _by_directory_name(self, name: str, near: str) -> Iterator[str]:
-        """Siblings of that name of the directories above a file."""
-        above = [at for at in upwards(self.directory_of(near)) if self.searches(at, near)]
-        for directory in above:
-            sibling = os.path.join(directory, name)
-            if sibling not in above and disk.is_directory(sibling):
-                yield sibling
 
 
 def path_list(environment: Mapping[str, str], variable: str) -> list[str]:

@@ -1,7 +1,5 @@
 """What the setup.py of a package installs: its ``data_files``, read as a syntax tree."""
 
-from __future__ import annotations
-
 import ast
 import os
 import posixpath

@@ -5,13 +5,10 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.workspace.file_head import read_head
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.resolve import Resolver
 
 _SRDF = (".srdf", ".srdf.xacro")
 #: A section of ``.setup_assistant``, and what is in it; compiled when needed, which is seldom.

@@ -1,18 +1,14 @@
 """The words that programs of a workspace name as strings, such as tags of their own in XML."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Collection, Iterable, Iterator
 from itertools import islice
-from typing import TYPE_CHECKING
 
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.file_head import read_head
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.resolve import Resolver
 
 #: Bounds of the search.
 MAX_FILES, MAX_BYTES = 1000, 200_000
@@ -26,10 +22,11 @@ _READS_XML = re.compile(rb"tinyxml|FirstChildElement|ElementTree|minidom|lxml|pu
 def readers_of(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, str]:
     """The source files of programs that read XML and name a tag as a string, by tag.
 
-    Programs are looked for in the packages of a workspace, for a file in one of them.
+    Programs are looked for in the package of a file, in those next to it, such as the driver of a
+    robot, and in those that its ``package.xml`` names, if their directories are called so.
 
     Args:
-        near: path of a file in the workspace that is searched.
+        near: path of the file; for one in no package nothing is searched.
         resolver: finds the workspace, and knows which files may be read.
     """
     found: dict[str, str] = {}
@@ -66,11 +63,17 @@ def _naming(
 
 
 def _sources(near: str, resolver: Resolver) -> Iterator[str]:
-    """The source files in the packages of a workspace."""
-    if not resolver.packages.enclosing(near):
+    """The source files in the packages that are searched for a file."""
+    packages, manifest = resolver.packages, manifest_of(resolver, near)
+    if manifest is None:
         return
-    files = resolver.directories.walk(resolver.packages.workspace(near))
-    packages = tuple(path[: 1 - len(_MANIFEST)] for path in files if path.endswith(_MANIFEST))
+    own = os.path.dirname(manifest.path)
+    around = os.path.dirname(own)
+    tops = [around if packages.searches(around, near) else own]
+    for name in sorted(manifest.dependencies):
+        tops += packages.siblings_named(name, near)
+    files = dict.fromkeys(path for top in tops for path in resolver.directories.walk(top))
+    directories = tuple(path[: 1 - len(_MANIFEST)] for path in files if path.endswith(_MANIFEST))
     for path in files:
-        if path.endswith(_SUFFIXES) and path.startswith(packages):
+        if path.endswith(_SUFFIXES) and path.startswith(directories):
             yield path

@@ -3,28 +3,23 @@
 This package is the only one that uses xacro.
 """
 
-from __future__ import annotations
-
 import gc
 import os
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
+from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Attribute, CallFrame, Document, Element
+from urdfkit.text.source import Source
 from urdfkit.text.xml_declaration import encoding_problems
+from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import dom
 from urdfkit.xacro.definitions import Definition
 from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import Message
+from urdfkit.xacro.origin import Origin
 from urdfkit.xacro.recovery import attempt
 from urdfkit.xacro.usage import Usage, usage
-
-if TYPE_CHECKING:
-    from urdfkit.text.diagnostic import Related
-    from urdfkit.text.source import Source
-    from urdfkit.workspace.resolve import Resolver
-    from urdfkit.xacro.origin import Origin
 
 
 class Xacro:

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem, Related
 from urdfkit.text.document import CallFrame, Tag
+from urdfkit.text.source import Source
 from urdfkit.xacro.dom import Node
-
-if TYPE_CHECKING:
-    from urdfkit.text.source import Source
-    from urdfkit.xacro.origin import Origin
+from urdfkit.xacro.origin import Origin
 
 #: Holds spaces: a name space of xacro makes keys of its attributes, and no model has this one.
 _KEY = "annotations of urdfkit"

@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from xml.dom import minidom
 
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
-
-if TYPE_CHECKING:
-    from urdfkit.xacro.origin import Origin
+from urdfkit.xacro.origin import Origin
 
 ELEMENT = minidom.Node.ELEMENT_NODE
 TEXT = minidom.Node.TEXT_NODE

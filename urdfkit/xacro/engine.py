@@ -18,7 +18,7 @@ from functools import lru_cache
 from io import StringIO
 from keyword import iskeyword
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from xml.dom import minidom
 
 from urdfkit.core import libraries
@@ -28,9 +28,7 @@ from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import FAILED, DependsOnError
 from urdfkit.xacro.evaluation import Evaluation
-
-if TYPE_CHECKING:
-    from urdfkit.xacro.expansion import ExpansionRun
+from urdfkit.xacro.expansion import ExpansionRun
 
 #: Characters of a name. xacro parses one as Python, which may need all memory for a long one.
 MAX_NAME = 200

@@ -1,11 +1,6 @@
 """Errors that arise inside an expansion, and the value of an expression that failed."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from urdfkit.text.source import Span
+from urdfkit.text.source import Span
 
 
 class FailedValue(str):

@@ -4,20 +4,16 @@ An expression that fails is reported with its place, and its value becomes FAILE
 value is no further error, so that one run finds all errors.
 """
 
-from __future__ import annotations
-
 import re
 import sys
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.xacro.definitions import annotations_of
 from urdfkit.xacro.errors import FAILED, DependsOnError
+from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expressions import evaluate
 from urdfkit.xacro.locator import LocatedExpression
-
-if TYPE_CHECKING:
-    from urdfkit.xacro.expansion import ExpansionRun
 
 _TOKEN = re.compile(
     r"(?P<escape>\$\$+[{(])|(?P<expression>\$\{[^}]*\})|(?P<command>\$\([^)]*\))"

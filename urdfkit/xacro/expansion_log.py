@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem, Related
+from urdfkit.text.source import Span
 from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from urdfkit.text.source import Span
 
 MAX_PROBLEMS = 500
 MAX_MESSAGES = 1000

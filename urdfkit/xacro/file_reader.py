@@ -1,22 +1,16 @@
 """The files of all attempts at one expansion, within the workspace and within bounds."""
 
-from __future__ import annotations
-
 import fnmatch
 import os
 import re
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.text.source import MAX_BYTES, Source
-from urdfkit.workspace.resolve import OUTSIDE
+from urdfkit.workspace.resolve import OUTSIDE, Resolver
 from urdfkit.xacro.bounds import MAX_LENGTH, TooLarge
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 from urdfkit.xacro.errors import EscapesRoots
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.resolve import Resolver
 
 _WILDCARD = r"[*?[]"
 

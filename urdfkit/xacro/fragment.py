@@ -1,20 +1,14 @@
 """A file that is a part of a robot: what it lacks comes from the file that includes it."""
 
-from __future__ import annotations
-
 import os
 import re
-from typing import TYPE_CHECKING
 
 from urdfkit.core.words import few
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.source import Span, shown
+from urdfkit.text.source import Source, Span, shown
 from urdfkit.workspace.includes import top_includer
-
-if TYPE_CHECKING:
-    from urdfkit.text.source import Source
-    from urdfkit.workspace.packages import Packages
-    from urdfkit.xacro.dom import Dom, Node
+from urdfkit.workspace.packages import Packages
+from urdfkit.xacro.dom import Dom, Node
 
 #: Names that a message lists.
 _SHOWN = 3

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
@@ -13,11 +13,9 @@ from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Span, shown
+from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import UNBUILT, BrokenYaml
-
-if TYPE_CHECKING:
-    from urdfkit.xacro.definitions import Definitions
 
 #: Directories that a help lists.
 _FEW = 10

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from urdfkit.core.record import Record
-
-if TYPE_CHECKING:
-    from urdfkit.text.source import Span
+from urdfkit.text.source import Span
 
 
 class Origin(Record):

@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from xml.parsers.expat import ExpatError
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem
-from urdfkit.text.source import Span
+from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import syntax_problems, unbound_prefixes
+from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro.budget import deadline
+from urdfkit.xacro.dom import Node
 from urdfkit.xacro.engine import load_engine
 from urdfkit.xacro.errors import root_cause
 from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import ANY, ExpansionLog
 from urdfkit.xacro.file_reader import FileReader
 from urdfkit.xacro.watchdog import watched
-
-if TYPE_CHECKING:
-    from urdfkit.text.source import Source
-    from urdfkit.workspace.resolve import Resolver
-    from urdfkit.xacro.dom import Node
 
 #: Failing tags of one file; every one costs another run.
 MAX_RUNS = 50

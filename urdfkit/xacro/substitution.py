@@ -9,15 +9,13 @@ from __future__ import annotations
 import builtins
 import os
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.core.record import Record
 from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.errors import MissingArgument
 from urdfkit.xacro.expressions import evaluate
-
-if TYPE_CHECKING:
-    from urdfkit.xacro.sandbox import Sandbox
+from urdfkit.xacro.sandbox import Sandbox
 
 #: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``: names and not prefixes,
 #: as a prefix lets a secret such as ROS_TOKEN through.

@@ -4,22 +4,17 @@ Tracing is an expansion of its own, run on request: it notes which names every e
 looks up, and how each of them got its value.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from types import FrameType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.core.words import listed
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Attribute, Element
-from urdfkit.text.source import Span
+from urdfkit.text.source import Source, Span
 from urdfkit.xacro.definitions import Definitions, annotations_of
 from urdfkit.xacro.dom import ELEMENT, Dom, Node
 from urdfkit.xacro.origin import Origin
-
-if TYPE_CHECKING:
-    from urdfkit.text.source import Source
 
 
 class Tracer:

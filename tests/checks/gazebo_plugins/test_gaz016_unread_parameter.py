@@ -126,3 +126,13 @@ def test_what_is_no_typo() -> None:
     camera = '<plugin name="c" filename="libgazebo_ros_camera.so"><{0}>0.2</{0}></plugin>'
     assert not has_suggestion(BASE + sensor("camera", camera.format("baseline")))
     assert has_suggestion(BASE + sensor("camera", camera.format("hackBaselin")))
+
+
+@pytest.mark.parametrize(
+    ("value", "severity"), [("0.0", "info"), ("0", "info"), ("0.1", "warning")]
+)
+def test_a_misspelt_tag_with_the_default(value: str, severity: str) -> None:
+    """`<distortion_k2>0.0</distortion_k2>`, as older tutorials have it."""
+    tag = f"<distortion_k2>{value}</distortion_k2>"
+    (found,) = reported("GAZ016", BASE + plugin("libgazebo_ros_openni_kinect.so", tag))
+    assert found.severity.value == severity

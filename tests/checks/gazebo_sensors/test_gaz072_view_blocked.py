@@ -10,7 +10,7 @@ import pytest
 from tests.reported import messages, reported
 from urdfkit import Severity, check
 from urdfkit.core.spatial import Transform, from_rpy
-from urdfkit.robot.ray_casting import Scan, beams_on, interval
+from urdfkit.robot.ray_casting import Scan, beams_on, intervals
 from urdfkit.robot.shapes import Primitive
 
 INERTIAL = """<inertial><mass value="1"/>
@@ -144,7 +144,7 @@ def test_primitives_agree_with_points_on_their_surfaces() -> None:
             within = [
                 t for t in places if inside(*at.inverse.apply(tuple(t * d for d in direction)))
             ]
-            found = interval(shape, direction)
+            (found,) = intervals(shape, [direction])
             if within:
                 assert found is not None
                 assert max(found[0], 0) == pytest.approx(within[0], abs=2e-3)

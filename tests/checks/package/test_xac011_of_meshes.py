@@ -78,3 +78,15 @@ def test_a_declared_package_is_missing_on_this_machine_only(robot: str) -> None:
     manifest.write_text(text.replace("</package>", "<depend>nao</depend></package>"))
     (found,) = reported(CODE, mesh_link("package://nao/a.stl"), robot)
     assert found.severity is Severity.INFO
+
+
+@pytest.mark.parametrize(("file", "severity"), [("", Severity.INFO), ("arm/x", Severity.ERROR)])
+def test_a_submodule_that_is_not_checked_out(robot: str, file: str, severity: Severity) -> None:
+    """gripper-ros: its description is a submodule."""
+    package = Path(robot).parents[1]
+    add_file(package / ".gitmodules", b'[submodule "arm"]\n\tpath = arm\n\turl = a@b:c.git\n')
+    (package / "arm").mkdir()
+    if file:
+        add_file(package / file)
+    (found,) = reported(CODE, mesh_link("package://hand/a.stl"), robot)
+    assert found.severity is severity

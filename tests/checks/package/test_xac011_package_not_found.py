@@ -113,3 +113,9 @@ def test_a_declared_package_is_missing_on_this_machine_only(tmp_path: Path) -> N
         (tmp_path / "package.xml").write_text(text.format(tag))
         found = engine.check(tmp_path / "robot.xacro", select=["XAC", "CFG"]).diagnostics
         assert [(one.code, one.severity) for one in found] == [("XAC011", severity)]
+
+
+def test_a_macro_that_calls_itself_for_want_of_the_one_that_is_included() -> None:
+    """osx_robot: its `ur_robot` includes the file of ur_description that defines `ur_robot`."""
+    call = '<xacro:include filename="$(find ur)/ur.xacro"/><xacro:ur/>'
+    assert codes(f'<xacro:macro name="ur">{call}</xacro:macro><xacro:ur/>') == ["XAC011"]

@@ -9,13 +9,13 @@ from urdfkit.text.diagnostic import Severity
 
 def test_a_fixed_joint_in_ros2_control() -> None:
     text = ROBOT + control('<joint name="weld"><state_interface name="position"/></joint>')
-    assert messages("RCT002", text) == ["<ros2_control> 'c' drives joint 'weld', which is fixed"]
+    assert messages("RCT002", text) == ["<ros2_control> 'c' has joint 'weld', which is fixed"]
     assert places("RCT002", text) == [(NEXT + 2, "weld")]
 
 
 def test_a_fixed_joint_in_a_transmission() -> None:
     text = ROBOT + transmission("weld")
-    assert messages("RCT002", text) == ["transmission 't' drives joint 'weld', which is fixed"]
+    assert messages("RCT002", text) == ["transmission 't' has joint 'weld', which is fixed"]
     assert reported("RCT002", text, targets=("gz-harmonic",)) == []
 
 

@@ -177,3 +177,13 @@ def test_the_state_may_be_in_another_block() -> None:
     text = ROBOT + control(MUTE) + control(sensor, name="s", kind="sensor")
     assert messages("RCT021", text) == []
     assert messages("RCT021", ROBOT + control('<joint name="swing"/>')) == []
+
+
+def test_controllers_of_which_a_launch_file_starts_one(tmp_path: Path) -> None:
+    """IC2D: one file for the variants with effort and with position interfaces."""
+    effort, position = (
+        controller(name, f"{name}_controllers/JointGroup{name.title()}Controller", joints="[slide]")
+        for name in ("effort", "position")
+    )
+    assert len(reported(tmp_path, effort)) == 1
+    assert reported(tmp_path, effort + position) == []

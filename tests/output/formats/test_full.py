@@ -150,6 +150,31 @@ def test_what_all_calls_share_is_said_once() -> None:
     ]
 
 
+def test_the_clause_that_messages_end_with_is_said_once() -> None:
+    end = "does not exist in package 'arm'"
+    calls = tuple(
+        Call(f"link '{n}': the mesh {n}.stl {end}; tried meshes/{n}.stl", (wheel,), f"link/{n}")
+        for n, wheel in enumerate(WHEELS)
+    )
+    found = diagnostic(INERTIA, message=calls[0].message, calls=calls)
+    assert body(render(report(found))).splitlines()[4:] == [
+        "  expanded from 2 places:",
+        "    line 4:3: link/0",
+        "    line 5:3: link '1': the mesh 1.stl",
+    ]
+
+
+def test_places_of_one_message_are_one_note() -> None:
+    file = Source("sizes.yaml", b"a: 1\nb: 2\nc: 3\n")
+    related = [Related(Span(file, start, start + 1), "given here") for start in (3, 8, 13)]
+    related.append(Related(OTHER.span, "the macro"))
+    found = diagnostic(INERTIA, related=tuple(related))
+    assert body(render(report(found))).splitlines()[3:] == [
+        "  note: given here: sizes.yaml:1:4, line 2:4, line 3:4",
+        "  note: line 6:3: the macro",
+    ]
+
+
 def test_two_findings_of_one_call() -> None:
     calls = (Call("one", (OTHER,), "a"), Call("two", (OTHER,), "a"))
     found = diagnostic(INERTIA, message="one", calls=calls)

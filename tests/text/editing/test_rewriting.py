@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from urdfkit.errors import UnwritableFile
 from urdfkit.text.diagnostic import Edit
-from urdfkit.text.editing.rewriting import Rewrite, diff, rewrites, write
+from urdfkit.text.editing.diff import diff
+from urdfkit.text.editing.rewriting import Rewrite, rewrites, write
 from urdfkit.text.source import Source, Span
 
 CHANGES = {

@@ -18,10 +18,10 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Need, Severity, rule
-from urdfkit.robot.model import Placed
+from urdfkit.robot.model import Placed, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
 from urdfkit.robot.stability import stand
@@ -29,10 +29,6 @@ from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.gazebo.drives import drive_of, wheels
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.ros.gazebo.values import leading, text_of, value
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
-    from urdfkit.robot.model import RobotModel
 
 #: Coefficients below which a wheel has no grip, and from which a caster has.
 LITTLE, MUCH = 0.1, 0.5

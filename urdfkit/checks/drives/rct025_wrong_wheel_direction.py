@@ -22,20 +22,16 @@ Sources:
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from urdfkit.core.spatial import Vector, dot, rotate
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.kinematics import direction
+from urdfkit.robot.model import Joint
 from urdfkit.ros.gazebo.drives import drive_of, pairs, rolling, wheels, wrong_direction
+from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Related
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
-    from urdfkit.robot.model import Joint
-    from urdfkit.ros.gazebo.plugins import PluginUse
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")

@@ -27,6 +27,7 @@ from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.ros.ros_control import components
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
@@ -99,7 +100,15 @@ def _missing(context: Context) -> Findings:
     if targets.names and not targets.any_of(_READ):
         return
     readers = [tags for target, tags in _READ.items() if targets.any_of((target,))]
-    without = [one for one in sensors(context.model) if _has_no_frame(one, readers)]
+    parts = (part for block in components(context.model) for part in block.parts)
+    controlled = {
+        part.name for part in parts if part.kind == "sensor"
+    }  # its broadcaster has a frame
+    without = [
+        one
+        for one in sensors(context.model)
+        if one.name not in controlled and _has_no_frame(one, readers)
+    ]
     if not without:
         return
     first = without[0]

@@ -23,7 +23,10 @@ def check(context: Context) -> Findings:
         return  # a model that is only displayed
     moving = [joint.name for joint in context.model.joints if joint.kind in DEGREES_OF_FREEDOM]
     who = f"joint '{moving[0]}'" if len(moving) == 1 else f"{len(moving)} joints"
+    names = {*context.model.links_by_name, *context.model.joints_by_name}
     for block in context.model.gazebo:
+        if (reference := block.attributes.get("reference")) and reference.value not in names:
+            continue  # GAZ001: nothing of it is read
         for element in block.all("static"):
             if moving and is_true(element):
                 yield Finding(element, f"the model is static in Gazebo: {who} cannot move")

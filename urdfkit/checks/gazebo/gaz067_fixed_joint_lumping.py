@@ -158,8 +158,9 @@ def _lost_on_shapes(context: Context) -> Findings:
             shapes = simulated.collisions if kind == "collision" else simulated.visuals
             for name, shape in shapes:
                 link = (shape.parent and shape.parent.get("name")) or ""
-                tags = _tags(context.model, link, _TAGS[kind])
-                if tags and not _gets_tags(name, link, kind, is_merged=link != simulated.name):
+                if _gets_tags(name, link, kind, is_merged=link != simulated.name):
+                    continue
+                if tags := _tags(context.model, link, _TAGS[kind]):
                     yield _lost(shape, link, simulated.name, tags)
 
 

@@ -20,6 +20,7 @@ Sources:
 from urdfkit.core.words import listed
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog.plugins import Plugin, renames
 from urdfkit.ros.gazebo.parameters import UnreadParameter, unread
 from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
@@ -68,14 +69,21 @@ def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
         f"did you mean <{name}>?",
         fix_tag(element, name),
         group_key=f"{use.filename} misspelt",
-        severity=Severity.INFO if _is_default(use, name, element.text) else Severity.WARNING,
+        severity=_severity(_is_default(use.plugin, name, element.text)),
     )
 
 
-def _is_default(use: PluginUse, name: str, text: str) -> bool:
+def _severity(is_default: bool) -> Severity:
+    return Severity.INFO if is_default else Severity.WARNING
+
+
+def _is_default(plugin: Plugin | None, name: str, text: str) -> bool:
     """True if a parameter has this value without the tag, so that nothing is lost."""
-    parameter = use.plugin.parameters.get(name) if use.plugin else None
-    return parameter is not None and parameter.default == " ".join(text.split())
+    parameter = plugin.parameters.get(name) if plugin else None
+    if parameter is None or parameter.default is None:
+        return False
+    value, default = number(text.strip()), number(parameter.default)
+    return value == default if value is not None else parameter.default == " ".join(text.split())
 
 
 def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParameter]) -> Finding:
@@ -100,7 +108,9 @@ def _of_other_generation(use: PluginUse, plugin: Plugin, some: list[UnreadParame
             for tag, one in zip(tags[1:], others, strict=True)
         ),
         group_key=f"{use.filename} {'renamed' if edits else 'other'}",
-        severity=Severity.WARNING,
+        severity=_severity(
+            all(_is_default(one.other, one.item.path, one.item.text) for one in some)
+        ),
     )
 
 

@@ -18,20 +18,16 @@ Sources:
 from __future__ import annotations
 
 from math import degrees, pi, sin
-from typing import TYPE_CHECKING
 
+from urdfkit.core.spatial import Transform
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Severity, rule
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.gazebo.samples import SCANNER, solid_xml
-from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.views import frame_of, planar_scan, tilt
-
-if TYPE_CHECKING:
-    from urdfkit.core.spatial import Transform
-    from urdfkit.lint.context import Context
-    from urdfkit.robot.tree import KinematicTree
-    from urdfkit.ros.gazebo.sensors import Sensor
 
 #: Radians: lidars are adjusted by less than the first; upright or upside down within the second.
 ADJUSTED, NEAR = 0.06, 0.06

@@ -19,25 +19,23 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from functools import cache
+from math import dist
 
+from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, vector
+from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Related, Severity, rule
-from urdfkit.robot.ray_casting import beams_on, interval, shape_of
+from urdfkit.robot.model import Body
+from urdfkit.robot.ray_casting import Scan, beams_on, crosses_plane, intervals, shape_of
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import Primitive
 from urdfkit.ros.gazebo.samples import SCANNER, solid_xml
-from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.views import frame_of, image_rays, is_camera, planar_scan
 
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
-    from urdfkit.robot.model import Body
-    from urdfkit.robot.ray_casting import Scan
-    from urdfkit.ros.gazebo.sensors import Sensor
-
-#: The part of the beams of a lidar from which it is an info and a warning; of a camera's rays.
-SOME, MANY, ALL = 0.1, 0.3, 0.99
+#: The part of the beams of a lidar from which it is an info and a warning.
+SOME, MANY = 0.1, 0.3
 #: In m: what a camera sees farther away is what it is for, such as the hand of its robot.
 NEAR = 0.5
 _CLIP = 0.1
@@ -52,36 +50,56 @@ BAD = robot_xml(
 GOOD = BAD.replace("0 0 0.05", "0 0 0.25")
 
 
+class _Obstacle(Record):
+    """A shape of the robot that may be in the way."""
+
+    link: str
+    body: Body  # a visual or collision
+    #: The same, or the box around a mesh, in the frame of the root or of a sensor.
+    shape: Primitive
+
+    @property
+    def is_mesh(self) -> bool:
+        return self.body.shape is not None and bool(self.body.shape.filename)
+
+
 @rule(Severity.WARNING, help="raise or turn the sensor, or scan the angles that are free")
 def check(context: Context) -> Findings:
     if not context.tree.is_sound:
         return
+
+    @cache
+    def obstacles(*, visuals: bool) -> list[_Obstacle]:
+        return list(_obstacles(context, visuals=visuals))
+
     for sensor in sensors(context.model):
         frame = frame_of(sensor, context.tree)
         if frame is None:
             continue
         if scan := planar_scan(sensor):
-            yield from _of_lidar(context, sensor, frame, scan)
+            near = _near(obstacles(visuals=sensor.type.startswith("gpu")), frame, scan.high)
+            yield from _of_lidar(context, sensor, frame, scan, near)
         elif is_camera(sensor):
-            yield from _of_camera(context, sensor, frame)
+            near = _near(obstacles(visuals=True), frame, NEAR)
+            yield from _of_camera(context, sensor, frame, near)
 
 
-def _of_lidar(context: Context, sensor: Sensor, frame: Transform, scan: Scan) -> Findings:
+def _of_lidar(
+    context: Context, sensor: Sensor, frame: Transform, scan: Scan, near: list[_Obstacle]
+) -> Findings:
     sees_inside = not sensor.type.startswith("gpu")
     directions = scan.directions
     blocked: dict[str, set[int]] = {}
-    for name, body, at in _bodies(context, frame, visuals=not sees_inside):
-        if name == sensor.reference and sees_inside:
-            continue  # GAZ050
-        shape = shape_of(body, at)
-        found: set[int] = set()
-        if shape is not None:
-            found = set(beams_on(shape, scan, directions, sees_inside=sees_inside))
-        elif (box := _box(context, body, at)) and _crosses(box):
+    for one in near:
+        if not crosses_plane(one.shape) or (one.link == sensor.reference and sees_inside):
+            continue  # of its own link see GAZ050
+        if one.is_mesh:
             ends = {"low": scan.low, "high": scan.high}
-            found = _on_mesh(context, body, at, directions, **ends, both_sides=sees_inside)
+            found = _on_mesh(context, one, frame, directions, **ends, both_sides=sees_inside)
+        else:
+            found = set(beams_on(one.shape, scan, directions, sees_inside=sees_inside))
         if found:
-            blocked.setdefault(name, set()).update(found)
+            blocked.setdefault(one.link, set()).update(found)
     part = len(set().union(*blocked.values())) / scan.samples
     if part >= SOME:
         yield _finding(
@@ -92,24 +110,37 @@ def _of_lidar(context: Context, sensor: Sensor, frame: Transform, scan: Scan) ->
         )._replace(severity=None if part >= MANY else Severity.INFO)
 
 
-def _of_camera(context: Context, sensor: Sensor, frame: Transform) -> Findings:
+def _of_camera(
+    context: Context, sensor: Sensor, frame: Transform, near: list[_Obstacle]
+) -> Findings:
     rays = image_rays(sensor)
     clip = sensor.number("camera/clip/near")
     low = clip.value if clip else _CLIP
+    # One ray that passes all shapes, and the boxes around meshes, is enough: nothing is loaded.
+    by_ray = zip(*(_hits(one, rays, low) for one in near), strict=True)
+    if not all(any(hits) for hits in by_ray):
+        return
     blocked: dict[str, set[int]] = {}
-    for name, body, at in _bodies(context, frame, visuals=True):
-        own = shape_of(body, at)
-        shape = own or _box(context, body, at)
-        met = [interval(shape, ray) for ray in rays] if shape else []
-        if own is None and any(one and one[0] <= NEAR and one[1] >= low for one in met):
-            found = _on_mesh(context, body, at, rays, low=low, high=NEAR, both_sides=False)
+    for one in near:
+        if one.is_mesh:
+            found = _on_mesh(context, one, frame, rays, low=low, high=NEAR, both_sides=False)
         else:
-            found = {i for i, one in enumerate(met) if own and one and low <= one[0] <= NEAR}
+            found = {number for number, hit in enumerate(_hits(one, rays, low)) if hit}
         if found:
-            blocked.setdefault(name, set()).update(found)
-    if rays and len(set().union(*blocked.values())) >= ALL * len(rays):
+            blocked.setdefault(one.link, set()).update(found)
+    if blocked and len(set().union(*blocked.values())) == len(rays):
         message = f"{sensor.who} sees nothing but the robot itself"
         yield _finding(context, sensor, message, blocked)
+
+
+def _hits(obstacle: _Obstacle, rays: list[Vector], low: float) -> Iterator[bool]:
+    """Whether each ray meets a shape near the camera; of a mesh, whether it meets its box."""
+    for found in intervals(obstacle.shape, rays):
+        if found is None:
+            yield False
+            continue
+        enters, leaves = found
+        yield enters <= NEAR and (leaves if obstacle.is_mesh else enters) >= low
 
 
 def _finding(
@@ -124,19 +155,29 @@ def _finding(
     )
 
 
-def _bodies(
-    context: Context, frame: Transform, *, visuals: bool
-) -> Iterator[tuple[str, Body, Transform]]:
-    """The shapes of all links, each with the frame of its link in that of the sensor."""
-    inverse = frame.inverse
+def _obstacles(context: Context, *, visuals: bool) -> Iterator[_Obstacle]:
+    """The visuals or collisions of all links whose size is known, in the frame of the root."""
     for name, link in context.model.links_by_name.items():
-        if name in context.tree.frames:
-            for body in link.visuals if visuals else link.collisions:
-                yield name, body, inverse @ context.tree.frames[name]
+        if name not in context.tree.frames:
+            continue
+        at = context.tree.frames[name]
+        for body in link.visuals if visuals else link.collisions:
+            if shape := shape_of(body, at) or _box(context, body, at):
+                yield _Obstacle(name, body, shape)
+
+
+def _near(obstacles: list[_Obstacle], frame: Transform, reach: float) -> list[_Obstacle]:
+    """Those within reach of a sensor, in m, in its frame."""
+    inverse = frame.inverse
+    return [
+        one._replace(shape=one.shape._replace(origin=inverse @ one.shape.origin))
+        for one in obstacles
+        if dist(one.shape.origin.position, frame.position) - one.shape.longest <= reach
+    ]
 
 
 def _box(context: Context, body: Body, at: Transform) -> Primitive | None:
-    """The box around a mesh in the frame of a sensor; None if it was not measured."""
+    """The box around a mesh in the parent of the frame of its link; None if it was not measured."""
     measures = context.measures(body.shape) if body.shape and body.shape.filename else ""
     if body.shape is None or isinstance(measures, str):
         return None
@@ -148,26 +189,20 @@ def _box(context: Context, body: Body, at: Transform) -> Primitive | None:
     return Primitive("box", size, 0.0, 0.0, at @ body.origin @ Transform(IDENTITY, center))
 
 
-def _crosses(box: Primitive) -> bool:
-    """True if a box reaches into the plane of a scan."""
-    row = box.origin.rotation[2]
-    reach = sum(abs(part) * edge / 2 for part, edge in zip(row, box.size, strict=True))
-    return abs(box.origin.position[2]) <= reach
-
-
 def _on_mesh(
     context: Context,
-    body: Body,
-    at: Transform,
+    obstacle: _Obstacle,
+    frame: Transform,
     directions: list[Vector],
     *,
     low: float,
     high: float,
     both_sides: bool,
 ) -> set[int]:
-    """The numbers of the rays that meet a mesh; none if it cannot be loaded."""
+    """The numbers of the rays from a frame that meet a mesh; none if it cannot be loaded."""
     from urdfkit.mesh.ray_casting import rays_that_meet  # with numpy: few robots get here
 
+    body = obstacle.body
     assert body.shape is not None
     mesh, vertices = context.meshes.mesh(body.shape), context.meshes.vertices(body.shape)
     if mesh is None or vertices is None:
@@ -175,7 +210,7 @@ def _on_mesh(
     return rays_that_meet(
         vertices,
         mesh.faces,
-        at @ body.origin,
+        frame.inverse @ context.tree.frames[obstacle.link] @ body.origin,
         directions,
         low=low,
         high=high,

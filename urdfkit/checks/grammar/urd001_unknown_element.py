@@ -5,7 +5,9 @@ the tag belongs to another format (SDF, an old ROS tutorial, another simulator).
 inside `<geometry>` gives no colour, an `<origin>` directly in a link moves nothing, a `<mass>`
 outside `<inertial>` has no effect. Correct the name, move the element, or remove it. A tag with a
 namespace prefix, such as `drake:proximity_properties`, is an extension and is not reported; one
-that a program in the workspace reads is an info.
+that a program reads, in its package, one next to it or one that it depends on, is an info, as is
+an old tag whose attributes are all zero, one in the axis of a fixed joint, and one that
+`<xacro:element>` makes.
 
 It is an error where a needed element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -77,6 +79,9 @@ def _unknown(element: Element, suggested: str, reader: str | None) -> Finding:
         reader: the source file of a program that reads it; None if there is none.
     """
     assert element.parent is not None
+    is_computed = element.tag_at.name_span.text == "xacro:element"
+    if is_computed:  # from an argument, which may have another value
+        suggested = ""
     who = owner(element.parent)
     message = f"{who}: unknown element <{element.tag}> in <{element.parent.tag}>"
     message += f"; {shown(reader)} reads it" if reader else " (ignored)"
@@ -84,10 +89,19 @@ def _unknown(element: Element, suggested: str, reader: str | None) -> Finding:
         element,
         f"{message}; did you mean <{suggested}>?" if suggested else message,
         "give it the namespace prefix of its program" if reader else _help(element, suggested),
-        None if reader else _fix(element, suggested),
+        None if reader or is_computed else _fix(element, suggested),
         group_key=f"{element.tag} in {element.parent.tag}",
-        severity=Severity.INFO if reader else None,
+        severity=Severity.INFO if reader or is_computed or _has_no_effect(element) else None,
     )
+
+
+def _has_no_effect(element: Element) -> bool:
+    """True for an old tag with zeros, and for the axis of a joint that has none."""
+    parent = element.parent
+    joint = parent.parent if parent is not None and parent.tag == "axis" else None
+    if joint is not None and joint.attributes.get("type"):
+        return joint.attributes["type"].value == "fixed"
+    return element.tag in _INSTEAD and not element.children and _is_zero(element)
 
 
 def _help(element: Element, suggested: str) -> str:

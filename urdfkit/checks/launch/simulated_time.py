@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
@@ -12,9 +11,7 @@ from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import activates, controllers
 from urdfkit.ros.launch.spawning import spawner_of
 from urdfkit.ros.launch.worlds import GZ, worlds
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.resolve import Resolver
 
 _CLOCK = "clock"
 _SIM_TIME = "use_sim_time"

@@ -53,7 +53,9 @@ def check(context: Context) -> Findings:
         if defect := mesh.facts.defect:
             pull = "run git lfs pull" if "Git LFS" in defect.reason else ""
             help = pull or _HELP.get(defect.kind, "")
-            yield Finding(mesh.at, f"{mesh.who} {defect.reason}", help, group_key=pull)
+            severity = Severity.WARNING if pull else None  # this checkout alone lacks it
+            message = f"{mesh.who} {defect.reason}"
+            yield Finding(mesh.at, message, help, group_key=pull, severity=severity)
         elif mesh.facts.non_finite:
             help = "export the mesh again, or remove the triangle in a mesh editor"
             message = f"{mesh.who} has a vertex that is not finite: {mesh.facts.non_finite}"

@@ -29,16 +29,12 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.mesh.io.facts import has_other_unit, has_other_up_axis, is_gltf
+from urdfkit.mesh.io.facts import MeshFacts, has_other_unit, has_other_up_axis, is_gltf
 from urdfkit.mesh.samples import collada
 from urdfkit.robot.samples import mesh_xml
-
-if TYPE_CHECKING:
-    from urdfkit.mesh.io.facts import MeshFacts
 
 BAD = mesh_xml("visual", "forearm.dae")
 GOOD = BAD.replace("forearm", "hand")

@@ -11,6 +11,8 @@ was never committed. A package that is not found is XAC011. Also reported:
 - A third slash, as in `package:///arm/arm.stl`: it names no package.
 - A file outside the workspace of the model and of the packages that are found: it is on this
   computer only, and urdfkit does not read it (a warning).
+- A relative path in a xacro that is found from a directory above: programs read it from where the
+  expanded URDF is written (an info).
 - An unknown scheme: only `package://`, `model://` and `file://` lead to files. Meshes on the web,
   which RViz alone fetches, are not reported.
 
@@ -31,6 +33,8 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.file_kinds import is_xacro
+from urdfkit.text.source import shown
 from urdfkit.workspace.references import ResolvedReference
 from urdfkit.workspace.resolve import OUTSIDE
 
@@ -42,6 +46,8 @@ FILES = {
 }
 
 _SCHEMES = ("package", "model", "file")
+#: How far above a xacro the directory of its URDF is looked for: description/urdf/parts.
+_LEVELS = 3
 #: Fetched by some programs, and not by urdfkit.
 _REMOTE = ("http", "https", "ftp", "fuel")
 
@@ -96,6 +102,10 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
         message = f"{mesh.who} is called '{spelling.reference}' on disk: not found on Linux"
         fix = _fix(mesh, spelling.reference, "write the name as on disk")
         return Finding(mesh.at, message, "write the name as it is on disk", fix)
+    if directory := _directory_above(context, located):
+        message = f"{mesh.who} is found if the URDF is written to {shown(directory)}"
+        help = "write package://PACKAGE/..., or write the URDF there"
+        return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
     where = f" in package '{located.package}'" if located.package else ""
     # An absolute path is what was tried.
     tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
@@ -107,6 +117,18 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
     fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
     alike = f"{'fixed' if fix else 'suggested'} {_missing_directory(located)}"
     return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=alike)
+
+
+def _directory_above(context: Context, located: ResolvedReference) -> str:
+    """The directory above a xacro from where a relative path is found; empty if there is none."""
+    if located.scheme != "relative" or not is_xacro(context.source):
+        return ""
+    directory = os.path.dirname(os.path.abspath(context.files.top))
+    for _ in range(_LEVELS):
+        directory = os.path.dirname(directory)
+        if disk.is_file(os.path.normpath(os.path.join(directory, located.reference))):
+            return directory
+    return ""
 
 
 def _fix(mesh: MeshReference, reference: str, title: str) -> Fix | None:

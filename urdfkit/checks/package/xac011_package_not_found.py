@@ -1,8 +1,9 @@
 """A ROS package that a robot or a launch file needs is not found.
 
 Without it a xacro cannot be expanded, and no program here can load its meshes: an error, one for
-all meshes of a package. If `package.xml` declares the package or ROS has it, only this machine
-lacks it: a warning where the robot cannot be checked, an info where only its meshes are not.
+all meshes of a package. If `package.xml` declares the package, ROS has it, or a submodule that is
+not checked out may hold it, only this machine lacks it: a warning where the robot cannot be
+checked, an info where only its meshes are not.
 `roslaunch` stops with "ResourceNotFound", `ros2 launch` with
 "package not found": an info where `package.xml` does not declare the package, and a warning where
 its name is a typo. Name the directory of the package, put it into the workspace, or source the ROS
@@ -50,6 +51,9 @@ def check(context: Context) -> Findings:
         message = finding.message
         if severity and context.reading.document is None:
             reason = "is not found, so the robot is not checked"
+            message = message.replace("is not found", reason, 1)
+        elif severity is None and manifest_of(context.resolver, problem.span.source.path):
+            reason = "is not found and not declared in package.xml"
             message = message.replace("is not found", reason, 1)
         yield finding._replace(message=message, help=help, group_key=name, severity=severity)
     if is_launch(context.source.path):

@@ -49,7 +49,7 @@ def _parameter(who: str, element: Element) -> Findings:
         if number(text) is None and not is_expression(text):
             shown = f"'{text}'" if text else "empty"
             message = f"{who}: parameter '{name.value}' is {shown}, not a number"
-            help = "write a number"
+            help = f"write ${text}: xacro needs the dollar" if text[:1] == "{" else "write a number"
             yield Finding(
                 element, message, help, group_key="not a number", severity=Severity.WARNING
             )

@@ -74,7 +74,7 @@ def _fixed(context: Context) -> Findings:
     for element, owner in _driven(context):
         joint = joints.get(element.get("name") or "")
         if joint and joint.kind == "fixed":
-            message = f"{owner} drives joint '{joint.name}', which is fixed"
+            message = f"{owner} has joint '{joint.name}', which is fixed"
             help = "change the type of the joint, or remove the joint here"
             yield Finding(element.attributes["name"], message, help, group_key="fixed")
 

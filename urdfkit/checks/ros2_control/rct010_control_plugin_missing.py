@@ -73,7 +73,13 @@ def _missing(context: Context) -> Findings:
             )
             return  # one plugin serves all
     transmissions = [one for one in context.model.transmissions if not is_of_pr2(one)]
-    if transmissions and "classic-ros1" in context.targets.names and context.plugins:
+    may_load = any(use.plugin is None for use in context.plugins)
+    if (
+        transmissions
+        and "classic-ros1" in context.targets.names
+        and context.plugins
+        and not may_load
+    ):
         yield Finding(
             transmissions[0],
             "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "

@@ -6,7 +6,8 @@ controller without it: `position_feedback: false` or `open_loop: true` of a whee
 `state_interfaces` of a trajectory controller. A joint with command interfaces and without any
 state interface is reported even without a controller (warning): most controllers do not start, and
 the joint is missing in the joint states. Joints without any `<ros2_control>` are not reported here.
-In ROS 1 Gazebo offers the `<hardwareInterface>` of the joint's transmission.
+Where several controllers of a file are for one joint, one that fits is enough: a launch file starts
+some of them. In ROS 1 Gazebo offers the `<hardwareInterface>` of the joint's transmission.
 
 Simulators and mock hardware offer what is listed. Other hardware may offer more by itself: that is
 a warning, and an info if the joint lists no interface of that kind.
@@ -77,18 +78,17 @@ def check(context: Context) -> Findings:
 def _without_command(context: Context, read: list[tuple[ParameterFile, Controller]]) -> Findings:
     by_ros = {1: _transmitted(context), 2: _offered(context, "command")}
     free = _free(context)
-    served = {
-        value.text
-        for _, one in read
+    served = {  # another controller of the file is for these joints as they are
+        (file.path, value.text)
+        for file, one in read
         for value in commanded_joints(one)
-        if one.ros == 1 and by_ros[1].get(value.text, set()).issuperset(commands(one))
+        if commands(one) and by_ros[one.ros].get(value.text, set()).issuperset(commands(one))
     }
-    for name in served:  # another controller of the file is for this joint as it is
-        by_ros[1].pop(name, None)
     for file, one in read:
-        joints, offered = commanded_joints(one), by_ros[one.ros]
+        joints = [value for value in commanded_joints(one) if (file.path, value.text) not in served]
         by_itself = free if one.ros == 2 else frozenset()
-        yield from _lacking(one, file, joints, commands(one), offered, by_itself, "command")
+        needed, offered = commands(one), by_ros[one.ros]
+        yield from _lacking(one, file, joints, needed, offered, by_itself, "command")
 
 
 def _lacking(

@@ -68,13 +68,21 @@ def check(context: Context) -> Findings:
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
                 f"'{name}', which by convention lies on the ground{lifted_wheels}",
-                f"raise '{link}', or make it smaller, until the wheels touch the ground"
-                if lifted_wheels
-                else "",
+                _help(name, link, height, bool(tree.children[name]), bool(lifted_wheels)),
                 fix=Fix.of(f"raise the robot by {rise:g} m", _higher(joints[0].at, rise))
                 if is_too_low
                 else None,
             )
+
+
+def _help(footprint: str, link: str, height: float, is_below: bool, is_lifted: bool) -> str:
+    """How to bring robot and footprint together; empty for the help of the rule."""
+    if is_lifted:
+        return f"raise '{link}', or make it smaller, until the wheels touch the ground"
+    if is_below:
+        return ""
+    way = "lower" if height < 0 else "raise"
+    return f"{way} '{footprint}' by {abs(height):.3g} m in its joint"
 
 
 def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:

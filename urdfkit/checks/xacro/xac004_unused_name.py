@@ -18,7 +18,6 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, 
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.editing.edits import remove_spans
-from urdfkit.workspace.includes import is_included
 from urdfkit.xacro import Xacro
 from urdfkit.xacro.definitions import Definition
 
@@ -41,16 +40,18 @@ def check(context: Context) -> Findings:
     xacro = context.xacro
     if xacro.is_library or not xacro.is_complete:
         return
-    found = [one for one in _unused(context) if isinstance(one.at, Location)]
-    found = [one for one in found if one.at.span.source is context.source]
-    if found and not is_included(context.source.path, context.resolver.packages):
+    found = list(_unused(context))
+    if found and not context.is_included:
         yield from found
 
 
 def _unused(context: Context) -> Findings:
-    xacro = context.xacro
+    """What the checked file defines and nothing uses; other files may be there for other robots."""
+    xacro, source = context.xacro, context.source
     written: set[float] | None = None
     for definition in xacro.properties:
+        if definition.tag.source is not source:
+            continue
         name = definition.name.removeprefix("**")
         if name not in xacro.usage.names:
             written = _numbers_written(context) if written is None else written
@@ -66,7 +67,7 @@ def _unused(context: Context) -> Findings:
             )
     for argument in xacro.arguments:
         name = argument.name
-        if name not in xacro.usage.names:
+        if argument.tag.source is source and name not in xacro.usage.names:
             is_given = name in context.arguments
             yield Finding(
                 Location(argument.tag.span, argument.frame),
@@ -78,7 +79,7 @@ def _unused(context: Context) -> Findings:
     # XAC002 reports macros that are called without the prefix.
     called = {*xacro.usage.calls, *(element.tag for element in context.document.root.walk())}
     for macro in () if "call" in xacro.usage.calls else xacro.macros:
-        if macro.name not in called:
+        if macro.tag.source is source and macro.name not in called:
             at = Location(macro.tag.span, macro.frame)
             message = f"macro '{macro.name}' is never called"
             yield Finding(at, message, severity=Severity.INFO)

@@ -7,6 +7,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh.saving import save
+from urdfkit.cli.progress import working
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import scaled, upright
 from urdfkit.mesh.writers import require_replaceable
@@ -36,7 +37,8 @@ def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
     if not force:
         require_replaceable(out)
     mesh = scaled(upright(mesh) if turn else mesh, (scale,) * 3)
-    lines = [*save(mesh, out)]
+    with working():
+        lines = [*save(mesh, out)]
     for lost in mesh.losses:
         lines += output.indented(f"not kept: {lost}")
     output.page(lines)

@@ -8,6 +8,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
+from urdfkit.cli.progress import working
 from urdfkit.mesh.containment import missing, protrusion
 from urdfkit.mesh.convex_decomposition import ENGINES, decompose
 from urdfkit.mesh.geometry import Mesh
@@ -38,8 +39,9 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
     if split and not out:
         raise options.UsageError("--split needs --output")
     path = None if split else destination(file, out, False, force)
-    mesh = in_metres(load(file))
-    found = decompose(mesh, most=most, engine=engine)
+    with working():
+        mesh = in_metres(load(file))
+        found = decompose(mesh, most=most, engine=engine)
     lines = [*tables.columns(tables.before_and_after(examine_mesh(mesh), examine_mesh(found)))]
     for number, part in enumerate(found.parts, start=1):
         health = examine(part.vertices, part.faces)

@@ -7,6 +7,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.progress import working
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
 from urdfkit.lint.context import Context
@@ -68,7 +69,8 @@ def command(
     else:
         arguments = (word for word in words if ":=" in word)
         context = robot({**asked, options.FILES: (model, *arguments)})
-        found = _of_robot(context, files, part, size, force)
+        with working():
+            found = _of_robot(context, files, part, size, force)
     if not dry_run:
         for one in found.generated:
             one.write()

@@ -6,6 +6,7 @@ from urdfkit.cli import output
 from urdfkit.cli.decorators import limited, with_examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.cli.progress import working
 from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.health import examine_mesh
 from urdfkit.mesh.io.load import load
@@ -22,8 +23,9 @@ def command(file: str, out: str | None, in_place: bool, force: bool) -> int:
     Exit codes: 0 done, 2 usage or input error.
     """
     path = destination(file, out, in_place, force)
-    mesh = in_metres(load(file))
-    found = hull(mesh)
-    rows = tables.before_and_after(examine_mesh(mesh), examine_mesh(found))
+    with working():
+        mesh = in_metres(load(file))
+        found = hull(mesh)
+        rows = tables.before_and_after(examine_mesh(mesh), examine_mesh(found))
     output.page([*tables.columns(rows), *save(found, path)])
     return 0

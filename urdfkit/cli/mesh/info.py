@@ -7,6 +7,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import in_formats, limited, with_examples
 from urdfkit.cli.mesh import tables
+from urdfkit.cli.progress import shown
 from urdfkit.core.strict_json import dumped
 from urdfkit.mesh.describe import MeshDescription, describe
 from urdfkit.mesh.geometry import MeshPart
@@ -23,7 +24,12 @@ def command(files: tuple[str, ...], form: str) -> int:
 
     Exit codes: 0 done, 2 a file has no triangles.
     """
-    found = [describe(file) for file in files]
+    with shown("mesh files") as bar:
+        found = []
+        for done, file in enumerate(files):
+            if bar is not None:
+                bar(done, len(files))
+            found.append(describe(file))
     if form == "json":
         document = {"version": VERSION, "meshes": [one.as_json() for one in found]}
         output.write(dumped(document))

@@ -7,17 +7,16 @@ a ``box`` (edges; with ``radius`` and ``chamfer``, rounded), a ``cylinder`` (rad
 about z. Where solids overlap, the first has the place.
 """
 
-from __future__ import annotations
-
 import json
 import os
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from manifold3d import Manifold, OpType
 
 from urdfkit.core.spatial import Vector, vector
 from urdfkit.mesh.geometry import Mesh, MeshMaterial
+from urdfkit.mesh.parts import RealPart
 from urdfkit.mesh.solids import (
     SIDES,
     assembled,
@@ -29,9 +28,6 @@ from urdfkit.mesh.solids import (
     revolved,
     rounded_box,
 )
-
-if TYPE_CHECKING:
-    from urdfkit.mesh.parts import RealPart
 
 
 def built(part: RealPart, size: Vector) -> Mesh:

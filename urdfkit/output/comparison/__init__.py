@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from math import dist
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
+from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
+from urdfkit.core.spatial import Vector
 from urdfkit.core.temporary import scratch
 from urdfkit.lint.context import Context
 from urdfkit.lint.options import Options
@@ -21,10 +22,6 @@ from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.kinematics import frames
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import without_directory
-
-if TYPE_CHECKING:
-    from urdfkit.core.progress import Progress
-    from urdfkit.core.spatial import Vector
 
 #: What two states may differ in; ``findings`` are new ones, from warnings upwards.
 KINDS = (*OF_MODELS, "meshes", "findings")

@@ -1,15 +1,9 @@
 """Both states of a robot, seen by the same camera, with what differs in colour."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 from urdfkit.errors import MissingLibrary
+from urdfkit.lint.context import Context
+from urdfkit.output.comparison import Comparison
 from urdfkit.output.report import data_uris
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
-    from urdfkit.output.comparison import Comparison
 
 SIZE = (800, 600)
 

@@ -1,20 +1,14 @@
 """What became of the meshes: how far the surfaces are apart, not whether the bytes differ."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary
-from urdfkit.lint.context import Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances
 from urdfkit.robot.model import Shape
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
 
 
 def changed_surfaces(

@@ -1,7 +1,5 @@
 """What a robot acts with in MJCF: friction and actuators."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import mujoco

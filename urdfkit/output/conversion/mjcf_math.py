@@ -1,7 +1,5 @@
 """Numbers as MuJoCo has them."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 

@@ -1,7 +1,5 @@
 """Sensors and cameras in MJCF."""
 
-from __future__ import annotations
-
 from itertools import product
 from math import atan, cos, degrees, isfinite, sin, tan
 from typing import Any

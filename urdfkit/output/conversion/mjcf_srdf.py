@@ -1,7 +1,5 @@
 """What MoveIt knows of a robot, in MJCF: links that may touch, and named states."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 

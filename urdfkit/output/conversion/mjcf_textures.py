@@ -1,7 +1,5 @@
 """Materials with images in MJCF."""
 
-from __future__ import annotations
-
 import os
 from typing import Any
 

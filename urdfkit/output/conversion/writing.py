@@ -1,7 +1,5 @@
 """MJCF on disk, with its proof: whole or not at all."""
 
-from __future__ import annotations
-
 import ctypes
 import glob
 import os

@@ -1,16 +1,19 @@
 """Findings on a page of text: places, lines of source, macro calls, notes, fixes."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise, takewhile
 
 from urdfkit.core.words import counted, few
 from urdfkit.lint.grouping import without_search
-from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
+from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown
 from urdfkit.text.terminal import columns, frame, printable, wrap
 
 #: Calls of one macro, and steps of one trace, that are shown.
 MAX_CALLS = 8
+#: Words at the end of a message that are not said again; fewer, such as a unit, are.
+CLAUSE = 4
 #: Colours of severities.
 COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
 
@@ -36,7 +39,7 @@ class TextPage:
             self.head(diagnostic),
             *self._frame(diagnostic.span, diagnostic.severity),
             *self._traces(diagnostic),
-            *(self._note(related, diagnostic) for related in diagnostic.related),
+            *self._notes(diagnostic),
         ]
         if diagnostic.variants:
             blocks.append(self._labelled("variants", ", ".join(diagnostic.variants)))
@@ -55,10 +58,10 @@ class TextPage:
             step for step in (first.calls[0].via if first.calls else ()) if step.kind == "macro"
         ]:
             more = f" and {counted(len(first.calls) - 1, 'more place')}" if first.calls[1:] else ""
-            where = self._near(macros[-1].span, first) + more
+            where = self._near(macros[-1].span, first.span) + more
             blocks.append(f"  expanded from macro '{printable(macros[-1].name)}' at {where}")
         if others:
-            places = few([self._near(other.span, first) for other in others], MAX_CALLS)
+            places = few([self._near(other.span, first.span) for other in others], MAX_CALLS)
             blocks.append(self._labelled(f"{len(others)} more like this", places))
         if first.variants:
             blocks.append(self._labelled("variants", ", ".join(first.variants)))
@@ -79,8 +82,17 @@ class TextPage:
         kind = f"{self.paint(severity.value, COLORS[severity])} {self.paint(diagnostic.code, '1')}"
         return f"{self.paint(place, '1')}: {kind} {self.wrap(message, indent=4, used=used)}"
 
-    def _note(self, related: Related, diagnostic: Diagnostic) -> str:
-        return self._labelled("note", f"{self._near(related.span, diagnostic)}: {related.message}")
+    def _notes(self, diagnostic: Diagnostic) -> Iterator[str]:
+        """The related places; those of one message in one note."""
+        alike: dict[str, list[Span]] = {}
+        for related in diagnostic.related:
+            alike.setdefault(related.message, []).append(related.span)
+        for message, spans in alike.items():
+            first, *others = spans
+            places = [self._near(first, diagnostic.span)]
+            places += [self._near(span, last) for last, span in pairwise(spans)]
+            text = f"{message}: {few(places, MAX_CALLS)}" if others else f"{places[0]}: {message}"
+            yield self._labelled("note", text)
 
     def _frame(self, span: Span, severity: Severity) -> Iterator[str]:
         line, carets = frame(span, self.width - _GUTTER)
@@ -116,8 +128,9 @@ class TextPage:
 
     def _call(self, call: Call, trace: Sequence[Step], diagnostic: Diagnostic) -> str:
         """One of several calls: where it is, and what it says that the finding has not said."""
-        places = [self._near(step.span, diagnostic) for step in trace[:MAX_CALLS]]
-        text = call.element if call.message == diagnostic.message else call.message
+        places = [self._near(step.span, diagnostic.span) for step in trace[:MAX_CALLS]]
+        is_said = call.message == diagnostic.message
+        text = call.element if is_said else _unsaid(call.message, diagnostic.message)
         where = ", from ".join(places)
         # A path that is longer than a line begins there nevertheless.
         return "    " + self.wrap(f"{where}: {text}" if where else text, indent=6, used=4).lstrip()
@@ -130,9 +143,9 @@ class TextPage:
                 continue
             yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
 
-    def _near(self, span: Span, diagnostic: Diagnostic) -> str:
-        """A place; without the path if it is the path of the finding."""
-        if span.source.path != diagnostic.span.source.path:
+    def _near(self, span: Span, other: Span) -> str:
+        """A place; without the path if it is the path of another one, which was named before."""
+        if span.source.path != other.source.path:
             return self.place(span)
         line, column = span.source.position(span.start)
         return f"line {line}:{column}"
@@ -156,6 +169,14 @@ class TextPage:
 
 def _lines(blocks: Iterable[str]) -> str:
     return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
+
+
+def _unsaid(message: str, said: str) -> str:
+    """What a message says that another has not said: without the clause that both end with."""
+    words, known = without_search(message).split(" "), without_search(said).split(" ")
+    alike = takewhile(lambda pair: pair[0] == pair[1], zip(words[::-1], known[::-1], strict=False))
+    shared = len(list(alike))
+    return " ".join(words[: len(words) - shared] if shared >= CLAUSE else words)
 
 
 def _shared(traces: Sequence[Sequence[Step]]) -> int:

@@ -1,18 +1,11 @@
 """The slow parts of a report: gravity loads of the joints, stability, and colliding links."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
+from urdfkit.core.progress import Progress
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.context import Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.output.report.tables import Row
 from urdfkit.robot.joints import effort_unit
 from urdfkit.robot.stability import standing as standing_of
-
-if TYPE_CHECKING:
-    from urdfkit.core.progress import Progress
-    from urdfkit.lint.context import Context
 
 #: Poses that statics and collisions sample; the commands of their own take more.
 POSES, SAMPLES = 200, 1000

@@ -1,18 +1,13 @@
 """The parts of a report that are computed from the robot: rows of plain values."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit.errors import MissingLibrary
-from urdfkit.lint.context import Unavailable
+from urdfkit.lint.context import Context, Unavailable
 from urdfkit.output.overview import summarise
 from urdfkit.robot.inertia import principal_moments
+from urdfkit.robot.model import Joint, Link, Shape
 from urdfkit.text.source import Span, shown
-
-if TYPE_CHECKING:
-    from urdfkit.lint.context import Context
-    from urdfkit.robot.model import Joint, Link, Shape
 
 Row = dict[str, Any]
 

@@ -1,7 +1,5 @@
 """Joints that are driven, one by one, with all of their effort."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import mujoco

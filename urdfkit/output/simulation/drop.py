@@ -1,7 +1,5 @@
 """A floating robot that is dropped: does it land, sink, jitter, tip over?"""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import acos, degrees
 from typing import Any

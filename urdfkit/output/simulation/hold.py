@@ -1,7 +1,5 @@
 """Joints that are held where they are by no more than their efforts."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

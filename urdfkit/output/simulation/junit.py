@@ -1,7 +1,5 @@
 """Verdicts as JUnit XML for CI servers: a test case each, with the robot as its suite."""
 
-from __future__ import annotations
-
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 

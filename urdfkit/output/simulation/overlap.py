@@ -1,7 +1,5 @@
 """Links that are in one another at the start."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot

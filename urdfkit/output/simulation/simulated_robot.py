@@ -1,7 +1,5 @@
 """A robot in MuJoCo, ready to be simulated. Lengths in m, angles in rad."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Joints through their ranges: what collides on the way, and whether what follows does."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import cos, pi
 from typing import Any

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from math import sqrt
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, rotate, transposed
+from urdfkit.robot import Robot
 from urdfkit.robot.bounding_box import box_of
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Body, Link
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, Primitive
-
-if TYPE_CHECKING:
-    from urdfkit.robot import Robot
 
 #: Edges in m outside this range, out of an inertia tensor, say that the tensor is wrong.
 _SHORTEST, _LONGEST = 0.001, 3.0

@@ -13,7 +13,7 @@ from itertools import permutations, product
 from math import hypot, log
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Transform, Vector, cross, minus, to_rpy
+from urdfkit.core.spatial import Rotation, Transform, Vector, cross, length, minus, to_rpy
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, solid
 
@@ -27,6 +27,9 @@ NESTED = 0.9
 
 #: Shapes with no edge over this, in m, mark a place.
 MARKER = 0.005
+
+#: Corners that are no farther apart than this, in m, differ by a tolerance, or a sheet's thickness.
+NEAR = 0.002
 
 #: Edges of a cube differ by less; and how many times as large as what is too small by a thousand a
 #: part may be, being only similar.
@@ -147,7 +150,7 @@ class VisualCollisionPair:
         Legs often give a hip the cylinder of the motor next to it, intentionally. The same shape at
         another place is a mistake, and so are shapes that are farther apart than they are long.
         """
-        if self.overlap >= LEAST_OVERLAP or self.is_nested:
+        if self.overlap >= LEAST_OVERLAP or self.is_nested or self._is_near:
             return False
         if not (_is_mesh(self.collision) or _is_mesh(self.visual)) or self.has_one_shape:
             return True
@@ -157,6 +160,12 @@ class VisualCollisionPair:
             return True
         gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
         return gap > max(*one.edges, *other.edges)
+
+    @property
+    def _is_near(self) -> bool:
+        """True if one box lies where the other does, as two sheets on one another."""
+        corners = zip(self.visual.bounds, self.collision.bounds, strict=True)
+        return all(length(minus(one, other)) <= NEAR for one, other in corners)
 
     @property
     def has_one_shape(self) -> bool:

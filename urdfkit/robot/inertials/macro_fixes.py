@@ -6,19 +6,15 @@ A uniform solid has its inertial where its shape is, so the calls pass the pose 
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.robot import DescribedRobot
+from urdfkit.robot.model import Body, Link
 from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Edit, Fix
+from urdfkit.text.document import Attribute, CallFrame, Element, Tag
 from urdfkit.text.editing.edits import insert_behind, replace
 from urdfkit.text.source import Span
-from urdfkit.workspace.includes import is_included
-
-if TYPE_CHECKING:
-    from urdfkit.robot import DescribedRobot
-    from urdfkit.robot.model import Body, Link
-    from urdfkit.text.document import Attribute, CallFrame, Element, Tag
 
 #: The moments about x, y and z of a uniform solid about its centre, by its parameters.
 _MOMENTS = {
@@ -192,11 +188,7 @@ def _names(description: DescribedRobot, kinds: set[str]) -> dict[str, str] | Non
 def _is_only_use(description: DescribedRobot, tensor: Tag, links: list[Link]) -> bool:
     """True if nothing but these links uses a macro that other files cannot include."""
     is_private = tensor.source is description.source and description.xacro.is_complete
-    return (
-        description.uses[tensor] == len(links)
-        and is_private
-        and not is_included(description.source.path, description.resolver.packages)
-    )
+    return description.uses[tensor] == len(links) and is_private and not description.is_included
 
 
 def _macro(kind: str, name: str) -> list[str]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from math import dist
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, ORIGIN, Transform, Vector
+from urdfkit.robot import Robot
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments
 from urdfkit.robot.inertials.diagnosis import CLEAR
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
@@ -15,6 +15,7 @@ from urdfkit.robot.model import Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.values import numbers
 from urdfkit.text.diagnostic import Edit
+from urdfkit.text.document import Element
 from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.edits import (
     all_or_none,
@@ -24,10 +25,6 @@ from urdfkit.text.editing.edits import (
     replace_value,
 )
 from urdfkit.text.editing.rewriting import Rewrite
-
-if TYPE_CHECKING:
-    from urdfkit.robot import Robot
-    from urdfkit.text.document import Element
 
 #: Moments that differ by no more than this factor were computed from the same shape.
 SAME = 1.03

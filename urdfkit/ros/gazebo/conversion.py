@@ -12,17 +12,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.robot.inertia import MassProperties
+from urdfkit.robot.model import Body, Joint, Link, RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS, NO_MASS, RigidBody, rigid_bodies
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.gazebo.values import is_true
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Body, Joint, Link, RobotModel
-    from urdfkit.robot.tree import KinematicTree
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 #: What SDF has for each type of joint; URDF's other types have no counterpart.
 JOINT_TYPES = {

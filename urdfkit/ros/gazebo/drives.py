@@ -4,20 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import hypot
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate, times
 from urdfkit.robot.kinematics import direction
+from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
+from urdfkit.ros.catalog.plugins import Drive
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Joint, Link
-    from urdfkit.robot.tree import KinematicTree
-    from urdfkit.ros.catalog.plugins import Drive
-    from urdfkit.text.document import Attribute, Element
-
+from urdfkit.text.document import Attribute, Element
 
 #: Cosine of the angle between axles up to which they count as parallel.
 _PARALLEL = 0.999

@@ -9,13 +9,10 @@ Source: sdformat's parser_urdf.cc, gazebo_ros_paths.py of gazebo_ros and of ros_
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.directories import Directories
+from urdfkit.workspace.directories import Directories
 
 #: Bounds of the search.
 MAX_DIRECTORIES, MAX_FILES, MAX_BYTES = 500, 1000, 65_536

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.robot.model import Placed
+from urdfkit.robot.model import Placed, RobotModel
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.sensors import Setting, settings
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Attribute, Element
+from urdfkit.text.document import Attribute, Element
 
 
 class Sensor(Record):

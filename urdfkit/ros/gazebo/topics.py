@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fnmatch import fnmatchcase
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
+from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import RobotModel
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 
 class GazeboTopic(Record):

@@ -1,14 +1,9 @@
 """Values of elements as Gazebo reads them."""
 
-from __future__ import annotations
-
 import re
-from typing import TYPE_CHECKING
 
 from urdfkit.robot.values import number
-
-if TYPE_CHECKING:
-    from urdfkit.text.document import Element
+from urdfkit.text.document import Element
 
 #: Decimal or hexadecimal, as C's ``strtod`` has it.
 _FLOAT = r"\s*([-+]?(?:0x[\da-f]+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|inf(?:inity)?|nan))"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
@@ -14,13 +13,11 @@ from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import find
 from urdfkit.text.comments import without_comments
+from urdfkit.text.diagnostic import Problem
+from urdfkit.text.document import Element
+from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
-
-if TYPE_CHECKING:
-    from urdfkit.text.diagnostic import Problem
-    from urdfkit.text.document import Element
-    from urdfkit.text.source import Source
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.resolve import Resolver
 
 #: Seconds of a step of physics that a world does not choose.
 DEFAULT_STEP = 0.001

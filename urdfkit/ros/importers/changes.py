@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.ros.importers.imported import WORLD
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Joint, Link
-    from urdfkit.ros.importers.imported import Imported, ImportedBody
-    from urdfkit.text.document import Element
+from urdfkit.robot.model import Joint, Link
+from urdfkit.ros.importers.imported import WORLD, Imported, ImportedBody
+from urdfkit.text.document import Element
 
 
 class Change(Record):

@@ -1,14 +1,10 @@
 """The orders in which programs number the joints of a URDF."""
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Joint
-    from urdfkit.robot.tree import KinematicTree
+from urdfkit.robot.model import Joint
+from urdfkit.robot.tree import KinematicTree
 
 #: Takes a link, and returns the joints below it.
 Below = Callable[[str], Iterable["Joint"]]

@@ -1,11 +1,9 @@
 """What both kinds of launch file share: packages, files, and the xacro command line."""
 
-from __future__ import annotations
-
 import os
 import shlex
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import TypeAlias
 
 from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound, UnreadableFile
@@ -29,8 +27,6 @@ from urdfkit.workspace.resolve import Resolver
 #: The directory of a package that was not found; files in it are not checked.
 UNKNOWN = "/package-not-found"
 
-if TYPE_CHECKING:
-    from typing import TypeAlias
 
 _XACRO = ("xacro", "xacro.py")
 #: Reads a launch file with the values of its arguments, included at a place.

@@ -1,18 +1,13 @@
 """The launch files and executables of packages that come with ROS: ``catalog/launch.json``."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import IncludedFile, StartedProgram, Word
 from urdfkit.text.diagnostic import Problem, Severity
-
-if TYPE_CHECKING:
-    from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.resolve import Resolver
 
 #: Similarity from which a name is a misspelt known one.
 _TYPO = 0.8

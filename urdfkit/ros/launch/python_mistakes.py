@@ -1,7 +1,5 @@
 """Calls of a Python launch file that launch rejects, or that do nothing."""
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Collection, Iterator

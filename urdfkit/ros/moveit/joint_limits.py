@@ -7,15 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import radians
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.robot.values import number
+from urdfkit.ros import RosDescription
 from urdfkit.ros.moveit.config import load_next_to
 from urdfkit.text.located_yaml import Key, Value
-
-if TYPE_CHECKING:
-    from urdfkit.ros import RosDescription
 
 _FILE = "joint_limits.yaml"
 _ON = ("true", "yes", "on", "1")

@@ -4,25 +4,20 @@ Source of the grammar: srdfdom's parser, and MoveIt's RobotModel, which rejects 
 the robot.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property, partial
-from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
+from urdfkit.robot.model import Joint
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.xml_reader import read_xml
+from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.siblings import other_srdf_files, srdf_files
-
-if TYPE_CHECKING:
-    from urdfkit.robot.model import Joint
-    from urdfkit.robot.tree import KinematicTree
-    from urdfkit.workspace.resolve import Resolver
 
 
 class Srdf:

@@ -7,14 +7,11 @@ is a typo of a known one.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.ros.catalog import data
-
-if TYPE_CHECKING:
-    from urdfkit.text.document import Attribute, Element
+from urdfkit.text.document import Attribute, Element
 
 
 class SrdfDeviation(Record):

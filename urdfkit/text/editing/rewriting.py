@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import difflib
-import io
 import os
-from array import array
 from collections.abc import Iterable
 
 from urdfkit.core import disk
@@ -15,8 +12,6 @@ from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.apply import apply_edits, encoded
 from urdfkit.text.source import Source
 
-#: Deletions and insertions up to which the smallest diff is looked for.
-_MAX_EDITS = 2000
 _CHANGED = "it has changed meanwhile; run it again"
 
 
@@ -30,6 +25,8 @@ class Rewrite(Record):
 
     def diff(self) -> str:
         """What changes, as a unified diff that ``patch -p0`` takes."""
+        from urdfkit.text.editing.diff import diff  # which a check that counts fixes does without
+
         before, after = (Source(self.path, data).data for data in (self.before, self.after))
         return diff(self.path, before, after)
 
@@ -49,82 +46,6 @@ def rewrites(edits: Iterable[Edit]) -> tuple[Rewrite, ...]:
         after = encoded(apply_edits(source.data, changes), source.encoding, before)
         found.append(Rewrite(os.path.normpath(source.path), before, after))
     return tuple(found)
-
-
-def diff(path: str, before: bytes, after: bytes) -> str:
-    """What changes of a file, as a unified diff that ``patch -p0`` takes.
-
-    Args:
-        path: of the file, as a user would type it.
-        before: its text, in UTF-8.
-        after: the same, changed.
-    """
-    old, new = _lines(before), _lines(after)
-    matcher = difflib.SequenceMatcher(None, old, new)
-    if common := _common(old, new):
-        vars(matcher)["matching_blocks"] = common  # which it would look for otherwise
-    lines = [f"--- {path}\n", f"+++ {path}\n"] if before != after else []
-    for group in matcher.get_grouped_opcodes():
-        lines.append(f"@@ -{_range(group, 1)} +{_range(group, 3)} @@\n")
-        for tag, start, end, at, to in group:
-            if tag == "equal":
-                lines += (f" {line}" for line in old[start:end])
-            else:
-                lines += (f"-{line}" for line in old[start:end])
-                lines += (f"+{line}" for line in new[at:to])
-    return "".join(
-        line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines
-    )
-
-
-def _range(group: list[tuple[str, int, int, int, int]], column: int) -> str:
-    """First line and number of lines of a hunk, in one of the two texts."""
-    start, end = int(group[0][column]), int(group[-1][column + 1])
-    return f"{start + (end > start)},{end - start}" if end - start != 1 else f"{start + 1}"
-
-
-def _common(old: list[str], new: list[str]) -> list[difflib.Match]:
-    """The longest common subsequence of two texts, as runs of lines; empty if they differ too much.
-
-    difflib takes lines that are frequent, such as </inertial>, for unimportant, and then shows
-    many more changes than there are. Myers 1986, https://doi.org/10.1007/BF01840446.
-    """
-    ends: list[array[int]] = []  # after n edits: how far each diagonal of the grid is reached
-    reached = {1: 0}
-    for edits in range(_MAX_EDITS):
-        for k in range(-edits, edits + 1, 2):
-            left, above = reached.get(k - 1, -1), reached.get(k + 1, -1)
-            x = above if k == -edits or (k != edits and left < above) else left + 1
-            while x < len(old) and x - k < len(new) and old[x] == new[x - k]:
-                x += 1
-            reached[k] = x
-            if x >= len(old) and x - k >= len(new):
-                return _traced(ends, x, x - k)
-        ends.append(array("l", (reached[k] for k in range(-edits, edits + 1, 2))))
-    return []
-
-
-def _traced(ends: list[array[int]], x: int, y: int) -> list[difflib.Match]:
-    """The runs of equal lines on the way through the grid that ends at a point."""
-    blocks = [difflib.Match(x, y, 0)]
-    for edits in range(len(ends), 0, -1):
-        before, k = ends[edits - 1], x - y
-        index = (k - 1 + edits - 1) // 2  # of the diagonal below, among every second one
-        left = before[index] if 0 <= index < len(before) else -1
-        above = before[index + 1] if index + 1 < len(before) else -1
-        is_insertion = k == -edits or (k != edits and left < above)
-        start = above if is_insertion else left + 1
-        if x > start:
-            blocks.append(difflib.Match(start, start - k, x - start))
-        x, y = (start, start - k - 1) if is_insertion else (start - 1, start - k)
-    if x:
-        blocks.append(difflib.Match(0, 0, x))
-    return blocks[::-1]
-
-
-def _lines(text: bytes) -> list[str]:
-    """With their ends, and as ``patch`` counts them: nothing but a line feed ends one."""
-    return [*io.StringIO(text.decode("utf-8", "replace"), newline="\n")]
 
 
 def write(rewrites: Iterable[Rewrite]) -> None:

@@ -1,0 +1,154 @@
+"""``urdfkit completion``, and what a shell completes: the values that click does not know."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, TypeAlias
+
+import click
+from click.shell_completion import (
+    CompletionItem,
+    ShellComplete,
+    add_completion_class,
+    get_completion_class,
+)
+
+from urdfkit.cli import options
+from urdfkit.cli.decorators import with_examples
+from urdfkit.errors import UrdfkitError
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Context
+
+SHELLS = ("bash", "zsh", "fish")
+#: The variable by which a shell asks; click derives it from the name of the program.
+VARIABLE = "_URDFKIT_COMPLETE"
+
+#: Gives the values of an option for the words before it.
+_Values: TypeAlias = "Callable[[list[str]], Iterable[str]]"
+
+
+@with_examples(
+    "completion",
+    "urdfkit completion bash > ~/.local/share/bash-completion/completions/urdfkit",
+    "urdfkit completion fish > ~/.config/fish/completions/urdfkit.fish",
+)
+@click.argument("shell", type=click.Choice(SHELLS))
+def command(shell: str) -> int:
+    """Print what makes a shell complete commands, options and their values.
+
+    Completed are targets, codes, formats, views, and the links and joints of the robot on the
+    command line; elsewhere file names.
+
+    Exit codes: 0 done, 2 usage error.
+    """
+    kind = get_completion_class(shell)
+    assert kind is not None
+    program = click.get_current_context().find_root().command
+    click.echo(kind(program, {}, "urdfkit", VARIABLE).source())
+    return 0
+
+
+def register() -> None:
+    """From now on click completes the values of options, and file names where it knows nothing."""
+    for shell in SHELLS:
+        kind = get_completion_class(shell)
+        assert kind is not None
+        add_completion_class(type(f"{shell}_values", (_WithValues, kind), {}), shell)
+
+
+class _WithValues(ShellComplete):
+    def get_completions(self, args: list[str], incomplete: str) -> list[CompletionItem]:
+        return super().get_completions(args, incomplete) or completed(args, incomplete)
+
+
+def completed(words: list[str], incomplete: str) -> list[CompletionItem]:
+    """What may stand in the place of a word.
+
+    Args:
+        words: before it, without the name of the program.
+        incomplete: its beginning.
+    """
+    values = _OF_OPTIONS.get(words[-1]) if words else None
+    if words[:1] == ["explain"]:
+        values = _codes
+    if values is None:
+        return [CompletionItem(incomplete, type="file")]
+    before, comma, last = incomplete.rpartition(",")
+    try:
+        found = [value for value in values(words) if value.startswith(last)]
+    except (ImportError, UrdfkitError):  # there is no robot, or an extra is missing
+        return []
+    return [CompletionItem(before + comma + value) for value in found]
+
+
+def _targets(_: list[str]) -> Iterable[str]:
+    from urdfkit.ros.targets import TARGETS
+
+    return TARGETS
+
+
+def _codes(_: list[str]) -> Iterable[str]:
+    from urdfkit.lint import rule_index
+
+    return rule_index.codes()
+
+
+def _formats(_: list[str]) -> Iterable[str]:
+    from urdfkit.output import formats
+
+    return formats.names()
+
+
+def _links(words: list[str]) -> Iterable[str]:
+    return sorted(_robot(words).model.links_by_name)
+
+
+def _joints(words: list[str]) -> Iterable[str]:
+    return sorted(_robot(words).model.joints_by_name)
+
+
+def _positions(words: list[str]) -> Iterable[str]:
+    return (f"{name}=" for name in _joints(words))
+
+
+def _robot(words: list[str]) -> Context:
+    """The robot that a command line names.
+
+    Raises:
+        UrdfkitError: it names none, or one that cannot be read.
+    """
+    from urdfkit.lint.loading import read
+
+    values = {options.FILES: words}
+    file = next((word for word in words[1:] if os.path.isfile(word)), "")
+    return read(file, arguments=options.arguments(values))
+
+
+def _views(_: list[str]) -> Iterable[str]:
+    from urdfkit.render.camera import VIEWS
+
+    return (*VIEWS, "all")
+
+
+def _layers(_: list[str]) -> Iterable[str]:
+    from urdfkit.render.layers import LAYERS
+
+    return ("visual", "collision", *LAYERS)
+
+
+_OF_OPTIONS: dict[str, _Values] = {
+    "--contact": _links,
+    "--format": _formats,
+    "--ignore": _codes,
+    "--jacobian": _links,
+    "--joint": _positions,
+    "--layers": _layers,
+    "--link": _links,
+    "--select": _codes,
+    "--sweep": _joints,
+    "--target": _targets,
+    "--transform": _links,
+    "--view": _views,
+}

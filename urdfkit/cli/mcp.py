@@ -1,0 +1,36 @@
+"""``urdfkit mcp``: the tools of urdfkit for programs that speak the Model Context Protocol."""
+
+import os
+
+import click
+
+from urdfkit.cli.decorators import with_examples
+from urdfkit.core.installation import install_command
+from urdfkit.errors import UnreadableFile, UrdfkitError
+
+
+class NotInstalled(UrdfkitError):
+    """The extra that brings the protocol is not installed."""
+
+
+@with_examples("mcp", "urdfkit mcp", "urdfkit mcp ~/robot_ws/src --write")
+@click.argument("directory", default=os.curdir)
+@click.option("--write", is_flag=True, help="Let the tool 'fix' write files.")
+def command(directory: str, write: bool) -> int:
+    """Offer check, explain, trace, expand, fix and render to agents.
+
+    Speaks the Model Context Protocol over standard input and output. The tools take files below
+    DIRECTORY and change none, unless --write is given. It needs the extra [mcp].
+
+    Exit codes: 0 the client has disconnected, 2 usage error, or the extra is not installed.
+    """
+    if not os.path.isdir(directory):
+        raise UnreadableFile(f"{directory}: no such directory")
+    try:
+        from urdfkit.cli.mcp_tools import server
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] != "mcp":
+            raise
+        raise NotInstalled(f"urdfkit mcp needs mcp: {install_command('mcp')}") from error
+    server(directory, may_write=write).run("stdio")
+    return 0
