@@ -73,11 +73,15 @@ def check(context: Context) -> Findings:
     starts = {one.span for one in worlds(context.launch)}
     if not len(found) == len(described) == len(starts) == 1:
         return  # which robot is spawned where is not known
-    yield from _without_floor(found[0], described[0])
+    spawned = [
+        one for one in (*context.launch.started, *context.launch.included) if spawner_of(one)
+    ]
+    if len(spawned) == 1:
+        yield from _without_floor(found[0], described[0])
     ground = _ground(found[0])
     if ground is None:
         return
-    for started in (*context.launch.started, *context.launch.included):
+    for started in spawned:
         height = _height(started)
         if height is None:
             continue
