@@ -144,7 +144,6 @@ class Directories:
         """The files in a directory and below it, nearest first; hidden directories are left out.
 
         Args:
-            directory: where to start.
             limit: how many directories to list at most.
         """
         found: list[str] = []
