@@ -21,6 +21,8 @@ POSES, DYNAMIC_POSES = 100, 10
 LENGTH, PART = 1e-9, 1e-6
 #: Entries below this, in N·m, kg or kg·m², are rounding.
 LEAST = 1e-9
+#: Nor does a torque say more than the weight of the robot on a lever of so many metres.
+LEVER = 1e-6
 #: Positions are drawn between these where no limit is nearer, in rad or m.
 _REACH = 3.0
 
@@ -58,7 +60,6 @@ def prove(model: Any, robot: Context) -> Proof:
 
     Args:
         model: an ``mujoco.MjModel``; its bodies and joints have the names of the robot's.
-        robot: that it was made from.
 
     Raises:
         UrdfkitError: Pinocchio cannot take the robot.
@@ -66,6 +67,7 @@ def prove(model: Any, robot: Context) -> Proof:
     dynamics, data = robot.dynamics, mujoco.MjData(model)
     random = np.random.default_rng(0)
     joints = _Coordinates(model, robot, dynamics)
+    least_torque = max(LEAST, LEVER * 9.81 * sum(float(mass) for mass in model.body_mass))
     worst = (0.0, "")
     matrix = gravity = 0.0
     for number in range(POSES):
@@ -77,7 +79,7 @@ def prove(model: Any, robot: Context) -> Proof:
             ours = joints.compared(dynamics.mass_matrix(pose))
             matrix = max(matrix, _part(ours, joints.mass_matrix(data)))
             ours = joints.compared(dynamics.gravity(pose))
-            gravity = max(gravity, _part(ours, joints.gravity(data)))
+            gravity = max(gravity, _part(ours, joints.gravity(data), least_torque))
     return Proof(_masses(model, robot), worst[0], matrix, gravity, worst[1])
 
 
@@ -166,7 +168,7 @@ def _bodies(model: Any) -> frozenset[str]:
     return frozenset(model.body(number).name for number in range(model.nbody))
 
 
-def _part(ours: Floats, theirs: Floats) -> float:
-    """The largest difference as a part of the largest entry, which counts as `LEAST` at least."""
-    largest = max(float(np.abs(ours).max(initial=0.0)), LEAST)
+def _part(ours: Floats, theirs: Floats, least: float = LEAST) -> float:
+    """The largest difference as a part of the largest entry, which counts as ``least`` at least."""
+    largest = max(float(np.abs(ours).max(initial=0.0)), least)
     return float(np.abs(ours - theirs).max(initial=0.0)) / largest
