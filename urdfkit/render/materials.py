@@ -38,7 +38,6 @@ class ModelMaterials:
     the link's Gazebo material counts.
 
     Args:
-        context: the description.
         see_through: whether collisions show what is in them.
     """
 

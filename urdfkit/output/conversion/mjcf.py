@@ -39,7 +39,6 @@ class MjcfRobot:
         robot: with a sound tree.
         files: where the file of each mesh and texture lies, by the ``id`` of the reference.
         directory: that the paths of the files begin in.
-        options: of the conversion.
         is_free: the root floats, and is not welded to the world.
 
     Raises:

@@ -60,11 +60,8 @@ class Geoms:
     """The geoms, meshes and materials of a specification.
 
     Args:
-        spec: MuJoCo's.
-        robot: as it was read.
         files: where the file of each mesh lies, by the ``id`` of the reference.
         directory: that the paths of the files begin in; others are added there.
-        losses: of the conversion.
         collision: one of `urdfkit.output.conversion.options.COLLISIONS`.
     """
 
@@ -97,9 +94,7 @@ class Geoms:
         """Add the geoms of a link.
 
         Args:
-            body: MuJoCo's, that gets them.
             frame: of the link, in that of the body.
-            link: of the robot.
 
         Returns:
             Those that collide.

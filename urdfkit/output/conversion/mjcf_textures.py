@@ -18,7 +18,6 @@ class Textures:
     """The materials of a specification that have a texture; each image is written once.
 
     Args:
-        spec: MuJoCo's.
         directory: that the paths of its files begin in.
     """
 

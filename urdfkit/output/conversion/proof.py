@@ -65,7 +65,6 @@ def prove(model: Any, robot: Context) -> Proof:
 
     Args:
         model: an ``mujoco.MjModel``; its bodies and joints have the names of the robot's.
-        robot: that it was made from.
 
     Raises:
         UrdfkitError: the robot has too many joints, or numbers that no robot has.
