@@ -16,6 +16,7 @@ from typing import Any
 
 import urdfkit
 from docs import generate
+from docs.playground.build import build as build_playground
 
 DOCS = Path(__file__).resolve().parent
 
@@ -52,8 +53,12 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 
 
 def on_post_build(config: Any, **_: Any) -> None:
-    """Write ``llms.txt`` (https://llmstxt.org), and the pages that it lists as they are written."""
+    """Write what the playground loads, and ``llms.txt`` with the pages that it lists as written.
+
+    https://llmstxt.org has the format of the latter.
+    """
     site = Path(config["site_dir"])
+    build_playground(site / "playground")
     for page in _pages():
         shutil.copyfile(DOCS / page, site / page)
     (site / "llms.txt").write_text(llms(), encoding="utf-8")

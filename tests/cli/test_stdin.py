@@ -70,3 +70,23 @@ def test_what_needs_a_file_says_so(
     captured = capsys.readouterr()
     assert (captured.out, reason in captured.err) == ("", True), captured.err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("command", ["expand", "report --quick", "diff", "check --format json"])
+def test_a_dash_behind_o_is_standard_output(
+    command: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    if command.startswith(("report", "diff")):
+        pytest.importorskip("trimesh")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    name, *options = command.split()
+    files = ["r.urdf"] * (2 if name == "diff" else 1)
+    code = main([name, *files, *options])
+    printed = capsys.readouterr().out
+    assert main([name, *files, *options, "-o", "-"]) == code
+    assert capsys.readouterr().out == printed != ""
+    assert not (tmp_path / "-").exists()

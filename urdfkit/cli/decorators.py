@@ -36,6 +36,18 @@ def in_formats(*names: str) -> Callable[[Command], Command]:
     return click.option("--format", "form", type=click.Choice(names), default=names[0])
 
 
+def to_file(name: str, help: str) -> Callable[[Command], Command]:
+    """Give a command the option ``-o``; None is standard output, and so is '-'."""
+    return click.option(
+        "-o",
+        "--output",
+        name,
+        metavar="FILE",
+        help=help,
+        callback=lambda context, option, file: None if file == "-" else file,
+    )
+
+
 TRUST = click.option(
     "--trust", is_flag=True, help="Let the model run any expression and read any file."
 )

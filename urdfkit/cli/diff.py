@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import limited, to_file, with_examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import check_options, last_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -27,9 +27,7 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
 )
 @with_robot_and_targets("BEFORE AFTER [NAME:=VALUE]...")
 @click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
-@click.option(
-    "-o", "--output", "output_file", metavar="FILE", help="Write to FILE; its suffix is the format."
-)
+@to_file("output_file", "Write to FILE; its suffix is the format.")
 @click.option(
     "--fail-on",
     metavar="KINDS",

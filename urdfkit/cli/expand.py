@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import with_examples
+from urdfkit.cli.decorators import to_file, with_examples
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
@@ -37,9 +37,7 @@ _IGNORED = partial(
     "urdfkit expand robot.urdf.xacro --map -",
 )
 @one_robot
-@click.option(
-    "-o", "--output", "target", metavar="FILE", help="Write to FILE instead of standard output."
-)
+@to_file("target", "Write to FILE instead of standard output.")
 @click.option("--deps", is_flag=True, help="Print the files that it depends on, and nothing else.")
 @click.option(
     "--map", "map_file", metavar="FILE", help="Write the source location of every element as JSON."

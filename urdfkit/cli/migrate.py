@@ -22,8 +22,8 @@ from urdfkit.text.terminal import printable
 def command(asked: dict[str, Any], target: str) -> int:
     """Show the changes that a model needs for another Gazebo.
 
-    Pure renames are printed as a diff for 'patch -p0'; nothing is written. Changes that need a
-    decision follow as comments, with the replacement.
+    What has a successor is printed as a diff for 'patch -p0'; nothing is written. Changes that need
+    a decision, and what the world needs, follow as comments.
 
     Exit codes: 0 nothing to do, 1 changes are needed, 2 the file cannot be read.
     """
@@ -41,6 +41,9 @@ def render(migration: Migration, target: str) -> Iterator[str]:
     if not (migration.renamed or migration.left or migration.unread):
         yield f"nothing to do for {target}\n"
     yield migration.diff()
+    for diagnostic in migration.renamed:
+        if diagnostic.fix and diagnostic.code == "GAZ012":
+            yield f"# {diagnostic.span}: {diagnostic.fix.title}\n"
     for diagnostic in migration.left:
         yield f"# {diagnostic.span}: {diagnostic.message}\n"
         if diagnostic.help:

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, stdin
-from urdfkit.cli.decorators import limited, with_examples
+from urdfkit.cli.decorators import limited, to_file, with_examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import check_options, only_file, with_robot_and_targets
 from urdfkit.core import atomic
@@ -23,9 +23,7 @@ from urdfkit.text.diagnostic import Severity
     "urdfkit report robot.urdf.xacro -o masses.csv --table links",
 )
 @with_robot_and_targets()
-@click.option(
-    "-o", "--output", "output_file", metavar="FILE", help="Write .html, .md, .json or .csv to FILE."
-)
+@to_file("output_file", "Write .html, .md, .json or .csv to FILE.")
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
 @click.option("--quick", is_flag=True, help="Skip images, statics and collisions.")
 @click.option("--table", type=click.Choice([*COLUMNS]), default="findings", help="Of a .csv.")

@@ -44,7 +44,7 @@ def _interrupt_late(budget: Budget) -> Callable[[], None] | None:
 
     None if the thread is not the main one, or there are no such timers.
     """
-    if sys.platform == "win32":
+    if sys.platform in {"win32", "emscripten"}:
         return None
     import signal
 

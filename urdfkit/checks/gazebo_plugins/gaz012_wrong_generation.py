@@ -20,6 +20,7 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.ros.gazebo.successors import successor
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, Targets, target_of_plugin
 from urdfkit.text.editing.edits import all_or_none, replace_value
 
@@ -54,7 +55,7 @@ def check(context: Context) -> Findings:
         wanted = " or ".join(TITLES[target] for target in targets)
         is_reported = True
         message = f"{use.title} is for {found}, but the robot is for {wanted}"
-        fix = _fix(use) if targets[0] == "gz-fortress" else None
+        fix = _fix(use, targets[0]) if targets[0] in GZ else None
         yield Finding(use.at.attributes["filename"], message, _successor(use, targets[0]), fix)
     is_given = len({GENERATIONS[name][0] for name in targets}) == 1 and not context.targets.evidence
     if not is_reported and not is_given:
@@ -101,10 +102,12 @@ def _runs(use: PluginUse, target: str) -> bool:
     return not generations(use).isdisjoint(GENERATIONS[target])
 
 
-def _fix(use: PluginUse) -> Fix | None:
-    """The names of Fortress: the same system, which reads the same tags."""
+def _fix(use: PluginUse, target: str) -> Fix | None:
+    """What gz-sim has instead; of its own plugins, their names in Fortress."""
     plugin = next((one for one in use.known if one.generation == "gz"), None)
-    if plugin is None or not plugin.fortress_files or not plugin.fortress_class:
+    if plugin is None:
+        return successor(use, target)
+    if target != "gz-fortress" or not plugin.fortress_files or not plugin.fortress_class:
         return None
     names = {"filename": plugin.fortress_files[0], "name": plugin.fortress_class}
     edits = all_or_none(replace_value(use.at.attributes[key], text) for key, text in names.items())

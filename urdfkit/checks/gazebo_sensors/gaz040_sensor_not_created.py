@@ -84,10 +84,12 @@ def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findin
         reader, other = "Gazebo Classic", kind.classic_name
     else:
         return
+    at = sensor.at.attributes["type"]
     yield Finding(
-        sensor.at.attributes["type"],
+        at,
         f"{sensor.who}: {reader} has no sensor type '{sensor.type}'",
         f"write type '{other}'" if other else f"use a type that {reader} has",
+        fix_value(at, other) if wants_gz or wants_classic else None,
         severity=Severity.ERROR if wants_gz or wants_classic else Severity.INFO,
         targets=targets.among(GZ if reader == "gz-sim" else CLASSIC),
     )

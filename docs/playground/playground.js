@@ -1,0 +1,215 @@
+// The page: an editor with the findings of urdfkit. Nothing that is opened leaves the browser.
+import { xml } from "@codemirror/lang-xml";
+import { lintGutter, setDiagnostics } from "@codemirror/lint";
+import { basicSetup, EditorView } from "codemirror";
+
+const EXAMPLES = ["gazebo_pkg", "mobile_base", "two_link_arm"];
+const PAUSE = 400; // ms without a key before the robot is checked
+
+const element = (id) => document.getElementById(id);
+const status = (text) => (element("status").textContent = text);
+status("loading");
+
+// --- the worker
+
+const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+const waiting = new Map();
+worker.onmessage = ({ data: { id, answer, error } }) => {
+  const { resolve, reject } = waiting.get(id);
+  waiting.delete(id);
+  if (error === undefined) resolve(answer);
+  else reject(new Error(error));
+};
+worker.onerror = ({ message }) => status(message ?? "the worker cannot be loaded");
+let asked = 0;
+const ask = (what, words) =>
+  new Promise((resolve, reject) => {
+    waiting.set(++asked, { resolve, reject });
+    worker.postMessage({ id: asked, ask: what, ...words });
+  });
+
+// --- the files: their texts by path, and the one in the editor
+
+let texts = {};
+let shown = "";
+let report = { diagnostics: [] };
+let checked = {}; // the texts that the report is about
+
+const editor = new EditorView({
+  parent: element("editor"),
+  extensions: [
+    basicSetup,
+    xml(),
+    lintGutter(),
+    EditorView.updateListener.of((update) => {
+      if (!update.docChanged || !shown) return;
+      texts[shown] = update.state.doc.toString();
+      clearTimeout(pause);
+      pause = setTimeout(check, PAUSE);
+    }),
+  ],
+});
+let pause;
+
+function show(path) {
+  shown = ""; // no key was pressed
+  editor.dispatch({ changes: { from: 0, to: editor.state.doc.length, insert: texts[path] ?? "" } });
+  shown = path;
+  element("file").value = path;
+  underline();
+}
+
+async function open(words, first) {
+  clearTimeout(pause);
+  texts = await ask("open", words);
+  const paths = Object.keys(texts);
+  if (!paths.length) throw new Error("the file holds no robot");
+  element("file").replaceChildren(...paths.map((path) => new Option(path)));
+  report = { diagnostics: [] };
+  show(first ?? paths.find((path) => /\.(urdf|xacro)$/.test(path)) ?? paths[0]);
+  await check();
+}
+
+async function check() {
+  status("checking");
+  const before = { ...texts };
+  const started = performance.now();
+  const { report: found, expanded } = await ask("check", { texts: before, shown });
+  element("expanded").textContent = expanded;
+  if (Object.entries(before).some(([path, text]) => texts[path] !== text)) return; // there is newer text
+  report = found;
+  checked = before;
+  list();
+  underline();
+  const { error, warning, info } = report.summary;
+  const seconds = ((performance.now() - started) / 1000).toFixed(1);
+  status(`errors: ${error}, warnings: ${warning}, infos: ${info} (${seconds} s)`);
+}
+
+// --- the findings
+
+// The position of a line and a column in a text; urdfkit counts characters, the editor UTF-16.
+function position(doc, line, column) {
+  const { from, text } = doc.line(Math.min(line, doc.lines));
+  return from + [...text].slice(0, column - 1).join("").length;
+}
+const range = (doc, place) => ({
+  from: position(doc, place.line, place.column),
+  to: position(doc, place.end_line, place.end_column),
+});
+
+function underline() {
+  const { doc } = editor.state;
+  const marks = report.diagnostics
+    .filter(({ path }) => path === shown)
+    .map((finding) => ({
+      ...range(doc, finding),
+      severity: finding.severity,
+      source: finding.code,
+      message: finding.help ? `${finding.message}\n${finding.help}` : finding.message,
+      actions: finding.fix
+        ? [{ name: finding.fix.safe ? "Fix" : "Fix (unsafe)", apply: () => apply(finding.fix) }]
+        : [],
+    }));
+  editor.dispatch(setDiagnostics(editor.state, marks));
+}
+
+function list() {
+  const items = report.diagnostics.map((finding) => {
+    const item = document.createElement("li");
+    item.className = finding.severity;
+    const place = document.createElement("small");
+    place.textContent = `${finding.path}:${finding.line} ${finding.severity} ${finding.code} `;
+    const help = document.createElement("small");
+    help.textContent = finding.help && ` ${finding.help}`;
+    item.append(place, finding.message, help);
+    item.onclick = () => go(finding);
+    if (finding.fix) {
+      const button = document.createElement("button");
+      button.textContent = `${finding.fix.safe ? "Fix" : "Fix (unsafe)"}: ${finding.fix.title}`;
+      button.onclick = (event) => {
+        event.stopPropagation();
+        apply(finding.fix);
+      };
+      item.append(button);
+    }
+    return item;
+  });
+  element("findings").replaceChildren(...items);
+}
+
+function go(finding) {
+  if (!(finding.path in texts)) return;
+  if (finding.path !== shown) show(finding.path);
+  const { from } = range(editor.state.doc, finding);
+  editor.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
+  editor.focus();
+}
+
+function apply(fix) {
+  if (fix.edits.some(({ path }) => texts[path] !== checked[path])) return; // its places have moved
+  for (const path of new Set(fix.edits.map((edit) => edit.path))) {
+    if (path !== shown) show(path);
+    const { doc } = editor.state;
+    const edits = fix.edits.filter((edit) => edit.path === path);
+    editor.dispatch({ changes: edits.map((edit) => ({ ...range(doc, edit), insert: edit.text })) });
+  }
+}
+
+// --- a model in the fragment of the URL, which no server sees: deflated, in base64url
+
+async function piped(bytes, through) {
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(through)).arrayBuffer());
+}
+async function packed(model) {
+  const text = new TextEncoder().encode(JSON.stringify(model));
+  const bytes = await piped(text, new CompressionStream("deflate-raw"));
+  const letters = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+  return letters.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+async function unpacked(word) {
+  const letters = atob(word.replaceAll("-", "+").replaceAll("_", "/"));
+  const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+  return JSON.parse(new TextDecoder().decode(await piped(bytes, new DecompressionStream("deflate-raw"))));
+}
+
+// --- what a person does
+
+const fails = (error) => status(error.message);
+const openExample = (name) => open({ url: `examples/${name}.zip` }).catch(fails);
+
+async function openFile(file) {
+  const words = file.name.endsWith(".zip")
+    ? { zip: await file.arrayBuffer() }
+    : { path: file.name, text: await file.text() };
+  await open(words);
+}
+
+async function openLink() {
+  const word = location.hash.slice(1);
+  if (!word) return openExample(EXAMPLES[0]);
+  return open(await unpacked(word));
+}
+
+element("example").append(...EXAMPLES.map((name) => new Option(name)));
+element("example").onchange = ({ target }) => openExample(target.value);
+element("file").onchange = ({ target }) => show(target.value);
+element("open").onchange = ({ target }) => openFile(target.files[0]).catch(fails);
+element("link").onclick = async () => {
+  const model = { path: shown.split("/").at(-1), text: texts[shown] };
+  history.replaceState(null, "", `#${await packed(model)}`);
+  await navigator.clipboard?.writeText(location.href).catch(() => {});
+  status("the link is in the address bar");
+};
+document.body.ondragover = (event) => {
+  event.preventDefault();
+  document.body.classList.add("dragged");
+};
+document.body.ondragleave = () => document.body.classList.remove("dragged");
+document.body.ondrop = (event) => {
+  event.preventDefault();
+  document.body.classList.remove("dragged");
+  if (event.dataTransfer.files.length) openFile(event.dataTransfer.files[0]).catch(fails);
+};
+window.onhashchange = () => openLink().catch(fails);
+openLink().catch(fails);
