@@ -12,6 +12,7 @@ import os
 import subprocess
 import sys
 import sysconfig
+import tempfile
 from pathlib import Path
 
 BIN = Path(sysconfig.get_path("scripts"))
@@ -46,6 +47,10 @@ def main() -> None:
     codes = {diagnostic["code"] for diagnostic in report["diagnostics"]}
     assert {"MSH001", "TRE008", "URD001", "URD008", "XAC004", "XAC007", "XAC014"} <= codes, codes
     assert report["crashed"] == []
+
+    with tempfile.TemporaryDirectory() as directory:
+        run("urdfkit", "new", "started", "--kind", "arm", "-o", directory)
+        run("urdfkit", "check", directory)
 
     for name in ("gripper.urdf", "two_link_arm/urdf/two_link_arm.urdf"):
         run("urdfkit", "check", models / "good" / name)

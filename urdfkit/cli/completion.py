@@ -68,7 +68,6 @@ def completed(words: list[str], incomplete: str) -> list[CompletionItem]:
 
     Args:
         words: before it, without the name of the program.
-        incomplete: its beginning.
     """
     values = _OF_OPTIONS.get(words[-1]) if words else None
     if words[:1] == ["explain"]:

@@ -31,7 +31,17 @@ SECTIONS = {
     ),
     "Show a robot": ("render", "view", "report"),
     "Mesh files and copies": ("mesh", "bundle", "convert"),
-    "Rules and set-up": ("rules", "explain", "init", "doctor", "clean", "completion", "lsp", "mcp"),
+    "Rules and set-up": (
+        "rules",
+        "explain",
+        "new",
+        "init",
+        "doctor",
+        "clean",
+        "completion",
+        "lsp",
+        "mcp",
+    ),
 }
 COMMANDS = tuple(chain.from_iterable(SECTIONS.values()))
 
